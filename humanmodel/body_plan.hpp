@@ -42,6 +42,6 @@ BodyPlan anthropometricPlan(double height, std::optional<double> mass, std::opti
                             std::optional<double> percentile);
 
 /// The segment with the user's overrides; `name` is used in messages. Throws UsageError.
-Segment overridden(const Segment& segment, const PartOverride& wish, std::string_view name);
+Segment overridden(const Segment& segment, const PartOverride& requested, std::string_view name);
 
 }  // namespace abstand::humanmodel

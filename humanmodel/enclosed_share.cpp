@@ -77,11 +77,12 @@ std::array<EnclosedShare, kBodyPartCount> enclosedShare(const HumanModel& model,
   }
   std::array<EnclosedShare, kBodyPartCount> shares;
   for (const HumanPart& part : model.parts) {
-    EnclosedShare& least = shares[index(part.part)];
-    least = {1.0, 1.0};
+    EnclosedShare& smallest = shares[index(part.part)];
+    smallest = {1.0, 1.0};
     for (const GirthPlace place : placesOf(kindOf(part.part))) {
       const EnclosedShare here = enclosedBy(part, place, model.height, people);
-      least = {std::min(least.at_stature, here.at_stature), std::min(least.all_statures, here.all_statures)};
+      smallest = {std::min(smallest.at_stature, here.at_stature),
+                  std::min(smallest.all_statures, here.all_statures)};
     }
   }
   return shares;

@@ -63,9 +63,9 @@ HumanModel makeHuman(const HumanOptions& options) {
   for (std::size_t i = 0; i < kBodyPartCount; ++i) {
     const auto part = static_cast<BodyPart>(i);
     const Segment& usual = body.plan[kindOf(part)];
-    const auto wish = options.overrides.find(part);
+    const auto requested = options.overrides.find(part);
     body.segments[i] =
-        wish == options.overrides.end() ? usual : overridden(usual, wish->second, partName(part));
+        requested == options.overrides.end() ? usual : overridden(usual, requested->second, partName(part));
     model.parts.push_back(makePart(body, part));
   }
   assignInertia(model.mass, options.sex, model.parts);

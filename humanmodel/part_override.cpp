@@ -19,40 +19,41 @@ void checkSize(const std::optional<double>& value, std::string_view part, const 
 
 }  // namespace
 
-Segment overridden(const Segment& segment, const PartOverride& wish, std::string_view name) {
-  checkSize(wish.length, name, "length");
-  checkSize(wish.contour, name, "contour");
-  checkSize(wish.breadth, name, "breadth");
-  checkSize(wish.depth, name, "depth");
+Segment overridden(const Segment& segment, const PartOverride& requested, std::string_view name) {
+  checkSize(requested.length, name, "length");
+  checkSize(requested.contour, name, "contour");
+  checkSize(requested.breadth, name, "breadth");
+  checkSize(requested.depth, name, "depth");
 
   Segment s = segment;
-  if (wish.length) s.length = *wish.length;
+  if (requested.length) s.length = *requested.length;
   double contour = contourOf(s.shape, s.breadth, s.depth);
-  if (wish.shape) {
-    if (*wish.shape != "ellipsoid" && *wish.shape != "cuboid")
-      throw UsageError(std::string(name) + ".shape is \"" + *wish.shape + "\", expected ellipsoid or cuboid");
-    s.shape = *wish.shape == "cuboid" ? PartShape::kCuboid : PartShape::kEllipsoid;
+  if (requested.shape) {
+    if (*requested.shape != "ellipsoid" && *requested.shape != "cuboid")
+      throw UsageError(std::string(name) + ".shape is \"" + *requested.shape +
+                       "\", expected ellipsoid or cuboid");
+    s.shape = *requested.shape == "cuboid" ? PartShape::kCuboid : PartShape::kEllipsoid;
   }
-  if (wish.contour) contour = *wish.contour;
+  if (requested.contour) contour = *requested.contour;
 
   // Scaling breadth and depth together scales the girth by the same factor.
   const double scale = contour / contourOf(s.shape, s.breadth, s.depth);
   s.breadth *= scale;
   s.depth *= scale;
-  if (wish.contour && wish.breadth && wish.depth)
+  if (requested.contour && requested.breadth && requested.depth)
     throw UsageError(std::string(name) +
                      ": contour, breadth and depth are given, expected two of them at most");
-  if (wish.contour && (wish.breadth || wish.depth)) {
-    const double given = wish.breadth ? *wish.breadth : *wish.depth;
+  if (requested.contour && (requested.breadth || requested.depth)) {
+    const double given = requested.breadth ? *requested.breadth : *requested.depth;
     if (0.5 * contour - given < kSmallest)
       throw UsageError(std::string(name) + ": no cross-section is " + formatDouble(given) + " m wide and " +
                        formatDouble(contour) + " m around, expected a contour above twice the width");
     const double other = extentFor(s.shape, contour, given);
-    s.breadth = wish.breadth ? given : other;
-    s.depth = wish.breadth ? other : given;
+    s.breadth = requested.breadth ? given : other;
+    s.depth = requested.breadth ? other : given;
   } else {
-    if (wish.breadth) s.breadth = *wish.breadth;
-    if (wish.depth) s.depth = *wish.depth;
+    if (requested.breadth) s.breadth = *requested.breadth;
+    if (requested.depth) s.depth = *requested.depth;
   }
   return s;
 }

@@ -163,10 +163,10 @@ HumanOptions withRecordingLengths(const HumanOptions& options, std::span<const S
   for (const HumanPart& part : model.parts) {
     const std::size_t kind = index(kindOf(part.part));
     if (count[kind] == 0) continue;
-    PartOverride& wish = fitted.overrides[part.part];
-    if (wish.length) continue;
+    PartOverride& requested = fitted.overrides[part.part];
+    if (requested.length) continue;
     const double bone = (part.p_proximal - part.p_distal).norm();
-    wish.length = part.length * (sum[kind] / count[kind]) / bone;
+    requested.length = part.length * (sum[kind] / count[kind]) / bone;
   }
   return fitted;
 }

@@ -138,7 +138,7 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const mechanis
     const double t = motion.start() + static_cast<double>(row) / args.rate;
     motion.at(t, q, qd, qdd);
     mechanism::inverseDynamics(tree, {q, qd, qdd}, {gravity_B, {}}, state, efforts);
-    watch.look(t, q, qd, qdd, efforts);
+    watch.check(t, q, qd, qdd, efforts);
     for (std::size_t k = 0; k < n; ++k) {
       if (std::abs(efforts[k]) <= peak[k]) continue;
       peak[k] = std::abs(efforts[k]);
@@ -238,7 +238,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
   }
   mechanism::JointLimitWatch watch(mechanism::dofLimits(mechanism));
   if (args.motion.empty())
-    watch.look(kNaN, q, qd, qdd, efforts);
+    watch.check(kNaN, q, qd, qdd, efforts);
   else
     document["peaks"] = alongMotion(args, mechanism, tree, gravity_B, watch, text);
   const auto limits = run::reportsOf("", mechanism, watch.breaches(), true);

@@ -81,7 +81,7 @@ int runFk(const CommandLine& line, const FkArguments& args) {
   }
   // Reports joint values beyond limits and, with a wrench, efforts that the motors cannot hold.
   mechanism::JointLimitWatch watch(mechanism::dofLimits(mechanism));
-  watch.look(kNaN, q, {}, {}, efforts);
+  watch.check(kNaN, q, {}, {}, efforts);
   const auto limits = run::reportsOf("", mechanism, watch.breaches(), false);
   for (const run::JointLimitReport& r : limits) line.warn(run::describe(r));
   document["joint_limits"] = jointLimitsJson(limits);

@@ -82,7 +82,7 @@ nlohmann::ordered_json predictionJson(const std::vector<tracking::PredictionTria
                     {"still_p95", t.still_p95},
                     {"guess_mean", t.guess_mean},
                     {"guess_p95", t.guess_p95},
-                    {"guess_most", t.guess_most},
+                    {"guess_most", t.guess_max},
                     {"outside", t.outside},
                     {"speed_needed", t.speed_needed}});
   return {{"person_speed", numberOrNull(bounds.speed)},
@@ -97,7 +97,7 @@ std::string predictionText(const std::vector<tracking::PredictionTrial>& trials,
   for (const tracking::PredictionTrial& t : trials)
     text += format("%4.0f ms %6.0f %6.0f mm %9.0f %6.0f %6.0f mm %12zu of %zu %10.1f m/s\n", t.ahead * kMm,
                    t.still_mean * kMm, t.still_p95 * kMm, t.guess_mean * kMm, t.guess_p95 * kMm,
-                   t.guess_most * kMm, t.outside, t.places, t.speed_needed);
+                   t.guess_max * kMm, t.outside, t.places, t.speed_needed);
   return text + format("bounds: %.3g m/s, %.3g m/s^2\n", bounds.speed, bounds.acceleration);
 }
 

@@ -95,7 +95,7 @@ void Scene::movePerson(std::size_t person, const Skeleton& skeleton) {
 }
 
 void Scene::query(double t) {
-  for (const auto& human : impl_->session->humans()) human->widen(t, impl_->scene());
+  for (const auto& human : impl_->session->humans()) human->growUncertainty(t, impl_->scene());
   impl_->scene().step();
   impl_->session->sumEfforts();
 }

@@ -78,7 +78,7 @@ void ClosedLoop::push(PairId id) {
 
 void ClosedLoop::move() {
   scene::Scene& scene = session_.scene();
-  for (const auto& human : session_.humans()) human->glide(t_, scene);
+  for (const auto& human : session_.humans()) human->interpolate(t_, scene);
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     if (robots_[m])
       robots_[m]->place(t_, scene);
@@ -92,7 +92,7 @@ void ClosedLoop::move() {
 void ClosedLoop::react(double age) {
   session_.sumEfforts();
   double person_age = 0.0;
-  for (const auto& human : session_.humans()) person_age = std::max(person_age, human->missing());
+  for (const auto& human : session_.humans()) person_age = std::max(person_age, human->recordedAge());
   const scene::Scene& scene = session_.scene();
   for (const auto& robot : robots_)
     if (robot) robot->react({t_, kStep, person_age, age}, scene);
@@ -110,7 +110,7 @@ void ClosedLoop::step() {
   react();
 }
 
-void ClosedLoop::look() {
+void ClosedLoop::refresh() {
   move();
   session_.scene().step();
   session_.sumEfforts();

@@ -32,7 +32,7 @@ class ClosedLoop {
   /// beyond `stop.input_age` robots stop for stale input.
   void react(double age);
   /// Shows time() without advancing: poses, pairs, joint efforts. step() repeats it.
-  void look();
+  void refresh();
   /// Releases every robot that waits for a reset, in the next cycle.
   void resetStops();
   /// Whether the torques of the reactions are sent to the motors, from the next cycle on.

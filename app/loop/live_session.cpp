@@ -72,7 +72,7 @@ bool LiveSession::takeSnapshot(view::SceneSnapshot& out) {
   return true;
 }
 
-void LiveSession::obey(const Command& wish, Timing& timing) {
+void LiveSession::handle(const Command& received, Timing& timing) {
   std::visit(Overload{[&](command::Play c) {
                         if (c.on == playing_) return;
                         playing_ = c.on;
@@ -96,7 +96,7 @@ void LiveSession::obey(const Command& wish, Timing& timing) {
                         if (c.object < 0 || c.object >= n || !(c.metres >= 0.0) || !std::isfinite(c.metres))
                           return;
                         session_->scene().setMargin(ObjectId(static_cast<std::uint32_t>(c.object)), c.metres);
-                        dirty_ = true;
+                        needs_cycle_ = true;
                       },
                       [&](command::React c) {
                         if (!session_->reacts() || !outline_.cannot_react.empty()) return;
@@ -105,7 +105,7 @@ void LiveSession::obey(const Command& wish, Timing& timing) {
                         if (c.on) closeLoop(t_);
                         ++loops_;
                         pace_.drop();
-                        dirty_ = true;
+                        needs_cycle_ = true;
                         timing.statistics.clear();
                         timing.restart();
                       },
@@ -118,18 +118,18 @@ void LiveSession::obey(const Command& wish, Timing& timing) {
                       },
                       [&](command::SetGroup c) {
                         control_.setState(c.group, c.state, t_);
-                        dirty_ = true;
+                        needs_cycle_ = true;
                       },
                       [&](command::AddPair c) {
                         control_.add(c.group, pair(c.pair), t_);
-                        dirty_ = true;
+                        needs_cycle_ = true;
                       },
                       [&](command::RemovePair c) {
                         control_.remove(pair(c.pair), t_);
-                        dirty_ = true;
+                        needs_cycle_ = true;
                       }},
-             wish);
-  fresh_ = true;
+             received);
+  needs_snapshot_ = true;
 }
 
 void LiveSession::goTo(double t) {
@@ -145,7 +145,7 @@ void LiveSession::begin(double t) {
     closeLoop(t);
     ++loops_;
   }
-  dirty_ = true;
+  needs_cycle_ = true;
 }
 
 void LiveSession::closeLoop(double t) {
@@ -211,7 +211,7 @@ void LiveSession::publish(const Timing& timing) {
   s.real_time_factor = playing_ ? pace_.factor() : kNaN;
   s.playing = playing_;
   snapshots_.publish();
-  fresh_ = false;
+  needs_snapshot_ = false;
 }
 
 /// Wall time (s) available for a cycle.
@@ -235,8 +235,8 @@ void LiveSession::timed(Timing& timing, Work work) {
               : std::clamp(static_cast<int>(std::ceil(kHeadroom * timing.statistics.median() / kPeriod)), 1,
                            kMaxPeriods);
   ++step_;
-  dirty_ = false;
-  fresh_ = true;
+  needs_cycle_ = false;
+  needs_snapshot_ = true;
   view::PlotSample sample;
   sample.t = t_;
   sample.min_distance = kInfinity;
@@ -246,7 +246,7 @@ void LiveSession::timed(Timing& timing, Work work) {
     sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
   findTorques();
   for (const view::TorqueParts& joint : joint_torques_) {
-    const auto raise = [](double& most, double value) { most = std::fmax(most, std::abs(value)); };
+    const auto raise = [](double& largest, double value) { largest = std::fmax(largest, std::abs(value)); };
     raise(sample.peak_torque.contact, joint.contact);
     raise(sample.peak_torque.reaction, joint.reaction);
     raise(sample.peak_torque.gravity, joint.gravity);
@@ -258,7 +258,7 @@ void LiveSession::timed(Timing& timing, Work work) {
 /// Shows t_ without advancing.
 void LiveSession::cycle(Timing& timing) {
   if (closed_) t_ = closed_->time();
-  timed(timing, [this] { closed_ ? closed_->look() : session_->step(t_); });
+  timed(timing, [this] { closed_ ? closed_->refresh() : session_->step(t_); });
 }
 
 void LiveSession::reactOnce(Timing& timing) {
@@ -270,7 +270,7 @@ void LiveSession::reactOnce(Timing& timing) {
 void LiveSession::end() {
   if (looping_ && outline_.end > outline_.start) return begin(outline_.start);
   playing_ = false;
-  fresh_ = true;
+  needs_snapshot_ = true;
 }
 
 void LiveSession::play(Timing& timing) {
@@ -280,13 +280,13 @@ void LiveSession::play(Timing& timing) {
 
 /// Advances to the current wall time, at most to the end, which is shown before the next round starts.
 void LiveSession::playRecorded(Timing&) {
-  pace_.forgive(speed_, speed_ * PlayPace::kMaxLag);
+  pace_.limitLag(speed_, speed_ * PlayPace::kMaxLag);
   if (t_ >= outline_.end) end();
   if (!playing_) return;
   const double dt = std::min(pace_.due(), outline_.end - t_);
   pace_.played(dt);
   t_ = pace_.due() > 0.0 ? outline_.end : t_ + dt;
-  dirty_ = true;
+  needs_cycle_ = true;
   if (t_ >= outline_.end && !looping_) end();
 }
 
@@ -300,23 +300,24 @@ void LiveSession::playClosed(Timing& timing) {
     pace_.played(ClosedLoop::kStep);
     if (clock_->now() >= until) break;
   }
-  pace_.forgive(speed_, 0.0);
+  pace_.limitLag(speed_, 0.0);
 }
 
 void LiveSession::loop(Timing& timing) {
-  double next = clock_->now();  // s, start of the next round
-  int unseen = 0;               // rounds since the last snapshot
+  double next = clock_->now();    // s, start of the next round
+  int rounds_since_snapshot = 0;  // rounds since the last snapshot
   while (!stop_) {
     pending_.clear();
     commands_.drainInto(pending_);
-    for (const Command& c : pending_) obey(c, timing);
+    for (const Command& c : pending_) handle(c, timing);
     const bool commanded = !pending_.empty();
     if (playing_) play(timing);
-    if (dirty_) cycle(timing);
-    ++unseen;
-    if (fresh_ && (commanded || !playing_ || unseen >= kPublishEvery || timing.periods > 1)) {
+    if (needs_cycle_) cycle(timing);
+    ++rounds_since_snapshot;
+    if (needs_snapshot_ &&
+        (commanded || !playing_ || rounds_since_snapshot >= kPublishEvery || timing.periods > 1)) {
       publish(timing);
-      unseen = 0;
+      rounds_since_snapshot = 0;
     }
     // After a late round the next ones do not come in bursts.
     next = std::max(next + kPeriod * timing.periods, clock_->now());

@@ -94,7 +94,7 @@ class LiveSession {
   void playClosed(Timing& timing);
   double step(const Timing& timing) const;
   void loop(Timing& timing);
-  void obey(const Command& command, Timing& timing);
+  void handle(const Command& command, Timing& timing);
   void goTo(double t);
   void begin(double t);
   void closeLoop(double t);
@@ -121,8 +121,8 @@ class LiveSession {
   std::vector<view::TorqueParts> joint_torques_;   ///< for all joints
   bool torques_on_{true};
   bool playing_{false}, looping_{true};
-  bool dirty_{true};  ///< the scene does not show t_ yet
-  bool fresh_{true};  ///< there are changes that no snapshot has
+  bool needs_cycle_{true};     ///< the scene does not show t_ yet
+  bool needs_snapshot_{true};  ///< there are changes that no snapshot has
   long step_{0};
   long loops_{0};  ///< number of resets of the robots to their plans
 

@@ -5,15 +5,15 @@ namespace abstand::loop {
 MotionClock::MotionClock(const mechanism::MotionTable* motion, std::span<const double> q, double start)
     : q_(q.begin(), q.end()), qd_(q.size(), 0.0), qdd_(q.size(), 0.0), full_(q.size(), 0.0), time_(start) {
   if (motion) motion_.emplace(*motion);
-  look(1.0);
+  evaluate(1.0);
 }
 
 void MotionClock::advance(double dt, double scale) {
   time_ += scale * dt;
-  look(scale);
+  evaluate(scale);
 }
 
-void MotionClock::look(double scale) {
+void MotionClock::evaluate(double scale) {
   if (!motion_) return;
   motion_->at(time_, q_, full_, qdd_);
   for (std::size_t i = 0; i < q_.size(); ++i) {

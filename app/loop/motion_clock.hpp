@@ -25,7 +25,7 @@ class MotionClock {
   double time() const { return time_; }  ///< s, on its own clock
 
  private:
-  void look(double scale);
+  void evaluate(double scale);
 
   std::optional<mechanism::SmoothMotion> motion_;
   std::vector<double> q_, qd_, qdd_, full_;

@@ -31,7 +31,7 @@ class PlayPace {
     played_ = 0.0;
   }
   /// Drops a lag that is too long, except for `keep` s of scene time.
-  void forgive(double speed, double keep) {
+  void limitLag(double speed, double keep) {
     if (due_ > speed * kMaxLag) due_ = keep;
   }
   double due() const { return due_; }  ///< s of scene time

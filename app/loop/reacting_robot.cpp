@@ -20,7 +20,7 @@ physics::MechanismSolver solverOf(const mechanism::RigidTree& tree) {
                                               : physics::MechanismSolver::kJointed;
 }
 
-void take(RobotRecord::Moment& moment, PairId pair, double t, double value) {
+void updateNearest(RobotRecord::Moment& moment, PairId pair, double t, double value) {
   if (!(moment.value <= value)) moment = {pair, t, value};
 }
 
@@ -47,7 +47,7 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   for (auto* v : {&qdd_, &torque_, &applied_, &next_.q, &next_.qd, &scratch_.acceleration,
                   &scratch_.hold_efforts, &scratch_.bias})
     v->assign(n, 0.0);
-  limits_.look(t, q_, qd_, {}, {});
+  limits_.check(t, q_, qd_, {}, {});
   if (description.reaction->admittance) {
     wanted_ = last_wanted_ = q_;
     const bool weightless = std::any_of(dynamics_.tree.bodies.begin(), dynamics_.tree.bodies.end(),
@@ -71,14 +71,14 @@ void ReactingRobot::place(double t, scene::Scene& scene) {
   reaction_.placeHeld(t, scene);
 }
 
-void ReactingRobot::look(double t, double h, std::span<const control::ReactionPair> pairs,
-                         const scene::Scene& scene) {
+void ReactingRobot::recordProgress(double t, double h, std::span<const control::ReactionPair> pairs,
+                                   const scene::Scene& scene) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairId id = reaction_.pairs().own()[i].id;
     if (scene.pairs()[id.index()].paused) continue;  // its result is stale
     const double distance = scene.result(id).distance;
-    take(record_.nearest, id, t, distance);
-    if (pairs[i].person) take(record_.nearest_person, id, t, distance);
+    updateNearest(record_.nearest, id, t, distance);
+    if (pairs[i].person) updateNearest(record_.nearest_person, id, t, distance);
   }
   const std::span<const double> planned = plan_.now().q;
   for (std::size_t i = 0; i < q_.size(); ++i)
@@ -91,9 +91,10 @@ void ReactingRobot::look(double t, double h, std::span<const control::ReactionPa
 void ReactingRobot::react(const Cycle& cycle, const scene::Scene& scene) {
   const double h = cycle.h;
   h_ = h;
-  look(cycle.t, h,
-       reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
-       scene);
+  recordProgress(
+      cycle.t, h,
+      reaction_.gather({cycle.t, h, q_, qd_, plan_.fullSpeed(), cycle.result_age, cycle.person_age}, scene),
+      scene);
 
   mechanism::placeBodies(dynamics_.tree, q_, dynamics_.state);
   mechanism::massMatrix(dynamics_.tree, dynamics_.state, dynamics_.mass);
@@ -198,7 +199,7 @@ void ReactingRobot::follow() {
     const std::span<const double> efforts = world_.mechanism(number_).appliedEfforts();
     std::copy(efforts.begin(), efforts.end(), applied_.begin());
   }
-  limits_.look(t_next_, q, qd, qdd_, applied_);
+  limits_.check(t_next_, q, qd, qdd_, applied_);
   std::copy(q.begin(), q.end(), q_.begin());
   std::copy(qd.begin(), qd.end(), qd_.begin());
 }

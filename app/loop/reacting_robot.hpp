@@ -89,7 +89,8 @@ class ReactingRobot {
     std::vector<double> acceleration, hold_efforts, bias;
   };
 
-  void look(double t, double h, std::span<const control::ReactionPair> pairs, const scene::Scene& scene);
+  void recordProgress(double t, double h, std::span<const control::ReactionPair> pairs,
+                      const scene::Scene& scene);
   void drive(const control::ReactionOutput& out);
   void position(const control::ReactionOutput& out, double h);
   void limitPosition(double h);

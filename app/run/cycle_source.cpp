@@ -61,7 +61,7 @@ class LockStep : public CycleSource {
            state_.session.step(t);
          }));
   }
-  const std::vector<PairId>& renewed() const override { return state_.session.scene().renewed(); }
+  const std::vector<PairId>& updated() const override { return state_.session.scene().updated(); }
 
  private:
   PassState& state_;
@@ -84,7 +84,7 @@ class LoopInLockStep : public CycleSource {
       done(at, worked);
     }
   }
-  const std::vector<PairId>& renewed() const override { return state_.session.scene().renewed(); }
+  const std::vector<PairId>& updated() const override { return state_.session.scene().updated(); }
   const loop::ClosedLoop* loop() const override { return &loop_; }
   void finish() override { state_.summary.robots = loop::reportOf(loop_); }
 
@@ -110,7 +110,7 @@ class LoopLive : public CycleSource {
       done(at, worked);
     }
   }
-  const std::vector<PairId>& renewed() const override { return state_.all; }
+  const std::vector<PairId>& updated() const override { return state_.all; }
   const loop::ClosedLoop* loop() const override { return &live_.loop(); }
   void finish() override {
     add(live_.counts(), state_.summary.work);
@@ -143,12 +143,12 @@ class FramesLive : public CycleSource {
       threads_.collect(state_.results);
     else
       settle(threads_, state_.results);
-    scene.take(state_.results, threads_.resultTimes());
+    scene.setResults(state_.results, threads_.resultTimes());
     state_.session.sumEfforts();
     state_.watchPoses();
     done(t, worked + since(begin));
   }
-  const std::vector<PairId>& renewed() const override { return state_.all; }
+  const std::vector<PairId>& updated() const override { return state_.all; }
   void finish() override { add(threads_.counts(), state_.summary.work); }
 
  private:
@@ -181,7 +181,7 @@ PassState::PassState(session::Session& session_, const RunOptions& options_, Run
 
 void PassState::takeRenewed() {
   const scene::Scene& scene = session.scene();
-  for (const PairId id : scene.renewed()) results[id.index()] = scene.result(id);
+  for (const PairId id : scene.updated()) results[id.index()] = scene.result(id);
 }
 
 void PassState::watchPoses() {

@@ -35,7 +35,7 @@ class CycleSource {
   /// Runs all cycles up to the frame at `t`.
   virtual void frame(double t, const CycleDone& done) = 0;
   /// Pairs whose results may have changed in the last cycle.
-  virtual const std::vector<PairId>& renewed() const = 0;
+  virtual const std::vector<PairId>& updated() const = 0;
   /// The closed loop, or null.
   virtual const loop::ClosedLoop* loop() const { return nullptr; }
   /// After the last frame: collects counts of the pass.

@@ -6,8 +6,8 @@ Extremes::Extremes(const session::Session& session)
     : session_(session), touching_(session.scene().pairs().size(), false), classes_(pairClasses(session)) {}
 
 void Extremes::frame(double t, const std::vector<query::PairResult>& results,
-                     const std::vector<PairId>& renewed, RunSummary& summary) {
-  for (const PairId id : renewed) {
+                     const std::vector<PairId>& updated, RunSummary& summary) {
+  for (const PairId id : updated) {
     const std::size_t i = id.index();
     const query::PairResult& r = results[i];
     const double age = session_.scene().ageOf(id, t);

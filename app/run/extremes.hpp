@@ -11,8 +11,8 @@ class Extremes {
   /// The session must outlive this object.
   explicit Extremes(const session::Session& session);
 
-  /// `renewed`: pairs whose results may differ from the last frame's; in the first frame all pairs.
-  void frame(double t, const std::vector<query::PairResult>& results, const std::vector<PairId>& renewed,
+  /// `updated`: pairs whose results may differ from the last frame's; in the first frame all pairs.
+  void frame(double t, const std::vector<query::PairResult>& results, const std::vector<PairId>& updated,
              RunSummary& summary);
 
   void finish(RunSummary& summary, RunMode mode) const;

@@ -16,7 +16,7 @@ std::vector<mechanism::LimitBreach> plannedBreaches(const session::MechanismDriv
                                      reacts ? mechanism::MotionLine::kSmooth : mechanism::MotionLine::kLinear,
                                      start, end, driver.X_WB().linear().transpose() * mechanism::kGravity);
   mechanism::JointLimitWatch watch(mechanism::dofLimits(driver.mechanism()));
-  watch.look(start, driver.home(), {}, {}, {});
+  watch.check(start, driver.home(), {}, {}, {});
   return watch.breaches();
 }
 

@@ -27,7 +27,7 @@ LiveLoop::LiveLoop(session::Session& session, double t, std::vector<std::vector<
       threads_(session.scene()),
       pace_(pace),
       pacer_(std::chrono::nanoseconds(static_cast<long>(1e9 * loop::ClosedLoop::kStep))) {
-  loop_.look();
+  loop_.refresh();
   threads_.publishPoses(session.scene());
   for (auto& group : groups) threads_.start(threads_.addGroup(std::move(group)));
   for (const auto& robot : loop_.robots()) {
@@ -56,7 +56,7 @@ double LiveLoop::cycle(std::vector<query::PairResult>& results) {
     threads_.collect(results);
   else
     settle(threads_, results);
-  scene.take(results, threads_.resultTimes());
+  scene.setResults(results, threads_.resultTimes());
   double oldest = loop_.time();
   for (const PairId id : felt_) oldest = std::min(oldest, threads_.resultTime(id));
   loop_.react(loop_.time() - oldest);

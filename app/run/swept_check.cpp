@@ -52,7 +52,7 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
     const safety::DistanceSample now = sampleOf(results[i]);
     const double rate = speeds_[pair.a.index()] + speeds_[pair.b.index()];
     Between& between = between_[i];
-    between = {t, safety::leastBetween(distances_[i].lower, now.lower, rate, duration),
+    between = {t, safety::minBetween(distances_[i].lower, now.lower, rate, duration),
                std::min(distances_[i].upper, now.upper)};
     // A pair that was not queried has no bound; NaN from others is no bound either.
     if (std::isnan(between.lower)) between.lower = -kInfinity;

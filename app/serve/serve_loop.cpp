@@ -91,7 +91,7 @@ bool ServeLoop::tellChange() {
 /// Executes and answers packet_; the sender of joints is told about a stop that it causes.
 void ServeLoop::control(const Address& from, double t) {
   ++summary_.controls;
-  const session::PairControl::Outcome outcome = scene_.obey(packet_.control, t);
+  const session::PairControl::Outcome outcome = scene_.handle(packet_.control, t);
   cycle(t);
   const ReplyTo to{packet_.sequence, packet_.index, packet_.time_us, false};
   const GroupsReport report{scene_.control(), scene_.torquesOn(), outcome, scene_.report().time_us};

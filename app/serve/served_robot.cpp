@@ -29,8 +29,8 @@ void ServedRobot::moveTo(std::span<const double> q, double t, double stamp, scen
   const double dt = timed ? by_stamp : std::max(t - last_t_, kMinStep);
   for (std::size_t i = 0; i < qd_.size(); ++i) qd_[i] = started_ ? (q[i] - driver_.q()[i]) / dt : 0.0;
   // Arrival times do not determine a robot's speed.
-  limits_.look(t, q, timed && started_ && !stale_ ? std::span<const double>(qd_) : std::span<const double>(),
-               {}, {});
+  limits_.check(t, q, timed && started_ && !stale_ ? std::span<const double>(qd_) : std::span<const double>(),
+                {}, {});
   driver_.moveTo(q, t, scene);
   last_t_ = t;
   last_stamp_ = stamp;
@@ -44,7 +44,7 @@ void ServedRobot::placeHeld(double t, scene::Scene& scene) {
 
 void ServedRobot::grow(double t, double stale, scene::Scene& scene) {
   if (stale_ || age(t) <= stale) return;
-  driver_.lose(t, scene);
+  driver_.markStale(t, scene);
   stale_ = true;
 }
 

@@ -27,7 +27,7 @@ ServedScene::ServedScene(std::unique_ptr<session::Session> session, const Served
       links_.push_back(*link.object);
       robot_of[link.object->index()] = static_cast<int>(m);
     }
-    driver.lose(0.0, scene);
+    driver.markStale(0.0, scene);
   }
   for (std::size_t p = 0; p < d.humans.size(); ++p) {
     const session::HumanDriver& driver = *session_->humans()[p];
@@ -35,7 +35,7 @@ ServedScene::ServedScene(std::unique_ptr<session::Session> session, const Served
     for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
       if (const auto object = driver.object(static_cast<humanmodel::BodyPart>(i)))
         person_of[object->index()] = static_cast<int>(p);
-    driver.lose(0.0, scene);
+    driver.markStale(0.0, scene);
   }
   for (const ObjectId id : links_) names_.links.push_back(scene.object(id).spec.name);
   for (const scene::Object& o : scene.objects()) names_.objects.push_back(o.spec.name);
@@ -107,7 +107,7 @@ void ServedScene::take(const Packet& packet, double t) {
   }
 }
 
-session::PairControl::Outcome ServedScene::obey(const Control& control, double t) {
+session::PairControl::Outcome ServedScene::handle(const Control& control, double t) {
   const auto to = [&](view::PairGroupState state) {
     if (control.group != kAllGroups) return control_.setState(static_cast<int>(control.group), state, t);
     control_.setAll(state, t);
@@ -143,10 +143,10 @@ session::PairControl::Outcome ServedScene::obey(const Control& control, double t
 void ServedScene::growPeople(double t) {
   for (std::size_t p = 0; p < people_.size(); ++p) {
     const session::HumanDriver& driver = *session_->humans()[p];
-    report_.person_age[p] = driver.unseen(t);
-    driver.widen(t, session_->scene());
+    report_.person_age[p] = driver.liveAge(t);
+    driver.growUncertainty(t, session_->scene());
     if (people_[p].stale || t - people_[p].last_t <= watch_.person_age) continue;
-    driver.lose(t, session_->scene());
+    driver.markStale(t, session_->scene());
     people_[p].stale = true;
   }
 }

@@ -34,7 +34,7 @@ class ServedScene {
   /// Applies a packet accepted by parsePacket() for format(). `t`: s, arrival time; never decreasing.
   void take(const Packet& packet, double t);
   /// Executes a control packet accepted by parsePacket(); effective from the cycle at `t` (s) on.
-  session::PairControl::Outcome obey(const Control& control, double t);
+  session::PairControl::Outcome handle(const Control& control, double t);
   const session::PairControl& control() const { return control_; }
   bool torquesOn() const { return report_.torques_on; }
   /// Poses, pairs and reactions at `t`.

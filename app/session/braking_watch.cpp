@@ -58,7 +58,7 @@ BrakingWatch::BrakingWatch(const MechanismDriver& driver, const scene::Scene& sc
   swept_.max_samples = kMaxSamples;
 }
 
-double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
+double BrakingWatch::minDistance(Watched& w, const scene::Scene& scene) noexcept {
   const scene::Pair& pair = scene.pairs()[w.id.index()];
   const scene::Object& part = scene.object(w.link_a ? pair.b : pair.a);
   const scene::Object& link = scene.object(w.link_a ? pair.a : pair.b);
@@ -77,8 +77,8 @@ double BrakingWatch::least(Watched& w, const scene::Scene& scene) noexcept {
   return swept.lower;
 }
 
-std::optional<safety::StopCause> BrakingWatch::look(const scene::Scene& scene, std::span<const double> q,
-                                                    std::span<const double> qd) noexcept {
+std::optional<safety::StopCause> BrakingWatch::check(const scene::Scene& scene, std::span<const double> q,
+                                                     std::span<const double> qd) noexcept {
   queries_ = 0;
   if (watched_.empty()) return std::nullopt;
   std::optional<safety::StopCause> worst;
@@ -86,7 +86,7 @@ std::optional<safety::StopCause> BrakingWatch::look(const scene::Scene& scene, s
     return safety::StopCause{safety::StopReason::kBraking, -kInfinity, options_.distance, -1, -1};
   for (std::size_t i = 0; i < links_.size(); ++i) speeds_[i] = links_[i].speed(0.0, path_.stopTime());
   for (Watched& w : watched_) {
-    const double lower = least(w, scene);
+    const double lower = minDistance(w, scene);
     if (lower >= options_.distance || (worst && lower >= worst->value)) continue;
     worst = safety::StopCause{safety::StopReason::kBraking, lower, options_.distance,
                               static_cast<int>(w.id.index()), -1};

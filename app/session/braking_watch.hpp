@@ -26,9 +26,9 @@ class BrakingWatch {
 
   /// The worst cause, with the certified distance (m; -infinity if joint values are unknown), or nullopt.
   /// Call after the scene's step. `q`, `qd`: size dof.
-  std::optional<safety::StopCause> look(const scene::Scene& scene, std::span<const double> q,
-                                        std::span<const double> qd) noexcept;
-  /// Number of pair queries in the last look().
+  std::optional<safety::StopCause> check(const scene::Scene& scene, std::span<const double> q,
+                                         std::span<const double> qd) noexcept;
+  /// Number of pair queries in the last check().
   int queries() const { return queries_; }
 
  private:
@@ -38,7 +38,7 @@ class BrakingWatch {
     bool link_a;  ///< the link is A of the pair
     query::PairMemory memory;
   };
-  double least(Watched& watched, const scene::Scene& scene) noexcept;
+  double minDistance(Watched& watched, const scene::Scene& scene) noexcept;
 
   control::BrakingLawOptions options_;
   safety::BrakingPath path_;

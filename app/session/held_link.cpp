@@ -42,7 +42,7 @@ void HeldLink::place(double t, scene::Scene& scene) {
   scene.setPose(object_, reaction_.proxy()->pose(), t);
 }
 
-const control::HeldObject& HeldLink::look(const scene::Scene& scene) {
+const control::HeldObject& HeldLink::update(const scene::Scene& scene) {
   constraints_.clear();
   const Transform& X_WO = scene.object(object_).X_WB;
   for (Near& near : near_) {

@@ -32,7 +32,7 @@ class HeldLink {
   void place(double t, scene::Scene& scene);
   /// Input of Reaction::update(): pose in the hand and contacts near the held link, after the scene's step().
   /// Valid until the next call.
-  const control::HeldObject& look(const scene::Scene& scene);
+  const control::HeldObject& update(const scene::Scene& scene);
   /// Adds J^T of the spring's wrench on the hand, from the last update.
   void addEfforts(std::span<double> efforts) const;
   int frame() const { return frame_; }

@@ -88,7 +88,7 @@ void HumanDriver::apply(double t, scene::Scene& scene) {
   show(recording_ ? recording_->at(t) : model_.rest, t, scene);
 }
 
-void HumanDriver::glide(double t, scene::Scene& scene) {
+void HumanDriver::interpolate(double t, scene::Scene& scene) {
   if (!recording_) return apply(t, scene);
   const humanmodel::SkeletonFrame& before = recording_->at(t);
   if (&before == &recording_->frames.back() || t < before.t) return show(before, t, scene);
@@ -102,12 +102,12 @@ void HumanDriver::glide(double t, scene::Scene& scene) {
   show(frame, t, scene);
 }
 
-double HumanDriver::missing() const {
-  double most = 0.0;
+double HumanDriver::recordedAge() const {
+  double oldest = 0.0;
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     if (pose_.state[i] != humanmodel::PartState::kNone && std::isfinite(pose_.age[i]))
-      most = std::max(most, pose_.age[i]);
-  return most;
+      oldest = std::max(oldest, pose_.age[i]);
+  return oldest;
 }
 
 void HumanDriver::follow(const humanmodel::SkeletonFrame& frame, scene::Scene& scene) {
@@ -118,13 +118,13 @@ void HumanDriver::follow(const humanmodel::SkeletonFrame& frame, scene::Scene& s
   place(frame.t, scene);
 }
 
-void HumanDriver::lose(double t, scene::Scene& scene) const {
+void HumanDriver::markStale(double t, scene::Scene& scene) const {
   for (const auto& object : objects_)
     if (object) scene.setPose(*object, scene.object(*object).X_WB, t, scene::PoseState::kStale);
-  widen(t, scene);
+  growUncertainty(t, scene);
 }
 
-void HumanDriver::widen(double t, scene::Scene& scene) const {
+void HumanDriver::growUncertainty(double t, scene::Scene& scene) const {
   const double since = std::max(0.0, t - last_t_);
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
     if (!objects_[i]) continue;
@@ -136,7 +136,7 @@ void HumanDriver::widen(double t, scene::Scene& scene) const {
   }
 }
 
-double HumanDriver::unseen(double t) const {
+double HumanDriver::liveAge(double t) const {
   if (!followed_) return kInfinity;
   return *std::max_element(pose_.age.begin(), pose_.age.end()) + t - last_t_;
 }
@@ -144,7 +144,7 @@ double HumanDriver::unseen(double t) const {
 void HumanDriver::place(double t, scene::Scene& scene) const {
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
-  widen(t, scene);
+  growUncertainty(t, scene);
 }
 
 }  // namespace abstand::session

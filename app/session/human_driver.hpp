@@ -27,20 +27,20 @@ class HumanDriver {
   /// The same with linear interpolation of joints between two recorded frames, so that velocities are those
   /// of the person, independent of the camera's frame rate. Joints missing in one of them are taken from the
   /// earlier frame.
-  void glide(double t, scene::Scene& scene);
+  void interpolate(double t, scene::Scene& scene);
   /// Poses all parts from a live skeleton in the frame of the recording; its time is `t`. The first call
   /// discards the state from the recording. No allocation, no throw.
   void follow(const humanmodel::SkeletonFrame& frame, scene::Scene& scene);
   /// Marks all parts as stale; their pose uncertainty grows from the time they were last seen.
-  void lose(double t, scene::Scene& scene) const;
+  void markStale(double t, scene::Scene& scene) const;
   /// Updates the pose uncertainty of all parts to time t, without changing poses: age x speed plus the
   /// quantile of their spread (humanmodel/part_uncertainty.hpp). The speed of a part is its bound in the
   /// scene. No allocation, no throw.
-  void widen(double t, scene::Scene& scene) const;
+  void growUncertainty(double t, scene::Scene& scene) const;
   /// s, longest time since a part was last seen in the recording; parts not seen so far do not count.
-  double missing() const;
+  double recordedAge() const;
   /// s, at time t, longest time since a part was last seen by follow(); infinite before the first call.
-  double unseen(double t) const;
+  double liveAge(double t) const;
 
   const humanmodel::HumanModel& model() const { return model_; }
   /// Null for a person without a recording.

@@ -74,7 +74,7 @@ void MechanismDriver::moveTo(std::span<const double> q, double t, scene::Scene& 
   place(t, scene);
 }
 
-void MechanismDriver::lose(double t, scene::Scene& scene) const {
+void MechanismDriver::markStale(double t, scene::Scene& scene) const {
   for (const Link& link : links_)
     if (link.object)
       scene.setPose(*link.object, scene.object(*link.object).X_WB, t, scene::PoseState::kStale);

@@ -31,7 +31,7 @@ class MechanismDriver {
   /// The same for given joint values (rad, m; size dof()).
   void moveTo(std::span<const double> q, double t, scene::Scene& scene);
   /// Marks all links as stale.
-  void lose(double t, scene::Scene& scene) const;
+  void markStale(double t, scene::Scene& scene) const;
   /// Joint efforts (N m, N) caused by the contact wrenches on the links: J^T w. Size: dof().
   void efforts(const scene::Scene& scene, std::span<double> out) const;
 

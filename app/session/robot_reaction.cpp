@@ -34,10 +34,10 @@ std::span<const control::ReactionPair> RobotReaction::gather(const Cycle& cycle,
   driver_.efforts(scene, efforts_);
   if (held_) {
     held_->addEfforts(efforts_);
-    input_.held = &held_->look(scene);
+    input_.held = &held_->update(scene);
   }
   input_.efforts = efforts_;
-  cause_ = braking_ ? braking_->look(scene, cycle.q, cycle.qd) : std::nullopt;
+  cause_ = braking_ ? braking_->check(scene, cycle.q, cycle.qd) : std::nullopt;
   if (cause_) input_.causes = {&*cause_, 1};
   return input_.pairs;
 }

@@ -12,8 +12,8 @@ std::string place(const char* owner, const char* name) { return std::string(owne
 
 std::string NumberRule::text() const {
   const std::string u = *unit ? std::string(" ") + unit : "";
-  return std::string("a number ") + (above ? "above " : "from ") + formatDouble(least) +
-         (above ? " and at most " : " to ") + formatDouble(most) + u;
+  return std::string("a number ") + (above ? "above " : "from ") + formatDouble(min) +
+         (above ? " and at most " : " to ") + formatDouble(max) + u;
 }
 
 void requireNumber(const char* owner, const char* name, double value, const NumberRule& rule) {

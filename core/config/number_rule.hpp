@@ -10,11 +10,11 @@ namespace abstand::config {
 
 /// Allowed range: least <= x <= most, or least < x <= most with `above`. Never NaN.
 struct NumberRule {
-  double least, most;
+  double min, max;
   const char* unit{""};
   bool above{false};
 
-  bool allows(double x) const { return x >= least && x <= most && !(above && x <= least); }
+  bool allows(double x) const { return x >= min && x <= max && !(above && x <= min); }
   /// The rule in words, e.g. "a number from 0 to 10 s".
   std::string text() const;
 };

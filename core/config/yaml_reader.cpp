@@ -21,14 +21,13 @@ std::string oneOf(const std::vector<std::string>& names) {
 
 std::string label(std::string_view key) { return "`" + std::string(key) + "`"; }
 
-int yamlInteger(const YamlNode& node, const std::string& file, const std::string& label, int least,
-                int most) {
+int yamlInteger(const YamlNode& node, const std::string& file, const std::string& label, int min, int max) {
   const SourcePos pos{file, node.line, node.column};
   const auto value =
       node.kind == YamlNode::Kind::kScalar && !node.quoted ? parseInt(node.text) : std::nullopt;
-  if (!value || *value < least || *value > most)
+  if (!value || *value < min || *value > max)
     throw ParseError(pos, "found " + yamlFound(node) + " for " + label + ", expected a whole number from " +
-                              std::to_string(least) + " to " + std::to_string(most));
+                              std::to_string(min) + " to " + std::to_string(max));
   return *value;
 }
 
@@ -60,11 +59,11 @@ double yamlNumber(const YamlNode& node, const std::string& file, const std::stri
       node.kind == YamlNode::Kind::kScalar && !node.quoted ? parseDouble(node.text) : std::nullopt;
   if (!value)
     throw ParseError(pos, "found " + yamlFound(node) + " for " + label + ", expected a finite number");
-  if (*value < range.least || *value > range.most || (range.above && *value <= range.least)) {
+  if (*value < range.min || *value > range.max || (range.above && *value <= range.min)) {
     const std::string unit = *range.unit ? std::string(" ") + range.unit : "";
     throw ParseError(pos, "found " + yamlFound(node) + " for " + label + ", expected a number " +
-                              (range.above ? "above " : "from ") + formatDouble(range.least) +
-                              (range.above ? " and at most " : " to ") + formatDouble(range.most) + unit);
+                              (range.above ? "above " : "from ") + formatDouble(range.min) +
+                              (range.above ? " and at most " : " to ") + formatDouble(range.max) + unit);
   }
   return *value;
 }
@@ -136,9 +135,9 @@ std::optional<double> YamlFields::number(std::string_view key, const YamlRange& 
   return value ? std::optional{yamlNumber(*value, file_, label(key), range)} : std::nullopt;
 }
 
-std::optional<int> YamlFields::integer(std::string_view key, int least, int most) const {
+std::optional<int> YamlFields::integer(std::string_view key, int min, int max) const {
   const auto* value = find(key);
-  return value ? std::optional{yamlInteger(*value, file_, label(key), least, most)} : std::nullopt;
+  return value ? std::optional{yamlInteger(*value, file_, label(key), min, max)} : std::nullopt;
 }
 
 std::optional<std::string> YamlFields::text(std::string_view key) const {

@@ -13,7 +13,7 @@ namespace abstand::config {
 
 /// Allowed range: least <= x <= most, or least < x <= most with `above`.
 struct YamlRange {
-  double least, most;
+  double min, max;
   const char* unit{""};
   bool above{false};
 };
@@ -31,7 +31,7 @@ class YamlFields {
   const YamlNode& need(std::string_view key) const;
 
   std::optional<double> number(std::string_view key, const YamlRange& range) const;
-  std::optional<int> integer(std::string_view key, int least, int most) const;
+  std::optional<int> integer(std::string_view key, int min, int max) const;
   std::optional<std::string> text(std::string_view key) const;
   /// The value, which must be one of `choices`.
   std::optional<std::string> choice(std::string_view key, const std::vector<std::string>& choices) const;

@@ -12,8 +12,8 @@ void ContactManifold::update(const query::PairResult& result, bool object_is_a, 
                              const Transform& X_WB) noexcept {
   for (std::size_t i = 0; i < count_;) {
     const ContactConstraint c = constraint(points_[i], X_WO, X_WB);
-    const Vector3d way = c.p_W - X_WB * points_[i].q_B;
-    if (c.gap <= kBreak && (way - c.gap * c.normal_W).norm() <= kBreak)
+    const Vector3d offset = c.p_W - X_WB * points_[i].q_B;
+    if (c.gap <= kBreak && (offset - c.gap * c.normal_W).norm() <= kBreak)
       ++i;
     else
       points_[i] = points_[--count_];
@@ -25,12 +25,12 @@ void ContactManifold::update(const query::PairResult& result, bool object_is_a, 
   const Point fresh{X_WO.inverse() * newest_->p_W, X_WB.inverse() * q_W,
                     X_WB.linear().transpose() * newest_->normal_W};
   std::size_t nearest = count_;
-  double least = kInfinity;
+  double smallest = kInfinity;
   for (std::size_t i = 0; i < count_; ++i) {
     const double d = (points_[i].p_O - fresh.p_O).norm();
-    if (d < least) least = d, nearest = i;
+    if (d < smallest) smallest = d, nearest = i;
   }
-  if (least < kApart || count_ == kMax)
+  if (smallest < kApart || count_ == kMax)
     points_[nearest] = fresh;
   else
     points_[count_++] = fresh;

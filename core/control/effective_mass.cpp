@@ -10,7 +10,7 @@ EffectiveMass::EffectiveMass(int dof)
     : mass_{Eigen::MatrixXd::Identity(dof, dof), Eigen::MatrixXd::Identity(dof, dof)},
       solved_(static_cast<std::size_t>(dof)) {}
 
-bool EffectiveMass::take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
+bool EffectiveMass::factorize(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
   known_ = M.rows() == mass_.M.rows() && M.cols() == mass_.M.cols() && M.allFinite();
   if (!known_) return false;
   mass_.M = M;

@@ -16,7 +16,7 @@ class EffectiveMass {
 
   /// Factorises M: dof x dof, kg m^2 or kg, symmetric; only its lower half is read. False if its size
   /// differs, or if it is not finite or not positive definite: then mass() returns NaN.
-  bool take(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
+  bool factorize(const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
   bool known() const { return known_; }
   /// kg; infinite for a zero row: the mechanism cannot move in that direction.
   double mass(std::span<const double> row) noexcept;

@@ -18,15 +18,15 @@ constexpr int kRounds = 200;
 // m; iteration ends when no contact changes by more than this.
 constexpr double kSettled = 1e-12;
 
-Vector3d cut(const Vector3d& v, double most) {
+Vector3d limitLength(const Vector3d& v, double max_length) {
   const double length = v.norm();
-  return length > most ? Vector3d(v * (most / length)) : v;
+  return length > max_length ? Vector3d(v * (max_length / length)) : v;
 }
 
 /// Rows of the constraints, scaled so that the metric is the identity.
 struct Rows {
   std::array<Vector6d, GodObject::kMaxConstraints> row;
-  std::array<double, GodObject::kMaxConstraints> least, weight, multiplier;
+  std::array<double, GodObject::kMaxConstraints> min_change, weight, multiplier;
   std::size_t count{0};
 
   /// The allowed point nearest to `x`.
@@ -34,8 +34,8 @@ struct Rows {
     for (int round = 0; round < kRounds; ++round) {
       double change = 0.0;
       for (std::size_t i = 0; i < count; ++i) {
-        const double lack = least[i] - row[i].dot(x);
-        const double now = std::max(0.0, multiplier[i] + lack / weight[i]);
+        const double deficit = min_change[i] - row[i].dot(x);
+        const double now = std::max(0.0, multiplier[i] + deficit / weight[i]);
         x += (now - multiplier[i]) * row[i];
         change = std::max(change, std::abs(now - multiplier[i]) * weight[i]);
         multiplier[i] = now;
@@ -76,13 +76,13 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
   const double rho = std::sqrt(0.4) * sphere_O_.radius;
 
   // Displacement to the hand's pose, in length units.
-  Vector6d wish;
-  wish << X_WH * sphere_O_.centre - c, rho * rotationBetween(X_WO_.linear(), X_WH.linear());
-  if (!wish.allFinite()) wish.setZero();  // an invalid hand pose does not move the object
-  const auto reach = [&](const Vector6d& x) {
+  Vector6d desired;
+  desired << X_WH * sphere_O_.centre - c, rho * rotationBetween(X_WO_.linear(), X_WH.linear());
+  if (!desired.allFinite()) desired.setZero();  // an invalid hand pose does not move the object
+  const auto farthestDisplacement = [&](const Vector6d& x) {
     return x.head<3>().norm() + x.tail<3>().norm() * sphere_O_.radius / rho;
   };
-  if (const double way = reach(wish); way > o_.step) wish *= o_.step / way;
+  if (const double length = farthestDisplacement(desired); length > o_.step) desired *= o_.step / length;
 
   Rows rows;
   for (const ContactConstraint& k : constraints) {
@@ -92,21 +92,21 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
       continue;
     std::size_t at = rows.count;
     if (at == kMaxConstraints) {
-      at = static_cast<std::size_t>(std::min_element(rows.least.begin(), rows.least.end()) -
-                                    rows.least.begin());
-      if (o_.gap - k.gap <= rows.least[at]) continue;
+      at = static_cast<std::size_t>(std::min_element(rows.min_change.begin(), rows.min_change.end()) -
+                                    rows.min_change.begin());
+      if (o_.gap - k.gap <= rows.min_change[at]) continue;
     } else {
       ++rows.count;
     }
     rows.row[at] << k.normal_W, Vector3d(k.p_W - c).cross(k.normal_W) / rho;
-    rows.least[at] = std::min(o_.gap - k.gap, o_.step);
+    rows.min_change[at] = std::min(o_.gap - k.gap, o_.step);
     rows.weight[at] = rows.row[at].squaredNorm();
     rows.multiplier[at] = 0.0;
   }
-  Vector6d x = rows.project(wish);
+  Vector6d x = rows.project(desired);
   // Contradicting contacts must not cause a large displacement.
-  if (const double way = reach(x); way > 2.0 * o_.step) x *= 2.0 * o_.step / way;
-  moved_ = reach(x);
+  if (const double length = farthestDisplacement(x); length > 2.0 * o_.step) x *= 2.0 * o_.step / length;
+  moved_ = farthestDisplacement(x);
 
   const Vector3d turn = x.tail<3>() / rho;
   const double angle = turn.norm();
@@ -121,8 +121,9 @@ void GodObject::update(const Transform& X_WH, std::span<const ContactConstraint>
     return;
   }
   hand_ = X_WH * sphere_O_.centre;
-  wrench_.force = cut(o_.stiffness * (X_WO_ * sphere_O_.centre - hand_), o_.force);
-  wrench_.torque = cut(o_.rotation_stiffness * rotationBetween(X_WH.linear(), X_WO_.linear()), o_.torque);
+  wrench_.force = limitLength(o_.stiffness * (X_WO_ * sphere_O_.centre - hand_), o_.force);
+  wrench_.torque =
+      limitLength(o_.rotation_stiffness * rotationBetween(X_WH.linear(), X_WO_.linear()), o_.torque);
 }
 
 }  // namespace abstand::control

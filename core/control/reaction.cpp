@@ -56,40 +56,41 @@ void Reaction::hold(const geometry::EnclosingSphere& sphere_O, const Transform& 
   proxy_->reset(X_WO);
 }
 
-void Reaction::ask(safety::StopReason reason, double value, double limit, int pair, int joint) noexcept {
+void Reaction::requestStop(safety::StopReason reason, double value, double limit, int pair,
+                           int joint) noexcept {
   causes_.push_back({reason, value, limit, pair, joint});
 }
 
 void Reaction::watch(const ReactionInput& input) noexcept {
   const WatchOptions& w = description_.watch;
   if (!(input.input_age <= w.input_age))
-    ask(safety::StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
+    requestStop(safety::StopReason::kStaleInput, input.input_age, w.input_age, -1, -1);
   if (!(input.person_age <= w.person_age))
-    ask(safety::StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
+    requestStop(safety::StopReason::kLostPerson, input.person_age, w.person_age, -1, -1);
   // The nearest pair below the limit; an unknown distance counts as the nearest.
   const ReactionPair* nearest = nullptr;
   for (const ReactionPair& p : input.pairs)
     if (!(p.distance >= w.distance) && (!nearest || !(p.distance >= nearest->distance))) nearest = &p;
-  if (nearest) ask(safety::StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
+  if (nearest) requestStop(safety::StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
   int joint = -1;
-  double most = 1.0;
+  double largest_share = 1.0;
   for (std::size_t i = 0; i < joint_speed_.size(); ++i) {
     const double share = std::abs(input.qd[i]) / joint_speed_[i];
-    if (share <= most) continue;
+    if (share <= largest_share) continue;
     joint = static_cast<int>(i);
-    if (!std::isnan(share)) most = share;
+    if (!std::isnan(share)) largest_share = share;
   }
   if (joint >= 0)
-    ask(safety::StopReason::kJointSpeed, std::abs(input.qd[static_cast<std::size_t>(joint)]),
-        joint_speed_[static_cast<std::size_t>(joint)], -1, joint);
+    requestStop(safety::StopReason::kJointSpeed, std::abs(input.qd[static_cast<std::size_t>(joint)]),
+                joint_speed_[static_cast<std::size_t>(joint)], -1, joint);
 }
 
 void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept {
-  const bool by_matrix = mass_.take(M);
+  const bool by_matrix = mass_.factorize(M);
   if (!by_matrix) ++without_mass_;
   const RepulsionOptions& o = repulsion_->options();
   safety::StopCause worst;
-  double most = 0.0;
+  double largest_excess = 0.0;
   for (const ReactionPair& p : input.pairs) {
     if (p.distance >= o.range) continue;
     ABSTAND_CHECK(p.row.size() == torque_.size());
@@ -101,11 +102,11 @@ void Reaction::addRepulsion(const ReactionInput& input, const Eigen::Ref<const E
         repulsion_->update(p.distance, rate, own, by_matrix ? mass_.mass(p.row) : o.mass);
     for (std::size_t i = 0; i < torque_.size(); ++i) torque_[i] += p.row[i] * r.force;
     const double excess = r.kinetic - o.stop_share * r.available;
-    if (!r.stop || excess <= most) continue;
-    most = excess;
+    if (!r.stop || excess <= largest_excess) continue;
+    largest_excess = excess;
     worst = {safety::StopReason::kEnergy, r.kinetic, o.stop_share * r.available, p.pair, -1};
   }
-  if (most > 0.0) causes_.push_back(worst);
+  if (largest_excess > 0.0) causes_.push_back(worst);
 }
 
 double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
@@ -123,15 +124,16 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   if (speed_->slowest() < 0) return scale;
   const int pair = approach_pairs_[static_cast<std::size_t>(speed_->slowest())];
   if (scale > 0.0) {
-    ask(safety::StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
+    requestStop(safety::StopReason::kSeparation, speed_->planned(), speed_->permitted(), pair, -1);
   } else {
     // Even at standstill the distance is too small, or barely sufficient: the protective separation distance
     // is violated.
     const Approach& a = approaches_[static_cast<std::size_t>(speed_->slowest())];
     const auto& o = speed_->options().separation;
-    ask(safety::StopReason::kDistance, a.distance,
-        safety::protectiveDistance(o, speed_->options().least * a.robot, a.person, a.distance).sum(), pair,
-        -1);
+    requestStop(
+        safety::StopReason::kDistance, a.distance,
+        safety::protectiveDistance(o, speed_->options().min_scale * a.robot, a.person, a.distance).sum(),
+        pair, -1);
   }
   return scale;
 }
@@ -160,8 +162,9 @@ void Reaction::yield(const ReactionInput& input) noexcept {
     const mechanism::VelocityBounds next =
         mechanism::velocityBounds(known, std::isfinite(q) ? q : 0.0, qd, known.acceleration, input.dt);
     // The admittance velocity itself is limited by the joint's velocity limit.
-    const double most = limits_[i].velocity;
-    bounds_[i] = {std::clamp(v + next.lower - qd, -most, most), std::clamp(v + next.upper - qd, -most, most)};
+    const double max_speed = limits_[i].velocity;
+    bounds_[i] = {std::clamp(v + next.lower - qd, -max_speed, max_speed),
+                  std::clamp(v + next.upper - qd, -max_speed, max_speed)};
   }
   admittance_->update(torque_, input.dt, bounds_);
 }
@@ -180,12 +183,12 @@ ReactionOutput Reaction::update(const ReactionInput& input,
   if (repulsion_) addRepulsion(input, M);
   if (limit_) {
     const int joint = limit_->cut(torque_);
-    if (joint >= 0) ask(safety::StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
+    if (joint >= 0) requestStop(safety::StopReason::kTorque, kNaN, limit_->limit(joint), -1, joint);
   }
   if (!torques_on_) std::fill(torque_.begin(), torque_.end(), 0.0);
   if (efforts_) {
     const int joint = efforts_->cut(torque_);
-    if (joint >= 0) ask(safety::StopReason::kTorque, kNaN, efforts_->limit(joint), -1, joint);
+    if (joint >= 0) requestStop(safety::StopReason::kTorque, kNaN, efforts_->limit(joint), -1, joint);
   }
   if (proxy_ && input.held) proxy_->update(input.held->X_WH, input.held->constraints);
 

@@ -91,7 +91,7 @@ class Reaction {
   long withoutMass() const { return without_mass_; }
 
  private:
-  void ask(safety::StopReason reason, double value, double limit, int pair, int joint) noexcept;
+  void requestStop(safety::StopReason reason, double value, double limit, int pair, int joint) noexcept;
   void watch(const ReactionInput& input) noexcept;
   void addRepulsion(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
   double scaleSpeed(const ReactionInput& input) noexcept;

@@ -30,7 +30,7 @@ std::vector<std::string> keysOf(std::vector<std::string> more = {}) {
 }
 
 config::YamlRange rangeOf(const config::NumberRule& rule) {
-  return {rule.least, rule.most, rule.unit, rule.above};
+  return {rule.min, rule.max, rule.unit, rule.above};
 }
 
 template <class Options>

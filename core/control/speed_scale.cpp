@@ -25,7 +25,7 @@ double SpeedScale::update(std::span<const Approach> pairs, double dt) noexcept {
     planned_ = p.robot;
     if (allowed == 0.0) break;
   }
-  if (allowed < o_.least) allowed = 0.0;
+  if (allowed < o_.min_scale) allowed = 0.0;
   scale_ = std::min(allowed, scale_ + o_.release * std::max(0.0, dt));
   return scale_;
 }

@@ -13,13 +13,13 @@ struct SpeedScaleOptions {
   /// 1/s. The scale falls at once and rises at this rate, so that a person at the edge does not cause
   /// stuttering.
   double release{2.0};
-  double least{0.02};  ///< smaller scales count as 0
+  double min_scale{0.02};  ///< smaller scales count as 0
 
   template <class Self, class Visit>
   static void eachNumber(Self& o, Visit visit) {
     safety::SeparationOptions::eachNumber(o.separation, visit);
     visit("release", o.release, config::NumberRule{0.0, 1e6, "1/s", true});
-    visit("least", o.least, config::NumberRule{0.0, 1.0});
+    visit("least", o.min_scale, config::NumberRule{0.0, 1.0});
   }
   void validate() const { config::requireNumbers(*this); }  ///< throws UsageError
 };

@@ -12,30 +12,30 @@ TorqueLimit::TorqueLimit(const TorqueLimitOptions& options, int dof)
   config::requireNumbers(options);
   TorqueLimitOptions::eachList(
       options, [&](const char* name, const config::JointNumbers& n, const config::NumberRule& rule) {
-        most_ = config::forJoints(TorqueLimitOptions::kName, name, n, dof, rule);
+        max_torque_ = config::forJoints(TorqueLimitOptions::kName, name, n, dof, rule);
       });
 }
 
 int TorqueLimit::cut(std::span<double> torque) const noexcept {
-  ABSTAND_CHECK(torque.size() == most_.size());
+  ABSTAND_CHECK(torque.size() == max_torque_.size());
   int farthest = -1;
-  double least = 1.0, factor = 1.0;
+  double smallest = 1.0, factor = 1.0;
   for (std::size_t i = 0; i < torque.size(); ++i) {
     double& tau = torque[i];
     const bool finite = std::isfinite(tau);
     if (!finite) tau = 0.0;
-    if (finite && std::abs(tau) <= most_[i]) continue;
-    const double share = finite ? most_[i] / std::abs(tau) : 0.0;
-    if (farthest < 0 || share < least) {
+    if (finite && std::abs(tau) <= max_torque_[i]) continue;
+    const double share = finite ? max_torque_[i] / std::abs(tau) : 0.0;
+    if (farthest < 0 || share < smallest) {
       farthest = static_cast<int>(i);
-      least = share;
+      smallest = share;
     }
     if (finite) factor = std::min(factor, share);
-    if (cut_ == TorqueCut::kEach && finite) tau = std::copysign(most_[i], tau);
+    if (cut_ == TorqueCut::kEach && finite) tau = std::copysign(max_torque_[i], tau);
   }
   if (cut_ == TorqueCut::kTogether)
     for (std::size_t i = 0; i < torque.size(); ++i)
-      torque[i] = std::clamp(torque[i] * factor, -most_[i], most_[i]);  // clamps rounding
+      torque[i] = std::clamp(torque[i] * factor, -max_torque_[i], max_torque_[i]);  // clamps rounding
   return farthest;
 }
 

@@ -35,7 +35,7 @@ class TorqueLimit {
   TorqueLimit(const TorqueLimitOptions& options, int dof);
 
   double gain() const { return gain_; }
-  double limit(int joint) const { return most_[static_cast<std::size_t>(joint)]; }
+  double limit(int joint) const { return max_torque_[static_cast<std::size_t>(joint)]; }
   /// Clips the torques in place, without the gain. Returns the joint that exceeded its limit most, or -1.
   /// Values that are not finite become 0 and count as exceeding.
   int cut(std::span<double> torque) const noexcept;
@@ -45,7 +45,7 @@ class TorqueLimit {
  private:
   double gain_;
   TorqueCut cut_;
-  config::JointNumbers most_;
+  config::JointNumbers max_torque_;
 };
 
 }  // namespace abstand::control

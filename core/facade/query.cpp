@@ -22,13 +22,13 @@ void checkPoses(std::span<const Pose> poses) {
 }
 
 /// Sequential queries; `memory` may be null.
-struct Asker {
+struct SequentialQuery {
   const structure::HapticStructure &a, &b;
   std::span<const Pose> X_WA, X_WB;
   const query::PairOptions& options;
   std::span<PairResult> results;
 
-  void ask(std::size_t i, query::PairMemory* memory, kernels::PairScratch& scratch) const {
+  void run(std::size_t i, query::PairMemory* memory, kernels::PairScratch& scratch) const {
     const Transform A(X_WA[X_WA.size() == 1 ? 0 : i]), B(X_WB[X_WB.size() == 1 ? 0 : i]);
     query::PairResult result;
     if (memory)
@@ -76,15 +76,15 @@ void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure&
   checkPoses(X_WA);
   checkPoses(X_WB);
   const query::PairOptions pair_options = facade::pairOptions(options);
-  const Asker asker{*a.impl().made, *b.impl().made, X_WA, X_WB, pair_options, results};
-  const auto askBlock = [&](std::size_t block) {
+  const SequentialQuery sequence{*a.impl().made, *b.impl().made, X_WA, X_WB, pair_options, results};
+  const auto runBlock = [&](std::size_t block) {
     kernels::PairScratch scratch;
     query::PairMemory memory;
     const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
     for (std::size_t i = block * kBatchBlock; i < end; ++i)
-      asker.ask(i, batch.sequence ? &memory : nullptr, scratch);
+      sequence.run(i, batch.sequence ? &memory : nullptr, scratch);
   };
-  parallelFor(batch.threads, (count + kBatchBlock - 1) / kBatchBlock, askBlock);
+  parallelFor(batch.threads, (count + kBatchBlock - 1) / kBatchBlock, runBlock);
 }
 
 std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,

@@ -38,9 +38,9 @@ Four lanesAt(const std::vector<float>& v, std::size_t i) { return load(&v[i]); }
 struct FarSites::List {
   std::vector<float> x, y, z, power;  ///< power: |v|^2
   std::size_t size{0};
-  void makeRoom(std::size_t most) {
+  void reserve(std::size_t count) {
     for (auto* v : {&x, &y, &z, &power})
-      if (v->size() < most + kLanes) v->resize(most + kLanes);
+      if (v->size() < count + kLanes) v->resize(count + kLanes);
   }
   /// Appends the site, but advances only if `keep` is set: branchless selection.
   void add(float px, float py, float pz, float w, bool keep) {
@@ -115,7 +115,7 @@ struct FarSites::Search {
     float value;
   };
   NearestSite nearestAtMiddle(const Box& box, const List& list);
-  void keepNear(const Box& box, const List& list, const NearestSite& nearest, List& kept) const;
+  void selectNear(const Box& box, const List& list, const NearestSite& nearest, List& kept) const;
   TileValues nearestOf(const Tile& tile, const List& kept) const;
   void write(const Tile& tile, const TileValues& nearest_of, double slack, float* values) const;
   void measure(const Box& box, const List& kept, float* values) const;
@@ -125,24 +125,24 @@ struct FarSites::Search {
 FarSites::Search::NearestSite FarSites::Search::nearestAtMiddle(const Box& box, const List& list) {
   const Vector3f c = -2.0f * box.middle.cast<float>();
   at_middle.resize(list.size);
-  Four least = splat(kFar);
+  Four smallest = splat(kFar);
   for (std::size_t i = 0; i < list.size; i += kLanes) {
     const Four g = lanesAt(list.power, i) + c.x() * lanesAt(list.x, i) + c.y() * lanesAt(list.y, i) +
                    c.z() * lanesAt(list.z, i);
     storeFour(g, &at_middle[i]);
-    least = min(least, g);
+    smallest = min(smallest, g);
   }
-  const float nearest = leastOf(least);
+  const float nearest = smallestOf(smallest);
   const auto found = std::find(at_middle.begin(), at_middle.end(), nearest);
   return {static_cast<std::size_t>(found - at_middle.begin()), nearest};
 }
 
 /// Selects the sites that may be nearest to some point of the box.
-void FarSites::Search::keepNear(const Box& box, const List& list, const NearestSite& nearest,
-                                List& kept) const {
+void FarSites::Search::selectNear(const Box& box, const List& list, const NearestSite& nearest,
+                                  List& kept) const {
   const Vector3f r = box.half.cast<float>();
   kept.size = 0;
-  kept.makeRoom(list.size);
+  kept.reserve(list.size);
   const auto& [w, value] = nearest;
   const float wx = list.x[w], wy = list.y[w], wz = list.z[w],
               limit = value + 2.0f * static_cast<float>(box.slack);
@@ -213,7 +213,7 @@ void FarSites::Search::measure(const Box& box, const List& kept, float* values) 
   }
 }
 
-FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most,
+FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double max_distance,
                    std::size_t max_sites) {
   std::vector<Vector3d> sites;
   std::vector<bool> used(mesh.vertices.size(), false);
@@ -233,7 +233,7 @@ FarSites::FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, d
       const std::array<Vector3d, 3> part = stack.back();
       stack.pop_back();
       const double r2 = reach2(part);
-      if (r2 <= most * most) {
+      if (r2 <= max_distance * max_distance) {
         reach2_ = std::max(reach2_, r2);
         continue;
       }
@@ -263,7 +263,7 @@ void FarSites::distances(const Block& block, double spacing, std::size_t row, st
                          float* values) const {
   Search search{spacing, row, slice, reach2_, {}, {}, 0};
   List all;
-  all.makeRoom(x_.size());
+  all.reserve(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i)
     all.add(x_[i], y_[i], z_[i], x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i], true);
   all.pad();
@@ -279,7 +279,7 @@ void FarSites::find(Search& search, const Block& block, const List& list, float*
   const Search::Box box{block, middle, half, slack};
 
   List& kept = search.lists[search.depth];
-  search.keepNear(box, list, search.nearestAtMiddle(box, list), kept);
+  search.selectNear(box, list, search.nearestAtMiddle(box, list), kept);
 
   const bool small = (block.size.array() <= (kept.size <= kFewSites ? kLargest : kSmallest).array()).all();
   if (!small && search.depth + 1 < search.lists.size()) {

@@ -16,8 +16,9 @@ namespace abstand::field {
 /// and the right side is too small by at most r^2. Constant after construction.
 class FarSites {
  public:
-  /// `most`: upper limit of r (m). Empty if more than `max_sites` sites would be needed.
-  FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double most, std::size_t max_sites);
+  /// `max_distance`: upper limit of r (m). Empty if more than `max_sites` sites would be needed.
+  FarSites(const geometry::TriangleMesh& mesh, const Vector3d& origin, double max_distance,
+           std::size_t max_sites);
   std::size_t size() const { return x_.size(); }
 
   /// Vertices p = origin + spacing (first + (i, j, k)), i < size.x and so on.

@@ -109,11 +109,11 @@ std::vector<float> distancesAtVertices(const geometry::Surface& surface, const F
 }  // namespace
 
 FarField::FarField(const geometry::Surface& surface, double first_spacing, double reach, int threads) {
-  layOut(surface.bounds(), first_spacing, reach);
-  keepQuanta(distancesAtVertices(surface, view_, threads));
+  setUpGrid(surface.bounds(), first_spacing, reach);
+  quantize(distancesAtVertices(surface, view_, threads));
 }
 
-void FarField::layOut(const geometry::Bounds& body, double first_spacing, double reach) {
+void FarField::setUpGrid(const geometry::Bounds& body, double first_spacing, double reach) {
   const double margin = kMargin * first_spacing;
   const Vector3d half_cells = ((0.5 * body.extent().array() + margin) / first_spacing).ceil();
   if (!((2.0 * half_cells.array() + 1.0).prod() <= kMaxVertices)) {
@@ -145,7 +145,7 @@ void FarField::layOut(const geometry::Bounds& body, double first_spacing, double
   }
 }
 
-void FarField::keepQuanta(const std::vector<float>& distance) {
+void FarField::quantize(const std::vector<float>& distance) {
   View& v = view_;
   const std::size_t grid = verticesOf(v);
   values_.resize(distance.size());

@@ -70,8 +70,8 @@ class FarField {
   static constexpr float kSummed = 24.0f * 0x1p-23f;
 
  private:
-  void layOut(const geometry::Bounds& body, double first_spacing, double reach);
-  void keepQuanta(const std::vector<float>& distance);
+  void setUpGrid(const geometry::Bounds& body, double first_spacing, double reach);
+  void quantize(const std::vector<float>& distance);
 
   View view_{};
   std::vector<std::uint16_t> values_;  ///< distances in quanta, rounded down

@@ -116,8 +116,8 @@ std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const Bl
   return kinds;
 }
 
-KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, const KeepLimits& limits,
-                      int threads) {
+SelectedBlocks selectBlocks(const geometry::Surface& surface, const BlockGrid& grid,
+                            const BlockLimits& limits, int threads) {
   const std::size_t all = grid.blocks();
   std::vector<BlockKind> kinds(all, BlockKind::kNear);
   if (std::isfinite(limits.band))
@@ -130,11 +130,11 @@ KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, c
     throw UsageError(
         "the distance field would take more than 2 GB; choose a larger voxel size or the mixed field");
   }
-  KeptBlocks kept{grid,
-                  std::vector<std::uint32_t>(all, NearField::kNoBlock),
-                  {},
-                  keeps_inside,
-                  !keeps_inside && inside > 0.0};
+  SelectedBlocks kept{grid,
+                      std::vector<std::uint32_t>(all, NearField::kNoBlock),
+                      {},
+                      keeps_inside,
+                      !keeps_inside && inside > 0.0};
   for (std::size_t b = 0; b < all; ++b) {
     if (kinds[b] == BlockKind::kOutside) continue;
     if (kinds[b] == BlockKind::kDeep && !keeps_inside) {

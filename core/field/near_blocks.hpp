@@ -43,7 +43,7 @@ std::vector<BlockKind> classifyBlocks(const geometry::Surface& surface, const Bl
                                       double inner, int threads);
 
 /// Blocks that store samples.
-struct KeptBlocks {
+struct SelectedBlocks {
   BlockGrid grid;
   /// for each block of the grid: its index in `blocks`, or NearField::kNoBlock or kDeepBlock
   std::vector<std::uint32_t> index;
@@ -53,13 +53,13 @@ struct KeptBlocks {
 };
 
 /// See the parameters of NearField's constructor.
-struct KeepLimits {
+struct BlockLimits {
   double band;               ///< m
   std::size_t whole_inside;  ///< bytes
 };
 
 /// Throws UsageError if the stored blocks would take more than 2 GB.
-KeptBlocks keepBlocks(const geometry::Surface& surface, const BlockGrid& grid, const KeepLimits& limits,
-                      int threads);
+SelectedBlocks selectBlocks(const geometry::Surface& surface, const BlockGrid& grid,
+                            const BlockLimits& limits, int threads);
 
 }  // namespace abstand::field

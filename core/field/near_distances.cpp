@@ -174,8 +174,8 @@ void NearDistances::near(const Block& block, const List& list, std::uint32_t& hi
     Four x = ball(0), y = ball(1), z = ball(2), radius = ball(3);
     transpose(x, y, z, radius);
     const auto square = [](Four v) { return v * v; };
-    const Four way2 = square(x - c.x()) + square(y - c.y()) + square(z - c.z());
-    const Four apart = max(sqrt(way2) * (1.0f - kCompared) - (radius + tolerance_), Four{});
+    const Four distance2 = square(x - c.x()) + square(y - c.y()) + square(z - c.z());
+    const Four apart = max(sqrt(distance2) * (1.0f - kCompared) - (radius + tolerance_), Four{});
     const Four gain = 2.0f * (r.x() * abs(x - w.x()) + r.y() * abs(y - w.y()) + r.z() * abs(z - w.z()) +
                               reach * (radius + tolerance_));
     const int beyond = bits(square(apart) * (1.0f - kCompared) - (limit + gain * (1.0f + kCompared)) > 0.0f);

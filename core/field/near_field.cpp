@@ -44,9 +44,9 @@ double roundingIn(const BlockGrid& grid) {
 NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, double band, int threads,
                      std::size_t whole_inside)
     : grid_(grid) {
-  const BlockGrid cubes = layOut();
+  const BlockGrid cubes = setUpGrid();
   const double rounding = roundingIn(cubes);
-  KeptBlocks kept = keepBlocks(surface, cubes, {band, whole_inside}, threads);
+  SelectedBlocks kept = selectBlocks(surface, cubes, {band, whole_inside}, threads);
   measure(surface, kept, {band, rounding}, threads);
   block_index_ = std::move(kept.index);
   slope_ = steepest(threads);
@@ -61,7 +61,7 @@ NearField::NearField(const geometry::Surface& surface, const VoxelGrid& grid, do
 }
 
 // Vertices at the positions that sample() assumes.
-BlockGrid NearField::layOut() {
+BlockGrid NearField::setUpGrid() {
   const double h = grid_.voxel_size;
   const Vector3d corner = grid_.first_centre.array() - 0.5 * h;
   ox_ = static_cast<float>(corner.x());
@@ -78,14 +78,14 @@ BlockGrid NearField::layOut() {
 // A sparse field's distances have a known limit, so each block is quantised as soon as it is computed and no
 // floats are stored: a block near the surface contains a cube of half its width whose centre is no farther
 // than the band plus that cube's half diagonal. Otherwise the largest distance decides.
-void NearField::measure(const geometry::Surface& surface, const KeptBlocks& kept, const Precision& precision,
-                        int threads) {
+void NearField::measure(const geometry::Surface& surface, const SelectedBlocks& kept,
+                        const Precision& precision, int threads) {
   const auto& [band, rounding] = precision;
   if (std::isfinite(band) && !kept.all_inside) {
     const double step = kept.grid.voxel;
-    const double most =
+    const double largest =
         std::max(band, kInnerBand * step) + (0.25 + 1.0) * kCubeDiagonal * kCells * step + rounding;
-    quantum_ = static_cast<float>(most) / kMaxQuanta;
+    quantum_ = static_cast<float>(largest) / kMaxQuanta;
     values_ = sampleQuanta(surface, kept, rounding, quantum_, threads);
     return;
   }
@@ -104,7 +104,7 @@ float NearField::steepest(int threads) const {
   std::vector<float> of_block(blocks(), 0.0f);
   parallelFor(threads, blocks(), [&](std::size_t b) {
     const std::int16_t* values = &values_[b * kBlockValues];
-    std::int64_t most = 0;
+    std::int64_t largest = 0;
     for (int k = 0; k < kCells; ++k) {
       for (int j = 0; j < kCells; ++j) {
         const auto row = [&](int i, int dj, int dk) {
@@ -118,14 +118,14 @@ float NearField::steepest(int threads) const {
         }
         for (int i = 0; i < kCells; ++i) {
           const auto square = [](std::int64_t v) { return v * v; };
-          most = std::max(most, square(x[i]) + square(y[i]) + square(z[i]));
+          largest = std::max(largest, square(x[i]) + square(y[i]) + square(z[i]));
         }
       }
     }
-    of_block[b] = std::sqrt(static_cast<float>(most));
+    of_block[b] = std::sqrt(static_cast<float>(largest));
   });
-  const float most = of_block.empty() ? 0.0f : *std::max_element(of_block.begin(), of_block.end());
-  return most * quantum_ * inv_h_ * kSlopeRounding;
+  const float largest = of_block.empty() ? 0.0f : *std::max_element(of_block.begin(), of_block.end());
+  return largest * quantum_ * inv_h_ * kSlopeRounding;
 }
 
 NearField::View NearField::view() const {

@@ -119,8 +119,8 @@ class NearField {
   struct Precision {
     double band, rounding;  ///< m
   };
-  BlockGrid layOut();
-  void measure(const geometry::Surface& surface, const KeptBlocks& kept, const Precision& precision,
+  BlockGrid setUpGrid();
+  void measure(const geometry::Surface& surface, const SelectedBlocks& kept, const Precision& precision,
                int threads);
   float steepest(int threads) const;
   void measureDeep(const geometry::Surface& surface, const BlockGrid& grid, double rounding, int threads);

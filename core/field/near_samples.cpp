@@ -95,9 +95,9 @@ struct Region {
 };
 
 // Calls fn(block) for each stored block of a region, with a region of its own; bisects the region down to
-// `most` blocks.
+// `max_blocks` blocks.
 template <class Kept, class Fn>
-void forRegions(const NearDistances& distances, const Region& region, int most, Kept&& kept,
+void forRegions(const NearDistances& distances, const Region& region, int max_blocks, Kept&& kept,
                 std::uint32_t& hint, Fn&& fn) {
   bool any = false;
   for (int k = 0; k < region.size.z() && !any; ++k) {
@@ -106,13 +106,13 @@ void forRegions(const NearDistances& distances, const Region& region, int most, 
     }
   }
   if (!any) return;
-  if (region.size.prod() <= most) {
+  if (region.size.prod() <= max_blocks) {
     fn(region);
     return;
   }
   for (Region& half : region.halves()) {
     distances.near(half.vertices(), region.list, hint, half.list);
-    forRegions(distances, half, most, kept, hint, fn);
+    forRegions(distances, half, max_blocks, kept, hint, fn);
   }
 }
 
@@ -162,7 +162,7 @@ void copyFromOwners(const Neighbours& neighbours, const Value* all_values, Value
   }
 }
 
-Neighbours neighboursOf(const KeptBlocks& kept, std::size_t b) {
+Neighbours neighboursOf(const SelectedBlocks& kept, std::size_t b) {
   const Vector3i place = kept.grid.placeOf(b);
   Neighbours neighbours;
   for (int c = 0; c < 8; ++c) {
@@ -175,14 +175,14 @@ Neighbours neighboursOf(const KeptBlocks& kept, std::size_t b) {
   return neighbours;
 }
 
-BlockFrame frameOf(const KeptBlocks& kept, std::size_t b, double rounding) {
+BlockFrame frameOf(const SelectedBlocks& kept, std::size_t b, double rounding) {
   return {kept.grid.corner(kept.grid.placeOf(b)), kept.grid.voxel, rounding};
 }
 
 // For shapes, whose nearest points have closed forms. `store(n, fill)`: fill(to) writes the values that
 // stored block n computes itself.
 template <class Store>
-void measureShape(const geometry::Surface& surface, const KeptBlocks& kept, double rounding, int threads,
+void measureShape(const geometry::Surface& surface, const SelectedBlocks& kept, double rounding, int threads,
                   Store&& store) {
   parallelFor(threads, kept.blocks.size(), [&](std::size_t n) {
     const std::size_t b = kept.blocks[n];
@@ -196,7 +196,7 @@ void measureShape(const geometry::Surface& surface, const KeptBlocks& kept, doub
 
 // For meshes: candidate features are shared by the blocks of a region.
 template <class Store>
-void measureMesh(const geometry::MeshSurface& mesh, const KeptBlocks& kept, double rounding, int threads,
+void measureMesh(const geometry::MeshSurface& mesh, const SelectedBlocks& kept, double rounding, int threads,
                  Store&& store) {
   const NearDistances distances(mesh, kept.grid.origin, kept.grid.voxel);
   const auto isKept = [&](const Vector3i& block) {
@@ -225,7 +225,7 @@ void measureMesh(const geometry::MeshSurface& mesh, const KeptBlocks& kept, doub
 
 // `store` writes the values that blocks compute themselves to `values`.
 template <class Value, class Store>
-void sampleInto(std::vector<Value>& values, const geometry::Surface& surface, const KeptBlocks& kept,
+void sampleInto(std::vector<Value>& values, const geometry::Surface& surface, const SelectedBlocks& kept,
                 double rounding, int threads, Store&& store) {
   values.resize(kept.blocks.size() * kBlockValues);
   if (const auto* mesh = dynamic_cast<const geometry::MeshSurface*>(&surface))
@@ -240,7 +240,7 @@ void sampleInto(std::vector<Value>& values, const geometry::Surface& surface, co
 
 }  // namespace
 
-std::vector<float> sampleBlocks(const geometry::Surface& surface, const KeptBlocks& kept, double rounding,
+std::vector<float> sampleBlocks(const geometry::Surface& surface, const SelectedBlocks& kept, double rounding,
                                 int threads) {
   std::vector<float> values;
   sampleInto(values, surface, kept, rounding, threads,
@@ -248,7 +248,7 @@ std::vector<float> sampleBlocks(const geometry::Surface& surface, const KeptBloc
   return values;
 }
 
-std::vector<std::int16_t> sampleQuanta(const geometry::Surface& surface, const KeptBlocks& kept,
+std::vector<std::int16_t> sampleQuanta(const geometry::Surface& surface, const SelectedBlocks& kept,
                                        double rounding, float quantum, int threads) {
   std::vector<std::int16_t> values;
   sampleInto(values, surface, kept, rounding, threads, [&](std::size_t n, auto&& fill) {

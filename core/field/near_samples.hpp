@@ -11,11 +11,11 @@ namespace abstand::field {
 
 /// Signed distances (m) at the vertices of the stored blocks, NearField::kBlockValues for each. Exact up to
 /// `rounding` (m), the error of a vertex position. The result does not depend on the number of threads.
-std::vector<float> sampleBlocks(const geometry::Surface& surface, const KeptBlocks& kept, double rounding,
+std::vector<float> sampleBlocks(const geometry::Surface& surface, const SelectedBlocks& kept, double rounding,
                                 int threads);
 
 /// The same as multiples of `quantum` (m), without storing the floats of all blocks.
-std::vector<std::int16_t> sampleQuanta(const geometry::Surface& surface, const KeptBlocks& kept,
+std::vector<std::int16_t> sampleQuanta(const geometry::Surface& surface, const SelectedBlocks& kept,
                                        double rounding, float quantum, int threads);
 
 }  // namespace abstand::field

@@ -30,11 +30,11 @@ struct PackedLayers {
         }
       }
     }
-    const std::int16_t least = *std::min_element(of.begin(), of.end());
-    const auto half = [&](std::size_t v) { return (of[v] - least) | (in[v] ? LayerView::kInsideBit : 0); };
+    const std::int16_t smallest = *std::min_element(of.begin(), of.end());
+    const auto half = [&](std::size_t v) { return (of[v] - smallest) | (in[v] ? LayerView::kInsideBit : 0); };
     for (std::size_t v = 0; v < of.size(); v += 2)
       packed.push_back(static_cast<std::uint8_t>(half(v) | half(v + 1) << 4));
-    min_steps.push_back(least);
+    min_steps.push_back(smallest);
     return static_cast<std::int32_t>(min_steps.size() - 1);
   }
 };

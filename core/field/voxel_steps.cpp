@@ -12,19 +12,19 @@ void countSteps(const Vector3i& size, int step, std::vector<std::int16_t>& steps
   };
   const auto rowOf = [&](int j, int k) { return &steps[(std::size_t(k) * ny + j) * nx]; };
   // Minimum over three rows of neighbours, with a neutral element at each end.
-  std::vector<std::int16_t> least(nx + 2, kMaxSteps);
+  std::vector<std::int16_t> smallest(nx + 2, kMaxSteps);
   const auto sweepRow = [&](int j, int k, int direction) {
-    std::fill(least.begin(), least.end(), kMaxSteps);
+    std::fill(smallest.begin(), smallest.end(), kMaxSteps);
     const auto lower = [&](int jj, int kk) {
       if (jj < 0 || jj >= ny || kk < 0 || kk >= nz) return;
       const std::int16_t* row = rowOf(jj, kk);
-      for (int i = 0; i < nx; ++i) least[i + 1] = std::min(least[i + 1], row[i]);
+      for (int i = 0; i < nx; ++i) smallest[i + 1] = std::min(smallest[i + 1], row[i]);
     };
     for (int dj = -1; dj <= 1; ++dj) lower(j + dj, k - direction);
     lower(j - direction, k);
     std::int16_t* row = rowOf(j, k);
     for (int i = 0; i < nx; ++i) {
-      row[i] = std::min(row[i], next(std::min({least[i], least[i + 1], least[i + 2]})));
+      row[i] = std::min(row[i], next(std::min({smallest[i], smallest[i + 1], smallest[i + 2]})));
     }
     if (direction > 0) {
       for (int i = 1; i < nx; ++i) row[i] = std::min(row[i], next(row[i - 1]));

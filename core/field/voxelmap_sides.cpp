@@ -37,10 +37,10 @@ class Pieces {
       std::fill(&side_[first], &side_[first] + (end - first), value);
       piece_.push_back({first, end - first});
       const std::size_t j = row % ny, k = row / ny;
-      if (j > 0) seek(first - nx, end - nx);
-      if (j + 1 < ny) seek(first + nx, end + nx);
-      if (k > 0) seek(first - nx * ny, end - nx * ny);
-      if (k + 1 < nz) seek(first + nx * ny, end + nx * ny);
+      if (j > 0) searchRow(first - nx, end - nx);
+      if (j + 1 < ny) searchRow(first + nx, end + nx);
+      if (k > 0) searchRow(first - nx * ny, end - nx * ny);
+      if (k + 1 < nz) searchRow(first + nx * ny, end + nx * ny);
     }
     return piece_;
   }
@@ -59,7 +59,7 @@ class Pieces {
 
  private:
   // Adds one seed for each run of unknown voxels.
-  void seek(std::size_t first, std::size_t end) {
+  void searchRow(std::size_t first, std::size_t end) {
     for (std::size_t v = first; v < end; ++v) {
       if (side_[v] == kUnknown && (v == first || side_[v - 1] != kUnknown)) seeds_.push_back(v);
     }

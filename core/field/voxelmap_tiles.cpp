@@ -68,9 +68,9 @@ class TileMaker {
       return tile;
     }
     findSteps();
-    countOwn(tile);
+    countTile(tile);
     packBlocks(tile, block_index);
-    keepCorners(corner_steps);
+    storeCorners(corner_steps);
     return tile;
   }
 
@@ -113,7 +113,7 @@ class TileMaker {
     if (any) countSteps(seen_.size, 1, steps_);
   }
 
-  void countOwn(Tile& tile) const {
+  void countTile(Tile& tile) const {
     own_solid_.forEach([&](const Vector3i& v) {
       const std::int8_t s = side_[seen_solid_.index(v)];
       tile.surface_voxels += s == kVoxelSurface;
@@ -130,10 +130,10 @@ class TileMaker {
     layout_.inTile(number_, layout_.blocks).forEach([&](const Vector3i& b) {
       const Vector3i first = kEdge * b;
       const VoxelBox block{first, Vector3i::Constant(kEdge)};
-      std::int16_t least = kMaxSteps;
-      block.forEach([&](const Vector3i& v) { least = std::min(least, steps_[seen_.index(v)]); });
+      std::int16_t smallest = kMaxSteps;
+      block.forEach([&](const Vector3i& v) { smallest = std::min(smallest, steps_[seen_.index(v)]); });
       std::int32_t& index = block_index[layout_.blocks.index(b)];
-      if (least > Voxelmap::kExactSteps) {
+      if (smallest > Voxelmap::kExactSteps) {
         index = farBlock(inside(first + Vector3i::Constant(kEdge / 2)));
         return;
       }
@@ -143,7 +143,7 @@ class TileMaker {
     });
   }
 
-  void keepCorners(std::vector<std::int16_t>& corner_steps) const {
+  void storeCorners(std::vector<std::int16_t>& corner_steps) const {
     layout_.inTile(number_, layout_.corners).forEach([&](const Vector3i& c) {
       const std::int16_t s = steps_[seen_.index(kEdge * c)];
       if (s <= kHalo) corner_steps[layout_.corners.index(c)] = s;

@@ -17,7 +17,7 @@ constexpr double kTouch = 1e-9;
 // v), against the unit square. Both ends are compared, so that rounding of an axis does not matter.
 struct Projection {
   int u, v;
-  std::array<double, 3> nu, nv, least, most;
+  std::array<double, 3> nu, nv, smallest, largest;
 
   Projection(const std::array<Vector3d, 3>& t, int axis) : u((axis + 1) % 3), v((axis + 2) % 3) {
     for (int i = 0; i < 3; ++i) {
@@ -27,14 +27,14 @@ struct Projection {
       const auto at = [&](int k) { return nu[i] * t[k][u] + nv[i] * t[k][v]; };
       const auto [low, high] = std::minmax({at(0), at(1), at(2)});
       const double touch = kTouch * (std::abs(nu[i]) + std::abs(nv[i]));
-      least[i] = low - std::max(0.0, nu[i]) - std::max(0.0, nv[i]) - touch;
-      most[i] = high - std::min(0.0, nu[i]) - std::min(0.0, nv[i]) + touch;
+      smallest[i] = low - std::max(0.0, nu[i]) - std::max(0.0, nv[i]) - touch;
+      largest[i] = high - std::min(0.0, nu[i]) - std::min(0.0, nv[i]) + touch;
     }
   }
   bool overlaps(double pu, double pv) const {
     for (int i = 0; i < 3; ++i) {
       const double at = nu[i] * pu + nv[i] * pv;
-      if (at < least[i] || at > most[i]) return false;
+      if (at < smallest[i] || at > largest[i]) return false;
     }
     return true;
   }
@@ -52,22 +52,23 @@ void forVoxels(const std::array<Vector3d, 3>& t, const Vector3i& size, Mark&& ma
   const int u = (w + 1) % 3, v = (w + 2) % 3;
   Vector3i low, high;
   for (int k = 0; k < 3; ++k) {
-    const auto [least, most] = std::minmax({t[0][k], t[1][k], t[2][k]});
-    low[k] = static_cast<int>(std::clamp(std::ceil(least - kTouch) - 1.0, 0.0, size[k] - 1.0));
-    high[k] = static_cast<int>(std::clamp(std::floor(most + kTouch), 0.0, size[k] - 1.0));
+    const auto [smallest, largest] = std::minmax({t[0][k], t[1][k], t[2][k]});
+    low[k] = static_cast<int>(std::clamp(std::ceil(smallest - kTouch) - 1.0, 0.0, size[k] - 1.0));
+    high[k] = static_cast<int>(std::clamp(std::floor(largest + kTouch), 0.0, size[k] - 1.0));
   }
   const Projection along_w(t, w), along_u(t, u), along_v(t, v);
   // Along n, whose component w is 1, a voxel's centre is at most `reach` from the triangle's plane.
   const double reach = 0.5 * n.cwiseAbs().sum() + kTouch;
-  const auto [least, most] = std::minmax({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
+  const auto [smallest, largest] = std::minmax({n.dot(t[0]), n.dot(t[1]), n.dot(t[2])});
   Vector3i p;
   for (p[v] = low[v]; p[v] <= high[v]; ++p[v]) {
     for (p[u] = low[u]; p[u] <= high[u]; ++p[u]) {
       if (!along_w.overlaps(p[u], p[v])) continue;
       const double rest = n[u] * (p[u] + 0.5) + n[v] * (p[v] + 0.5) + 0.5;
-      const int first = std::max(low[w], static_cast<int>(std::ceil(std::max(least - reach - rest, -1.0))));
+      const int first =
+          std::max(low[w], static_cast<int>(std::ceil(std::max(smallest - reach - rest, -1.0))));
       const int last =
-          std::min(high[w], static_cast<int>(std::floor(std::min(most + reach - rest, double(size[w])))));
+          std::min(high[w], static_cast<int>(std::floor(std::min(largest + reach - rest, double(size[w])))));
       for (p[w] = first; p[w] <= last; ++p[w]) {
         if (along_u.overlaps(p[along_u.u], p[along_u.v]) && along_v.overlaps(p[along_v.u], p[along_v.v])) {
           mark(p);

@@ -28,13 +28,13 @@ std::uint32_t addVertex(TriangleMesh& mesh, const Vector3d& p) {
 /// Sagitta of a mesh with vertices on the unit sphere: 1 minus the smallest distance of a triangle's plane
 /// from the centre.
 double unitSagitta(const TriangleMesh& mesh) {
-  double least = 1.0;
+  double smallest = 1.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vector3d& a = mesh.corner(t, 0);
     const Vector3d normal = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).normalized();
-    least = std::min(least, normal.dot(a));
+    smallest = std::min(smallest, normal.dot(a));
   }
-  return 1.0 - least;
+  return 1.0 - smallest;
 }
 
 /// The coarsest mesh make(m), m >= `n`, whose sagitta on the unit sphere is small enough. make(n) has

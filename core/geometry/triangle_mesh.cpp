@@ -14,15 +14,15 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 /// Finds the vertices kept so far near a point: a hash grid whose cells are at least twice the
 /// tolerance wide, so that 8 cells hold everything within the tolerance. Kept vertices are at least the
 /// tolerance apart, so a cell holds few of them and welding takes linear time.
-class KeptVertices {
+class MergedVertices {
  public:
-  KeptVertices(std::size_t most, double tolerance)
-      : tolerance_(tolerance), heads_(std::bit_ceil(most + 1), kNone), next_() {
-    next_.reserve(most);
+  MergedVertices(std::size_t max_count, double tolerance)
+      : tolerance_(tolerance), heads_(std::bit_ceil(max_count + 1), kNone), next_() {
+    next_.reserve(max_count);
   }
 
   /// Index of the kept vertex within the tolerance of p; if there is none, p is kept as a new one.
-  std::uint32_t findOrKeep(const Vector3d& p) {
+  std::uint32_t findOrInsert(const Vector3d& p) {
     Vector3d cell = p;
     Vector3d side = Vector3d::Zero();
     if (tolerance_ > 0.0) {
@@ -91,7 +91,7 @@ double surfaceArea(const TriangleMesh& mesh) {
 
 TriangleMesh weld(const TriangleMesh& mesh, double tolerance) {
   ABSTAND_CHECK(tolerance >= 0.0 && mesh.vertices.size() < kNone);
-  KeptVertices kept(mesh.vertices.size(), tolerance);
+  MergedVertices kept(mesh.vertices.size(), tolerance);
   std::vector<std::uint32_t> stand_in(mesh.vertices.size(), kNone);
   TriangleMesh out;
   out.triangles.reserve(mesh.triangles.size());
@@ -100,7 +100,7 @@ TriangleMesh weld(const TriangleMesh& mesh, double tolerance) {
     for (int i = 0; i < 3; ++i) {
       ABSTAND_CHECK(triangle[i] < mesh.vertices.size());
       auto& s = stand_in[triangle[i]];
-      if (s == kNone) s = kept.findOrKeep(mesh.vertices[triangle[i]]);
+      if (s == kNone) s = kept.findOrInsert(mesh.vertices[triangle[i]]);
       t[i] = s;
     }
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.triangles.push_back(t);

@@ -9,7 +9,7 @@ namespace {
 struct Best {
   Vector3d on_a, on_b;
   double d2{kInfinity};
-  void take(const Vector3d& p, const Vector3d& q) {
+  void update(const Vector3d& p, const Vector3d& q) {
     const double candidate = (p - q).squaredNorm();
     if (candidate < d2) on_a = p, on_b = q, d2 = candidate;
   }
@@ -25,7 +25,7 @@ void segments(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vec
   // For parallel segments any s is valid.
   const double s = across > 0.0 ? unitInterval((b * f - c * e) / across) : 0.0;
   const double t = unitInterval((b * s + f) / e);
-  best.take(p + unitInterval((b * t - c) / a) * u, q + t * v);
+  best.update(p + unitInterval((b * t - c) / a) * u, q + t * v);
 }
 
 /// Pair of the corner p and its projection onto the face of t, if it lies in the face.
@@ -36,7 +36,7 @@ void corner(const Vector3d& p, const TriangleCorners& t, const Vector3d (&edge)[
     if (edge[i].cross(p - t[k]).dot(normal) < 0.0) return;
   }
   const Vector3d q = p - normal * (normal.dot(p - t[0]) / normal.squaredNorm());
-  p_is_of_a ? best.take(p, q) : best.take(q, p);
+  p_is_of_a ? best.update(p, q) : best.update(q, p);
 }
 
 }  // namespace

@@ -63,8 +63,8 @@ inline Distance8 farAt(const field::FarField::View& v, const Point8& p) {
   // Interpolation is exact in front of a plane, the bound in front of a vertex. Near the body the surface is
   // mostly like a plane; farther away the mean of both is used.
   const Mask8 near = toFloat(level) < splat(0.5f);
-  const Float8 least = max(inside_f, zero);
-  d.s = select(beyond, d.f, select(near, max(plain, least), splat(0.5f) * (plain + least)));
+  const Float8 smallest = max(inside_f, zero);
+  d.s = select(beyond, d.f, select(near, max(plain, smallest), splat(0.5f) * (plain + smallest)));
   return d;
 }
 
@@ -94,9 +94,9 @@ class NearLanes {
     takeDeep(p, d);
     return d.f - radius;
   }
-  /// Like points(); where s exceeds `most`, some value of s above it.
-  Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float most) const {
-    if (!(most < near_.band)) return points(p, tree, first);
+  /// Like points(); where s exceeds `largest`, some value of s above it.
+  Distance8 within(const Point8& p, const TreeView& tree, std::uint32_t first, float largest) const {
+    if (!(largest < near_.band)) return points(p, tree, first);
     Float8 s;
     const Mask8 there = sample(p, s);
     const Float8 band = splat(near_.band);
@@ -212,9 +212,9 @@ class NearLanes {
   Float8 lowerFromSample(Float8 s) const {
     const Float8 zero = splat(0.0f);
     const Float8 plain = s - splat(near_.error_bound);
-    const Float8 least = s - splat(near_.quantum);
-    const Float8 rest = least * least - splat(0.75f * near_.h2);
-    const Mask8 outside = (zero < least) & (zero < rest);
+    const Float8 smallest = s - splat(near_.quantum);
+    const Float8 rest = smallest * smallest - splat(0.75f * near_.h2);
+    const Mask8 outside = (zero < smallest) & (zero < rest);
     return select(outside, max(plain, sqrt(max(rest, zero)) - splat(near_.quantum)), plain);
   }
 

@@ -81,7 +81,7 @@ inline void gatherTwo(const std::int16_t* base, Int8 at, Float8& first, Float8& 
   first = {_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(two, 16), 16))};
   second = {_mm256_cvtepi32_ps(_mm256_srai_epi32(two, 16))};
 }
-inline float leastOf(Float8 a) {
+inline float smallestOf(Float8 a) {
   __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));
   return _mm_cvtss_f32(_mm_min_ss(m, _mm_shuffle_ps(m, m, 1)));
@@ -215,7 +215,7 @@ inline void gatherTwo(const Value* base, Int8 at, Float8& first, Float8& second)
   }
 }
 /// Smallest lane; in the order of the AVX2 version, which decides between zeros and about NaN.
-inline float leastOf(Float8 a) {
+inline float smallestOf(Float8 a) {
   const auto lower = [](float x, float y) { return x < y ? x : y; };
   float m[4];
   for (int i = 0; i < 4; ++i) m[i] = lower(a.v[i], a.v[i + 4]);

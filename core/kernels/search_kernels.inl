@@ -25,9 +25,10 @@ inline Point8 centresOf(const TreeView& tree, const Family& family) {
   return moved(tree.X_FP, load(family.cx), load(family.cy), load(family.cz));
 }
 
-/// Index of the first lane that is at most `least`; there is one.
-inline std::uint32_t laneOf(Float8 lanes, float least) {
-  return static_cast<std::uint32_t>(__builtin_ctz(static_cast<unsigned>(bits(lanes <= splat(least)) | 0x80)));
+/// Index of the first lane that is at most `smallest`; there is one.
+inline std::uint32_t laneOf(Float8 lanes, float smallest) {
+  return static_cast<std::uint32_t>(
+      __builtin_ctz(static_cast<unsigned>(bits(lanes <= splat(smallest)) | 0x80)));
 }
 
 inline Mask8 farther(const Point8& p, const Ball& ball, Float8 by) {
@@ -64,7 +65,7 @@ float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ba
       const std::uint32_t first =
           (child & ~shell::PointSphereTree::kLeafChild) * shell::PointSphereTree::kLane;
       const Point8 p = pointsAt(tree, first);
-      const float f = leastOf(select(farther(p, ball, splat(0.0f)), lanes.points(p, tree, first).f, none));
+      const float f = smallestOf(select(farther(p, ball, splat(0.0f)), lanes.points(p, tree, first).f, none));
       best = f < best ? f : best;
     }
   }
@@ -74,10 +75,10 @@ float searchOutside(const TreeView& tree, const FieldView& field, const Ball& ba
 /// Among points with equal estimates (at a medial axis the field is level) the first in leaf order is taken,
 /// so that the result does not depend on the order of the search.
 inline void takeNearer(Float8 s, std::uint32_t first, NearestPoint& nearest) {
-  const float least = leastOf(s);
-  if (!(least < nearest.estimate || (least == nearest.estimate && first < nearest.point))) return;
-  nearest.estimate = least;
-  nearest.point = first + laneOf(s, least);
+  const float smallest = smallestOf(s);
+  if (!(smallest < nearest.estimate || (smallest == nearest.estimate && first < nearest.point))) return;
+  nearest.estimate = smallest;
+  nearest.point = first + laneOf(s, smallest);
 }
 
 /// Branch and bound for the smallest distance over all shell points.
@@ -111,8 +112,8 @@ class NearestSearch {
     const Mask8 near = bound < splat(enough_);
     const int wanted = bits(near);
     if (wanted != 0xff) {
-      const float least = leastOf(select(near, splat(kNever), bound));
-      dropped_ = least < dropped_ ? least : dropped_;
+      const float smallest = smallestOf(select(near, splat(kNever), bound));
+      dropped_ = smallest < dropped_ ? smallest : dropped_;
       if (wanted == 0) return;
     }
     float of[8];
@@ -143,7 +144,7 @@ class NearestSearch {
 
   void visitLeaf(std::uint32_t first) {
     const Distance8 d = lanes_.points(pointsAt(tree_, first), tree_, first);
-    const float f = leastOf(d.f);
+    const float f = smallestOf(d.f);
     visited_ = f < visited_ ? f : visited_;
     if (f < best_) {
       best_ = f;
@@ -218,10 +219,10 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
     const int touching = bits(touches);
     if (touching == 0) {
       if (sum.contacts > 0) return;
-      const float least = leastOf(s);
-      if (!(least < reach)) return;
-      reach = least;
-      sum.nearest = first + laneOf(s, least);
+      const float smallest = smallestOf(s);
+      if (!(smallest < reach)) return;
+      reach = smallest;
+      sum.nearest = first + laneOf(s, smallest);
       return;
     }
     reach = limits.margin;
@@ -258,9 +259,9 @@ ContactSearch sumContacts(const TreeView& tree, const FieldView& field, const Co
     for (int i = 0; i < leaves; ++i) leaf(first[i], estimate[i]);
     if (sum.contacts != before) wrench.addTo(sum);
   }
-  sum.depth = -leastOf(zero - deepest);
+  sum.depth = -smallestOf(zero - deepest);
   if (sum.contacts > 0) sum.nearest = kNoPoint;
-  nearest.lower_bound = leastOf(min(visited, dropped - splat(lanes.error())));
+  nearest.lower_bound = smallestOf(min(visited, dropped - splat(lanes.error())));
   return {sum, nearest};
 }
 
@@ -295,26 +296,26 @@ ContactSearch contactSearch(const TreeView& tree, const FieldView& field, const 
 float support(const PointArrays& points, float gx, float gy, float gz) {
   const auto& [x, y, z, count] = points;
   const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
-  Float8 most = splat(-kNever);
+  Float8 largest = splat(-kNever);
   for (std::size_t i = 0; i < count; i += 8)
-    most = max(most, multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i))));
-  return -leastOf(splat(0.0f) - most);
+    largest = max(largest, multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i))));
+  return -smallestOf(splat(0.0f) - largest);
 }
 
 std::size_t extreme(const PointArrays& points, float gx, float gy, float gz) {
   const auto& [x, y, z, count] = points;
   const Float8 a = splat(gx), b = splat(gy), c = splat(gz);
   // Integers below 2^24 are exact in float.
-  Float8 most = splat(-kNever), where = splat(0.0f);
+  Float8 largest = splat(-kNever), where = splat(0.0f);
   for (std::size_t i = 0; i < count; i += 8) {
     const Float8 h = multiplyAdd(a, load(x + i), multiplyAdd(b, load(y + i), c * load(z + i)));
-    const Mask8 more = most < h;
-    most = select(more, h, most);
+    const Mask8 more = largest < h;
+    largest = select(more, h, largest);
     where = select(more, splat(static_cast<float>(i)), where);
   }
-  const Float8 farthest = splat(-leastOf(splat(0.0f) - most));
+  const Float8 farthest = splat(-smallestOf(splat(0.0f) - largest));
   const auto lane =
-      static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(bits(farthest <= most) | 0x80)));
+      static_cast<std::size_t>(__builtin_ctz(static_cast<unsigned>(bits(farthest <= largest) | 0x80)));
   float first[8];
   store(first, where);
   return static_cast<std::size_t>(first[lane]) + lane;

@@ -60,11 +60,11 @@ class ClearanceChunk {
 
   /// Of all parts together, m.
   double leastClearance(std::size_t frame) const { return clearance_[frame]; }
-  double leastBetween(std::size_t frame) const { return between_[frame]; }
+  double minBetween(std::size_t frame) const { return between_[frame]; }
   double leastBraking(std::size_t frame) const { return braking_[frame]; }
   /// Least clearance, and what is between, of all parts and frames.
   double least() const { return least_; }
-  double leastBetween() const { return min_between_; }
+  double minBetween() const { return min_between_; }
 
   std::size_t bytes() const;
 

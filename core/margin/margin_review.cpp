@@ -123,10 +123,10 @@ class WholeBody {
     if (from >= chunk.frames()) return;
     any_ = true;
     const double first = chunk.t(0), last = chunk.t(chunk.frames() - 1);
-    const double least = std::min(chunk.least(), chunk.leastBetween());
+    const double least = std::min(chunk.least(), chunk.minBetween());
     const bool none = std::none_of(parts.begin(), parts.end(), [](const auto* p) { return p->some; });
     const bool all = std::any_of(parts.begin(), parts.end(), [](const auto* p) { return p->all; });
-    if (from == 0 && none && !stream_.stopping() && chunk.leastBetween() > limit_) {
+    if (from == 0 && none && !stream_.stopping() && chunk.minBetween() > limit_) {
       stream_.addOutside({first, last, least, kInfinity, {}, 0});
       return;
     }
@@ -138,7 +138,7 @@ class WholeBody {
     for (const InsideFrames* part : parts)
       if (part->some && !part->all) frames |= part->frames;
     for (std::size_t i = from; i < chunk.frames(); ++i)
-      stream_.add({chunk.t(i), all || frames[i], chunk.leastClearance(i), chunk.leastBetween(i),
+      stream_.add({chunk.t(i), all || frames[i], chunk.leastClearance(i), chunk.minBetween(i),
                    chunk.leastBraking(i)});
   }
   MarginOutcome finish() { return any_ ? stream_.finish() : MarginOutcome{}; }

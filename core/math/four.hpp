@@ -40,11 +40,11 @@ inline int bits(FourInts where) {
 #endif
 }
 inline float sumOf(Four a) { return (a[0] + a[2]) + (a[1] + a[3]); }
-inline float leastOf(Four a) {
+inline float smallestOf(Four a) {
   const Four m = min(a, __builtin_shufflevector(a, a, 2, 3, 0, 1));
   return m[1] < m[0] ? m[1] : m[0];
 }
-inline float largestOf(Four a) { return -leastOf(-a); }
+inline float largestOf(Four a) { return -smallestOf(-a); }
 
 /// Transposes the 4x4 matrix whose rows are a, b, c, d.
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {

@@ -23,8 +23,8 @@ class MotionHistory {
   }
 
   /// Adds a step of `dt` > 0 s: displacement of the centre of mass (m) and rotation vector (rad), world axes.
-  void add(double dt, const Vector3d& way, const Vector3d& rotation) {
-    ring_[static_cast<std::size_t>(next_)] = {dt, way, rotation};
+  void add(double dt, const Vector3d& displacement, const Vector3d& rotation) {
+    ring_[static_cast<std::size_t>(next_)] = {dt, displacement, rotation};
     next_ = (next_ + 1) % kSteps;
     steps_ = steps_ < kSteps ? steps_ + 1 : kSteps;
   }
@@ -35,7 +35,7 @@ class MotionHistory {
     double time = 0.0;
     for (int i = 0; i < steps_; ++i) {
       const Step& s = ring_[static_cast<std::size_t>(i)];
-      sum.linear += s.way;
+      sum.linear += s.displacement;
       sum.angular += s.rotation;
       time += s.dt;
     }
@@ -49,7 +49,7 @@ class MotionHistory {
     double time = 0.0, weight = 1.0;
     for (int age = 0; age < steps_; ++age, weight *= fade) {
       const Step& s = ring_[static_cast<std::size_t>((next_ - 1 - age + kSteps) % kSteps)];
-      sum.linear += weight * s.way;
+      sum.linear += weight * s.displacement;
       sum.angular += weight * s.rotation;
       time += weight * s.dt;
     }
@@ -61,7 +61,7 @@ class MotionHistory {
   static constexpr int kSteps = kPoses - 1;
   struct Step {
     double dt{0.0};
-    Vector3d way{Vector3d::Zero()}, rotation{Vector3d::Zero()};
+    Vector3d displacement{Vector3d::Zero()}, rotation{Vector3d::Zero()};
   };
   std::array<Step, static_cast<std::size_t>(kSteps)> ring_;
   int steps_{0}, next_{0};

@@ -22,7 +22,7 @@ class Random {
   }
   /// Uniform in [0, 1).
   double unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
-  double between(double least, double most) { return least + (most - least) * unit(); }
+  double between(double lower, double upper) { return lower + (upper - lower) * unit(); }
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
   bool chance(double part) { return unit() < part; }
 

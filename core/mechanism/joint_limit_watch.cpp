@@ -39,8 +39,8 @@ void JointLimitWatch::compare(std::size_t dof, LimitKind kind, double t, double 
   worst.t = t;
 }
 
-void JointLimitWatch::look(double t, std::span<const double> q, std::span<const double> qd,
-                           std::span<const double> qdd, std::span<const double> efforts) noexcept {
+void JointLimitWatch::check(double t, std::span<const double> q, std::span<const double> qd,
+                            std::span<const double> qdd, std::span<const double> efforts) noexcept {
   for (const auto& s : {q, qd, qdd, efforts}) ABSTAND_CHECK(s.empty() || s.size() == limits_.size());
   for (std::size_t k = 0; k < limits_.size(); ++k) {
     const DofLimits& l = limits_[k];

@@ -29,14 +29,14 @@ struct LimitBreach {
   long count{0};      ///< number of samples beyond the limit
 };
 
-/// Records the worst violation for each dof and kind. One thread; look() does not allocate or throw.
+/// Records the worst violation for each dof and kind. One thread; check() does not allocate or throw.
 class JointLimitWatch {
  public:
   explicit JointLimitWatch(std::vector<DofLimits> limits);
 
   /// Checks the state at time `t` (s). Each span has one value (SI) for each dof, or is empty if unknown.
-  void look(double t, std::span<const double> q, std::span<const double> qd, std::span<const double> qdd,
-            std::span<const double> efforts) noexcept;
+  void check(double t, std::span<const double> q, std::span<const double> qd, std::span<const double> qdd,
+             std::span<const double> efforts) noexcept;
   /// Violations in the order of dof, then LimitKind.
   std::vector<LimitBreach> breaches() const;
   /// The same into `out`, as many as fit; returns their total number. Does not allocate or throw.

@@ -49,9 +49,9 @@ std::string inertiaFault(const LinkInertia& body) {
   const double size = I.cwiseAbs().maxCoeff();
   if ((I - I.transpose()).cwiseAbs().maxCoeff() > kInertiaRounding * size)
     return "found an inertia that is not symmetric, expected a symmetric one";
-  const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues()[0];
-  if (least < -kInertiaRounding * size)
-    return "found a principal moment of inertia of " + words(least) + " kg m^2, expected 0 or more";
+  const double smallest = Eigen::SelfAdjointEigenSolver<Matrix3d>(I, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  if (smallest < -kInertiaRounding * size)
+    return "found a principal moment of inertia of " + words(smallest) + " kg m^2, expected 0 or more";
   if (body.mass == 0.0 && size > 0.0) return "found an inertia without a mass, expected both or none";
   return {};
 }

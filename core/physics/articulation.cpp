@@ -36,13 +36,13 @@ Articulation::Articulation(const mechanism::Mechanism& mechanism, const Transfor
   tree_ = mechanism::makeRigidTree(mechanism);
   mechanism::moveBase(tree_, X_WB);
   const auto dof = static_cast<std::size_t>(tree_.dof);
-  most_.assign(dof, kInfinity);
+  max_effort_.assign(dof, kInfinity);
   std::vector<double> sizes(dof, 0.0), squares(dof, 0.0);
   for (const mechanism::TreeBody& b : tree_.bodies) {
     const auto k = static_cast<std::size_t>(b.dof);
     const double effort = mechanism.frames[static_cast<std::size_t>(b.frame)].limits.effort;
     // The effort of a dof is its joint's times the scale; of mimic joints the first one has the motor.
-    if (sizes[k] == 0.0 && effort < kInfinity) most_[k] = std::abs(b.scale) * effort;
+    if (sizes[k] == 0.0 && effort < kInfinity) max_effort_[k] = std::abs(b.scale) * effort;
     sizes[k] += std::abs(b.scale);
     squares[k] += b.scale * b.scale;
   }
@@ -72,7 +72,7 @@ Articulation::Articulation(const mechanism::Mechanism& mechanism, const Transfor
   motored_.assign(dof, false);
   if (options.limits && options.motors_keep_limits) {
     std::vector<mechanism::DofLimits> limits = mechanism::dofLimits(mechanism);
-    for (std::size_t k = 0; k < dof; ++k) limits[k].effort = most_[k];
+    for (std::size_t k = 0; k < dof; ++k) limits[k].effort = max_effort_[k];
     limiter_.emplace(std::move(limits));
   }
   external_.assign(tree_.bodies.size(), {});
@@ -130,7 +130,7 @@ void Articulation::drive(double h) {
   else
     std::fill(drive_.begin(), drive_.end(), 0.0);
   for (std::size_t k = 0; k < drive_.size(); ++k)
-    drive_[k] = command_[k] = std::clamp(drive_[k] + efforts_[k], -most_[k], most_[k]);
+    drive_[k] = command_[k] = std::clamp(drive_[k] + efforts_[k], -max_effort_[k], max_effort_[k]);
 
   // The error shrinks in each round by the rotation in one step, so a few rounds are enough.
   middle_ = qd_;

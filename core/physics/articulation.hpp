@@ -83,7 +83,7 @@ class Articulation {
  protected:
   struct Motor {
     double velocity{0.0};
-    double most{0.0};  ///< effort limit; 0: off
+    double max_effort{0.0};  ///< effort limit; 0: off
   };
   /// Limits and damping of one joint, that is of one body of the tree.
   struct JointSide {
@@ -104,7 +104,7 @@ class Articulation {
   mechanism::RigidTree tree_;  ///< its base is the world
   Vector3d gravity_W_;
   bool compensated_;
-  std::vector<double> most_;  ///< effort limit of each dof
+  std::vector<double> max_effort_;  ///< effort limit of each dof
   std::vector<JointSide> joints_;
   std::vector<double> q_, qd_, efforts_;
   std::vector<Motor> motors_;

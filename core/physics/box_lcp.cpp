@@ -61,12 +61,12 @@ int wantedSide(const BoxLcp& p, Eigen::Index n, Eigen::Index i) {
 
 }  // namespace
 
-void BoxLcp::reserve(Eigen::Index most) {
-  A.setZero(most, most);
-  L.setZero(most, most);
-  for (Eigen::VectorXd* v : {&b, &lower, &upper, &x, &y}) v->setZero(most);
-  side.assign(static_cast<std::size_t>(most), 0);
-  free.reserve(static_cast<std::size_t>(most));
+void BoxLcp::reserve(Eigen::Index max_size) {
+  A.setZero(max_size, max_size);
+  L.setZero(max_size, max_size);
+  for (Eigen::VectorXd* v : {&b, &lower, &upper, &x, &y}) v->setZero(max_size);
+  side.assign(static_cast<std::size_t>(max_size), 0);
+  free.reserve(static_cast<std::size_t>(max_size));
 }
 
 bool solveBoxLcp(BoxLcp& p, Eigen::Index n) {

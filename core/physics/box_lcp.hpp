@@ -18,7 +18,7 @@ struct BoxLcp {
   Eigen::MatrixXd L;
   Eigen::VectorXd y;
 
-  void reserve(Eigen::Index most);
+  void reserve(Eigen::Index max_size);
 };
 
 /// Solves the first `n` rows by block principal pivoting, falling back to single pivots, which always

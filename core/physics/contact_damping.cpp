@@ -33,10 +33,11 @@ Wrench contactDamping(const Contact& contact, const ContactMotion& motion, const
   const double pressed = size + change;
   Wrench damping{change * normal, Vector3d::Zero()};
 
-  const double most = options.friction * pressed;
+  const double max_friction = options.friction * pressed;
   const double speed = slip.norm();
   if (speed > 0.0) {
-    const double friction = std::min(most, stable(most / options.creep, motion.slip_mobility, h) * speed);
+    const double friction =
+        std::min(max_friction, stable(max_friction / options.creep, motion.slip_mobility, h) * speed);
     damping.force -= friction / speed * slip;
   }
 

@@ -27,19 +27,19 @@ JointLimiter::JointLimiter(std::vector<mechanism::DofLimits> limits) : limits_(s
 double JointLimiter::braking(const mechanism::MassMatrix& mass, std::span<const double> bias,
                              std::size_t k) const noexcept {
   const auto i = static_cast<Eigen::Index>(k);
-  const double most = limits_[k].effort;
-  const double reserve = std::max(most - std::abs(bias[k]), kMinReserve * most);
+  const double max_effort = limits_[k].effort;
+  const double reserve = std::max(max_effort - std::abs(bias[k]), kMinReserve * max_effort);
   return std::min(kBrakingShare * reserve / mass.M(i, i), limits_[k].acceleration);
 }
 
 /// Sets which bound the row keeps.
 void JointLimiter::aim(const LimitedStep& step, Eigen::Index row, bool upper) noexcept {
   const std::size_t k = dofs_[static_cast<std::size_t>(row)];
-  const double most = limits_[k].effort;
+  const double max_effort = limits_[k].effort;
   at_upper_[static_cast<std::size_t>(row)] = upper;
   rows_.b[row] = (upper ? bounds_[k].upper : bounds_[k].lower) - without_[k];
-  rows_.lower[row] = upper ? std::min(0.0, step.h * (-most - command_[k])) : 0.0;
-  rows_.upper[row] = upper ? 0.0 : std::max(0.0, step.h * (most - command_[k]));
+  rows_.lower[row] = upper ? std::min(0.0, step.h * (-max_effort - command_[k])) : 0.0;
+  rows_.upper[row] = upper ? 0.0 : std::max(0.0, step.h * (max_effort - command_[k]));
 }
 
 void JointLimiter::addRow(const mechanism::MassMatrix& mass, const LimitedStep& step, std::size_t dof,
@@ -143,10 +143,10 @@ void JointLimiter::limit(const mechanism::MassMatrix& mass, const LimitedStep& s
   const double worst = keepBounds(mass, step, free);
   if (worst == 0.0) return;
   findHolding(mass, step);
-  const double least = keepBoundsAt(0.0, mass, step, free);
-  if (least > 0.0) {
+  const double smallest = keepBoundsAt(0.0, mass, step, free);
+  if (smallest > 0.0) {
     // Not even the holding efforts suffice: uses the one that violates less.
-    if (worst <= least) keepBoundsAt(1.0, mass, step, free);
+    if (worst <= smallest) keepBoundsAt(1.0, mass, step, free);
     return;
   }
   double kept = 0.0, broken = 1.0;

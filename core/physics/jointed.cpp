@@ -181,9 +181,9 @@ void Jointed::setJoint(std::size_t i, double h) {
     const double reach = b.prismatic ? kInfinity : kPi;
     at_stop = down >= 0.0 || up <= 0.0;
     // ODE measures the joint again: rounding must not decide whether it is at its stop.
-    const double most = kStopSpeed * h / kStopReturn;  // largest overshoot reported to ODE
-    const double low = down >= 0.0 ? std::clamp(down, kRounding, most) : std::min(down, -kRounding);
-    const double high = up <= 0.0 ? std::clamp(up, -most, -kRounding) : std::max(up, kRounding);
+    const double max_overshoot = kStopSpeed * h / kStopReturn;  // largest overshoot reported to ODE
+    const double low = down >= 0.0 ? std::clamp(down, kRounding, max_overshoot) : std::min(down, -kRounding);
+    const double high = up <= 0.0 ? std::clamp(up, -max_overshoot, -kRounding) : std::max(up, kRounding);
     set(dParamLoStop, low > -reach ? low : -dInfinity);
     set(dParamHiStop, high < reach ? high : dInfinity);
     set(dParamStopERP, kStopReturn);
@@ -191,9 +191,9 @@ void Jointed::setJoint(std::size_t i, double h) {
   }
 
   // A damper is a motor with target 0 whose compliance is proportional to its force.
-  const bool damped = motors_[k].most == 0.0 && side.damping > 0.0 && !at_stop;
+  const bool damped = motors_[k].max_effort == 0.0 && side.damping > 0.0 && !at_stop;
   set(dParamVel, damped ? 0.0 : b.scale * motors_[k].velocity);
-  set(dParamFMax, damped ? dInfinity : motors_[k].most * side.share);
+  set(dParamFMax, damped ? dInfinity : motors_[k].max_effort * side.share);
   set(dParamCFM, damped ? 1.0 / side.damping : 0.0);
 }
 

@@ -90,16 +90,16 @@ void Reduced::gatherRows(double h) {
       addRow(i, std::min(kStopReturn * down / h, kStopSpeed), 0.0, kInfinity);
     else if (up <= 0.0)
       addRow(i, std::max(kStopReturn * up / h, -kStopSpeed), -kInfinity, 0.0);
-    else if (motor.most > 0.0) {
+    else if (motor.max_effort > 0.0) {
       // Mimic joints are driven as one: separate rows would be linearly dependent.
       Eigen::Index& row = motor_rows_[static_cast<std::size_t>(b.dof)];
-      const double most = h * motor.most * joints_[i].share;
+      const double max_impulse = h * motor.max_effort * joints_[i].share;
       if (row < 0) {
         row = static_cast<Eigen::Index>(row_bodies_.size());
-        addRow(i, b.scale * motor.velocity, -most, most);
+        addRow(i, b.scale * motor.velocity, -max_impulse, max_impulse);
       } else {
         const double first = tree_.bodies[row_bodies_[static_cast<std::size_t>(row)]].scale;
-        const double more = most * std::abs(b.scale / first);
+        const double more = max_impulse * std::abs(b.scale / first);
         rows_.lower[row] -= more;
         rows_.upper[row] += more;
       }
@@ -120,12 +120,12 @@ void Reduced::solveRows() {
 /// target velocity; at target 0, into the stop.
 double Reduced::pushAtStop(std::size_t i) const {
   const Motor& motor = motors_[dofOf(i)];
-  if (motor.most == 0.0 || !atStop(i)) return 0.0;
+  if (motor.max_effort == 0.0 || !atStop(i)) return 0.0;
   const double velocity = tree_.bodies[i].scale * motor.velocity;
-  const double way = velocity != 0.0                ? std::copysign(1.0, velocity)
-                     : value(i) <= joints_[i].lower ? -1.0
-                                                    : 1.0;
-  return tree_.bodies[i].scale * way * motor.most * joints_[i].share;
+  const double direction = velocity != 0.0                ? std::copysign(1.0, velocity)
+                           : value(i) <= joints_[i].lower ? -1.0
+                                                          : 1.0;
+  return tree_.bodies[i].scale * direction * motor.max_effort * joints_[i].share;
 }
 
 void Reduced::begin(double h) {
@@ -144,7 +144,7 @@ void Reduced::begin(double h) {
     next_[dofOf(i)] += h * pushAtStop(i);
     const double scale = tree_.bodies[i].scale;
     const int k = tree_.bodies[i].dof;
-    if (motors_[dofOf(i)].most == 0.0 && !atStop(i))
+    if (motors_[dofOf(i)].max_effort == 0.0 && !atStop(i))
       step_mass_.M(k, k) += h * scale * scale * joints_[i].damping;
   }
   if (mechanism::factor(step_mass_) >= 0) {

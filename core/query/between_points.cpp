@@ -24,8 +24,8 @@ double distanceFrom(const PlacedBody& P, std::uint32_t near, const PlacedBody& F
 
 double depthBetweenPoints(const PlacedBody& a, std::uint32_t near_a, const PlacedBody& b,
                           std::uint32_t near_b, double margin) noexcept {
-  const double least = std::min(distanceFrom(a, near_a, b, margin), distanceFrom(b, near_b, a, margin));
-  return std::max(0.0, margin - least);
+  const double smallest = std::min(distanceFrom(a, near_a, b, margin), distanceFrom(b, near_b, a, margin));
+  return std::max(0.0, margin - smallest);
 }
 
 }  // namespace abstand::query

@@ -12,24 +12,24 @@ namespace {
 
 /// The last witness points, moved with the bodies. World frame.
 struct TransportedWitnesses {
-  TransportedWitnesses(const PairCache& past, const Transform& X_WA, const Transform& X_WB)
-      : on_a(X_WA.linear() * past.on_a + X_WA.translation()),
-        on_b(X_WB.linear() * past.on_b + X_WB.translation()),
-        way(on_a - on_b),
-        distance(way.norm()) {}
-  Vector3d on_a, on_b, way;
+  TransportedWitnesses(const PairCache& cache, const Transform& X_WA, const Transform& X_WB)
+      : on_a(X_WA.linear() * cache.on_a + X_WA.translation()),
+        on_b(X_WB.linear() * cache.on_b + X_WB.translation()),
+        b_to_a(on_a - on_b),
+        distance(b_to_a.norm()) {}
+  Vector3d on_a, on_b, b_to_a;
   double distance;
 };
 
 /// The most frequent case: the moved witness points are still proven by the hulls.
 bool reuseWitnesses(const PlacedBody& a, const PlacedBody& b, const PairOptions& options,
-                    const TransportedWitnesses& points, PairCache& past, PairResult& result) {
-  if (!past.hulls || !(points.distance > kTouching)) return false;
+                    const TransportedWitnesses& points, PairCache& cache, PairResult& result) {
+  if (!cache.hulls || !(points.distance > kTouching)) return false;
   // The separation along a vector of any length is scaled by that length.
-  const double certified = separationAlong(points.way, a, b, false) / points.distance - kPlaneRounding;
+  const double certified = separationAlong(points.b_to_a, a, b, false) / points.distance - kPlaneRounding;
   if (points.distance - certified > tolerance(points.distance, options) || certified <= options.margin)
     return false;
-  past.distance = points.distance;
+  cache.distance = points.distance;
   result = {};
   result.distance = points.distance;
   result.bound = std::max(0.0, points.distance - certified);
@@ -75,16 +75,16 @@ bool queryDistance(const PlacedBody& a, const PlacedBody& b, const PairOptions& 
     context.memory.last.touching = false;
     return false;
   }
-  PairCache& past = context.memory.last;
+  PairCache& cache = context.memory.last;
   const bool from_a = pointsFromA(a.body, b.body);
   const PlacedBody& F = from_a ? b : a;
-  PairSearch search(from_a ? a : b, F, options, past.part_axes);
+  PairSearch search(from_a ? a : b, F, options, cache.part_axes);
 
-  if (!search.warmStart(past, from_a)) {
-    search.search(past, context.scratch);
+  if (!search.warmStart(cache, from_a)) {
+    search.search(cache, context.scratch);
     if (search.mayTouch()) search.searchReversed(context.scratch);
   }
-  search.store(past, from_a);
+  search.store(cache, from_a);
   const Witness& witness = search.witness();
   result = {};
   result.distance = witness.distance;
@@ -93,8 +93,8 @@ bool queryDistance(const PlacedBody& a, const PlacedBody& b, const PairOptions& 
   result.witness_a = from_a ? on_points : on_field;
   result.witness_b = from_a ? on_field : on_points;
   result.depth = std::max(margin - witness.distance, 0.0);
-  past.touching = search.certified() <= margin;
-  if (!past.touching) return false;
+  cache.touching = search.certified() <= margin;
+  if (!cache.touching) return false;
   const std::optional<PenaltyForce> penalty = search.penalty(from_a);
   if (penalty) add(*penalty, result);
   return !penalty;

@@ -54,13 +54,13 @@ struct PairCache {
   Vector3d on_b{Vector3d::Zero()};
   double distance{0.0};  ///< m
   std::uint32_t hint_a{geometry::kNoHint},
-      hint_b{geometry::kNoHint};   ///< locations of the witness points on the surfaces
-  bool hulls{false};               ///< the last distance was at most 3 % above the separation of the convex
-                                   ///< hulls
-  bool by_parts{false};            ///< the hulls of the parts proved the last distance
-  bool touching{false};            ///< the last query computed forces
-  std::uint32_t idle{0};           ///< queries to skip before the local refinement with its hull test is
-                                   ///< retried
+      hint_b{geometry::kNoHint};  ///< locations of the witness points on the surfaces
+  bool hulls{false};              ///< the last distance was at most 3 % above the separation of the convex
+                                  ///< hulls
+  bool by_parts{false};           ///< the hulls of the parts proved the last distance
+  bool touching{false};           ///< the last query computed forces
+  std::uint32_t hull_test_cooldown{0};  ///< queries to skip before the local refinement with its hull test is
+                                        ///< retried
   Vector3d n_a{Vector3d::Zero()};  ///< unit vector from B to A between the witness points, in each body's
                                    ///< axes
   Vector3d n_b{Vector3d::Zero()};

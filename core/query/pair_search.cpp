@@ -12,27 +12,27 @@ namespace {
 // Shell points are transformed in float: error below 0.2 um for bodies within some metres.
 constexpr double kFloatRounding = 1e-6;
 // Relative tolerance of the search: a tighter bound than needed stays useful after the bodies have moved.
-constexpr double kSearchPart = 0.0025;
+constexpr double kSearchTolerance = 0.0025;
 // Relative error of the smallest distance found by a search beyond kRelativeFrom, where the field is coarse.
-constexpr double kFoundPart = 0.005;
+constexpr double kFarFieldError = 0.005;
 // In spacings: a shell point this near to the witness and not nearer to the other body converges to the same
 // minimum.
-constexpr double kSamePlace = 2.0;
+constexpr double kSameStart = 2.0;
 // Share of the distance: a witness this close to the proven bound is not improved further.
-constexpr double kStayPart = 0.002;
-// m; kSlow: largest motion between two searches for which the runner-up search pays off. kRivalry: range
-// beyond the witness distance in which it looks for the runner-up.
-constexpr double kSlow = 0.001, kRivalry = 0.004;
+constexpr double kAcceptedExcess = 0.002;
+// m; kMaxSearchMotion: largest motion between two searches for which the runner-up search pays off.
+// kRunnerUpRange: range beyond the witness distance in which it looks for the runner-up.
+constexpr double kMaxSearchMotion = 0.001, kRunnerUpRange = 0.004;
 // In spacings: largest depth that a local search can gain from a point.
-constexpr double kDeeper = 0.1;
+constexpr double kMaxDepthGain = 0.1;
 // The same for bodies that barely touch: where edges cross, both may lie between points.
-constexpr double kCrossing = 0.5;
+constexpr double kMaxCrossingGain = 0.5;
 // Spacings; points this close to the witness converge to the same minimum.
-constexpr double kHome = 6.0;
+constexpr double kSameMinimumRadius = 6.0;
 // Share of the tolerance: a point whose estimate is nearer by more than this gets a local search.
-constexpr double kWorthPart = 0.25;
+constexpr double kRefineShare = 0.25;
 // Queries without hull test after the hulls of near bodies were found to overlap.
-constexpr std::uint32_t kIdle = 8;
+constexpr std::uint32_t kHullTestCooldown = 8;
 
 }  // namespace
 
@@ -42,12 +42,13 @@ void PairSearch::search(PairCache& memory, kernels::PairScratch& scratch) {
   const double lower_bound = searchPoints(witness_.distance > kTouching, scratch) - kFloatRounding;
   memory.X_FP = X_FP_;
   memory.searched = lower_bound;
-  const double loss = witness_.distance > kRelativeFrom ? kFoundPart * witness_.distance : 0.0;
+  const double loss = witness_.distance > kRelativeFrom ? kFarFieldError * witness_.distance : 0.0;
   memory.found = found_ = std::min(found_, witness_.distance - loss);
   setShellBound(lower_bound);
   isProven();
   memory.runner_up_distance = -kInfinity;
-  if (motion_ < kSlow && certified_ > 0.0 && witness_.distance < kRelativeFrom) findRunnerUp(memory, scratch);
+  if (motion_ < kMaxSearchMotion && certified_ > 0.0 && witness_.distance < kRelativeFrom)
+    findRunnerUp(memory, scratch);
 }
 
 bool PairSearch::mayTouch() const {
@@ -95,7 +96,9 @@ void PairSearch::store(PairCache& memory, bool from_a) const {
   memory.by_parts = by_parts_;
   const bool overlapping =
       hull_test_ == HullTest::kOverlap && !by_parts_ && witness_.distance < kRelativeFrom;
-  memory.idle = overlapping ? kIdle : idle_ > 0 ? idle_ - 1 : 0;
+  memory.hull_test_cooldown = overlapping               ? kHullTestCooldown
+                              : hull_test_cooldown_ > 0 ? hull_test_cooldown_ - 1
+                                                        : 0;
   if (state_ != WitnessState::kTransported && memory.apart) {
     const Vector3d n = (witness_.on_points - witness_.on_field) / witness_.distance;
     const Vector3d n_P = X_FP_.linear().transpose() * n;
@@ -131,12 +134,13 @@ kernels::NearestPoint PairSearch::nearestPoint(const kernels::NearestLimits& lim
 /// the same as searchPoints().
 double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
   const kernels::NearestLimits limits{static_cast<float>(witness_.distance),
-                                      static_cast<float>(kRelativeFrom), static_cast<float>(kSearchPart)};
+                                      static_cast<float>(kRelativeFrom),
+                                      static_cast<float>(kSearchTolerance)};
   const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
   const double spacing = P_.body.shell.spacing;
   if (nearest.point != kernels::kNoPoint &&
       static_cast<double>(nearest.estimate) <
-          witness_.distance + (witness_.distance > -spacing ? kCrossing : kDeeper) * spacing)
+          witness_.distance + (witness_.distance > -spacing ? kMaxCrossingGain : kMaxDepthGain) * spacing)
     witness_ = refineWitness(
         P_.body, F_.body, X_FP_,
         {X_FP_ * P_.body.tree.at(nearest.point), normalAt(nearest.point), spacing, hint_field_});
@@ -148,32 +152,32 @@ double PairSearch::searchDeeper(kernels::PairScratch& scratch) {
 double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
   const kernels::NearestLimits limits{
       apart ? static_cast<float>(witness_.distance) : std::numeric_limits<float>::infinity(),
-      static_cast<float>(kRelativeFrom), static_cast<float>(kSearchPart)};
+      static_cast<float>(kRelativeFrom), static_cast<float>(kSearchTolerance)};
   const kernels::NearestPoint nearest = nearestPoint(limits, scratch);
   const auto lower_bound = static_cast<double>(nearest.lower_bound);
   if (nearest.point == kernels::kNoPoint) return lower_bound;
   const Vector3d start = X_FP_ * P_.body.tree.at(nearest.point);
   const double spacing = P_.body.shell.spacing;
   // The point leads to the same witness, or cannot lead to a nearer one.
-  const bool same_place = (start - witness_.on_points).norm() < kSamePlace * spacing;
+  const bool same_start = (start - witness_.on_points).norm() < kSameStart * spacing;
   if (state_ == WitnessState::kSettled && witness_.distance > kTouching &&
-      static_cast<double>(nearest.estimate) > witness_.distance + (same_place ? 0.0 : spacing))
+      static_cast<double>(nearest.estimate) > witness_.distance + (same_start ? 0.0 : spacing))
     return lower_bound;
   const bool far = apart && lower_bound > kRelativeFrom;
-  if (far && witness_.distance - lower_bound <= kStayPart * witness_.distance) {
+  if (far && witness_.distance - lower_bound <= kAcceptedExcess * witness_.distance) {
     found_ = lower_bound;
     return lower_bound;
   }
   Witness found;
   if (far)
     found = footWitness(*F_.body.surface, start, witness_.hint_field,
-                        (1.0 + kStayPart) * static_cast<double>(nearest.estimate));
+                        (1.0 + kAcceptedExcess) * static_cast<double>(nearest.estimate));
   // If the point's foot is not nearer than the witness, a local search from it may be; within one percent the
   // foot is near enough.
-  const bool worth =
+  const bool refine =
       options_.far_share < kColdFarShare &&
-      static_cast<double>(nearest.estimate) < (1.0 - kWorthPart * options_.far_share) * witness_.distance;
-  if (!far || (worth && !(found.distance < witness_.distance)))
+      static_cast<double>(nearest.estimate) < (1.0 - kRefineShare * options_.far_share) * witness_.distance;
+  if (!far || (refine && !(found.distance < witness_.distance)))
     found = refineWitness(P_.body, F_.body, X_FP_, {start, normalAt(nearest.point), spacing, hint_field_});
   if (!apart || found.distance < witness_.distance) witness_ = found;
   return lower_bound;
@@ -183,16 +187,18 @@ double PairSearch::searchPoints(bool apart, kernels::PairScratch& scratch) {
 /// than the bodies have moved.
 bool PairSearch::isUniqueMinimum(const PairCache& memory) const {
   return certified_ > 0.0 && witness_.distance <= memory.runner_up_distance - motion_ &&
-         (X_FP_ * memory.witness_on_points - witness_.on_points).norm() < 0.5 * kHome * P_.body.shell.spacing;
+         (X_FP_ * memory.witness_on_points - witness_.on_points).norm() <
+             0.5 * kSameMinimumRadius * P_.body.shell.spacing;
 }
 
 void PairSearch::findRunnerUp(PairCache& memory, kernels::PairScratch& scratch) const {
-  const Vector3f home = witness_.on_points.cast<float>();
-  const kernels::Ball ball{{home.x(), home.y(), home.z()}, static_cast<float>(kHome * P_.body.shell.spacing)};
-  const auto most = static_cast<float>(witness_.distance + kRivalry);
+  const Vector3f centre = witness_.on_points.cast<float>();
+  const kernels::Ball ball{{centre.x(), centre.y(), centre.z()},
+                           static_cast<float>(kSameMinimumRadius * P_.body.shell.spacing)};
+  const auto max_distance = static_cast<float>(witness_.distance + kRunnerUpRange);
   memory.witness_on_points = X_FP_.inverse() * witness_.on_points;
   memory.runner_up_distance = static_cast<double>(kernels::searchKernels().nearestOutside(
-      P_.body.treeView(X_FP_), F_.body.fieldView(), ball, most, scratch));
+      P_.body.treeView(X_FP_), F_.body.fieldView(), ball, max_distance, scratch));
 }
 
 }  // namespace abstand::query

@@ -28,7 +28,7 @@ enum class WitnessState : std::uint8_t {
   kNone,         ///< no witness, or the bodies touched in the last query; continues with search()
   kTransported,  ///< witness of the last query, moved with the bodies; may be proven unchanged
   kMoved,        ///< improved along the surfaces by warmStart(); may be proven after each step
-  kSettled       ///< local minimum found by approachWitness(); search() looks for others
+  kSettled       ///< local minimum found by convergeWitness(); search() looks for others
 };
 
 /// Result of the test for a separating plane of the convex hulls. kSkipped: not tested in this query.
@@ -98,7 +98,7 @@ class PairSearch {
   double of_points_{-kInfinity};  ///< m; lower bound for each of P's shell points
   std::uint32_t hint_points_{geometry::kNoHint}, hint_field_{geometry::kNoHint};  ///< from the last query
   double found_{-kInfinity};  ///< m; smallest distance of all points, up to the accuracy of the last search
-  std::uint32_t idle_{0};     ///< as in PairCache
+  std::uint32_t hull_test_cooldown_{0};  ///< as in PairCache
   WitnessState state_{WitnessState::kNone};
   HullTest hull_test_{HullTest::kSkipped};
   bool by_parts_{false};                          ///< the last proof was by the hulls of the parts

@@ -8,11 +8,11 @@ namespace abstand::query {
 namespace {
 
 // Share of the tolerance: the surface between the points may be nearer than they are.
-constexpr double kPointsPart = 0.75;
+constexpr double kPointsShare = 0.75;
 // Share of the radii: largest loss of separationAlong without `closely`, and a reserve.
 constexpr double kHullLoss = 0.05;
 // Share of the distance: up to this excess over the separation of the hulls, the hulls are tested first.
-constexpr double kHullPart = 0.03;
+constexpr double kHullShare = 0.03;
 // More rounds with a new axis gain little.
 constexpr int kRounds = 3;
 
@@ -22,7 +22,7 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   hint_points_ = from_a ? memory.hint_a : memory.hint_b;
   hint_field_ = from_a ? memory.hint_b : memory.hint_a;
   if (!memory.apart) return false;
-  motion_ = mostMotion(P_.body.bounding_sphere, memory.X_FP, X_FP_);
+  motion_ = maxDisplacement(P_.body.bounding_sphere, memory.X_FP, X_FP_);
   setShellBound(memory.searched - motion_);
   found_ = memory.found - motion_;
   witness_.on_points = X_FP_ * (from_a ? memory.on_a : memory.on_b);
@@ -40,8 +40,8 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   const Vector3d n_P = from_a ? memory.n_a : -memory.n_b, n_F = from_a ? memory.n_b : -memory.n_a;
   const bool jumped = std::abs(witness_.distance - memory.distance) > kJump;
   if (jumped && trySupportPoints(n_P, n_F)) return true;
-  idle_ = jumped || witness_.distance > kRelativeFrom ? 0 : memory.idle;
-  if (idle_ == 0 && refineLocally()) return true;
+  hull_test_cooldown_ = jumped || witness_.distance > kRelativeFrom ? 0 : memory.hull_test_cooldown;
+  if (hull_test_cooldown_ == 0 && refineLocally()) return true;
   // At larger distances a search is faster.
   if (witness_.distance > kRelativeFrom) {
     if (!jumped && memory.hulls && trySupportPoints(n_P, n_F)) return true;
@@ -50,7 +50,7 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
   }
   slideWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_);
   if (isProven()) return true;
-  approachWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_);
+  convergeWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_);
   state_ = WitnessState::kSettled;
   return isProven() || isUniqueMinimum(memory);
 }
@@ -58,7 +58,7 @@ bool PairSearch::warmStart(const PairCache& memory, bool from_a) {
 /// Refines the last witness points as long as the gain is large.
 bool PairSearch::refineLocally() {
   for (int round = 1;; ++round) {
-    const bool more = walkWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_) && round < kRounds;
+    const bool more = projectWitness(*P_.body.surface, *F_.body.surface, X_FP_, witness_) && round < kRounds;
     // The test by parts runs once, at the end.
     if (!(by_parts_ && more) && isProven()) return true;
     if (!more) return false;
@@ -104,10 +104,10 @@ void PairSearch::tryPoints(const structure::ExtremePoint& of_points,
   const Vector3d p = X_FP_ * of_points.point, &q = of_field.point;
   const Vector3d p_0 = witness_.on_points, q_0 = witness_.on_field;
   const double d_p = (p - q_0).norm(), d_q = (p_0 - q).norm(), d = (p - q).norm();
-  const double least = std::min({d_p, d_q, d});
-  if (!(least < witness_.distance)) return;
-  witness_.distance = least;
-  const bool other_points = d_q > least, other_field = d_p > least || !other_points;
+  const double smallest = std::min({d_p, d_q, d});
+  if (!(smallest < witness_.distance)) return;
+  witness_.distance = smallest;
+  const bool other_points = d_q > smallest, other_field = d_p > smallest || !other_points;
   if (other_points) {
     witness_.on_points = p;
     witness_.hint_points = of_points.hint;
@@ -128,13 +128,13 @@ double PairSearch::separation(const Vector3d& n) {
 bool PairSearch::isKnown() const {
   const double may_exceed = tolerance(witness_.distance, options_);
   return witness_.distance - certified_ <= may_exceed ||
-         witness_.distance - std::max(of_points_, found_) <= kPointsPart * may_exceed;
+         witness_.distance - std::max(of_points_, found_) <= kPointsShare * may_exceed;
 }
 
 /// True if the distance is within tolerance of the smallest one of the surfaces, or of the shell points.
 bool PairSearch::isProven() {
   if (!(witness_.distance > kTouching)) return false;
-  if (idle_ > 0) return isKnown();
+  if (hull_test_cooldown_ > 0) return isKnown();
   if (hull_test_ == HullTest::kSkipped) hull_test_ = HullTest::kOverlap;
   const Vector3d n = F_.X_WB.linear() * ((witness_.on_points - witness_.on_field) / witness_.distance);
   const bool parts_first = by_parts_;
@@ -147,7 +147,7 @@ bool PairSearch::provenByHulls(const Vector3d& n) {
     const double separation = separationAlong(n, P_, F_, closely);
     certify(separation - kPlaneRounding);
     if (separation > kPlaneRounding) hull_test_ = HullTest::kSeparated;
-    hulls_ = witness_.distance - separation <= kHullPart * witness_.distance;
+    hulls_ = witness_.distance - separation <= kHullShare * witness_.distance;
     if (isKnown()) return true;
     // The loss of the fast test.
     if (witness_.distance - separation >

@@ -45,38 +45,38 @@ class PairSet {
 
  private:
   /// Separating axis: unit vector from B to A, in the axes of each body. Zero: unknown.
-  struct Line {
+  struct SeparatingAxis {
     Vector3d in_a{Vector3d::Zero()}, in_b{Vector3d::Zero()};
   };
   /// Calls until the next search for a separating axis; doubles with failures.
   struct Backoff {
-    std::uint32_t left{0}, next{0};
-    bool waits() { return left > 0 && left-- > 0; }
-    void failed(std::uint32_t least, std::uint32_t most);
+    std::uint32_t remaining{0}, next{0};
+    bool shouldSkip() { return remaining > 0 && remaining-- > 0; }
+    void failed(std::uint32_t min, std::uint32_t max);
   };
-  struct Lines {
-    Line last, before;  ///< `before`: a different earlier axis, for bodies that jump to and fro
+  struct PairAxes {
+    SeparatingAxis last, previous;  ///< `previous`: a different earlier axis, for bodies that jump to and fro
     PartAxes of_parts;
-    Backoff hulls, parts;
+    Backoff hull_backoff, parts_backoff;
   };
-  struct Ball {
+  struct BoundingSphere {
     Vector3d centre;  ///< world
     double radius;
   };
 
-  void place(std::span<const Transform> X_WB);
-  bool ballsApart(const Bodies& pair, double by) const;
+  void updateSpheres(std::span<const Transform> X_WB);
+  bool spheresApart(const Bodies& pair, double by) const;
   /// True if a stored separating axis still proves that the hulls are farther apart than `by` (m).
-  bool knownApart(std::size_t pair, std::span<const Transform> X_WB, double by);
+  bool provenApart(std::size_t pair, std::span<const Transform> X_WB, double by);
   /// The same for the hulls of all parts.
   bool partsApart(std::size_t pair, std::span<const Transform> X_WB, double by);
-  bool seekLine(std::size_t pair, std::span<const Transform> X_WB, double by);
-  void keepLine(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);
+  bool findAxis(std::size_t pair, std::span<const Transform> X_WB, double by);
+  void storeAxis(std::size_t pair, std::span<const Transform> X_WB, const Vector3d& n);
 
   std::vector<const structure::HapticStructure*> structures_;
   std::vector<Bodies> pairs_;
-  std::vector<Ball> balls_;  ///< of the structures
-  std::vector<Lines> lines_;
+  std::vector<BoundingSphere> spheres_;  ///< of the structures
+  std::vector<PairAxes> axes_;
   std::vector<PairMemory> memories_;
   std::vector<Touch> touches_;
   kernels::PairScratch scratch_;

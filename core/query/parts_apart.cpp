@@ -24,7 +24,7 @@ Vector3d centre(const kernels::SphereGroup& s, std::size_t i) { return {s.x[i], 
 /// Upper bound of the support function of a part (m times the length of g).
 double partSupport(const structure::HapticStructure& body, std::size_t part, const Vector3d& g,
                    bool closely) {
-  if (body.parts.size() > 1) return body.parts.hull(part).reach(g);
+  if (body.parts.size() > 1) return body.parts.hull(part).support(g);
   return closely ? body.support.closeUpper(g) : body.support.upper(g);
 }
 
@@ -36,33 +36,33 @@ double partFarthest(const structure::HapticStructure& body, std::size_t part, co
 }
 
 /// Support values of the parts of one body along one direction, computed on demand.
-class Reaches {
+class SupportValues {
  public:
-  Reaches(const structure::HapticStructure& body, const Vector3d& g, bool closely)
+  SupportValues(const structure::HapticStructure& body, const Vector3d& g, bool closely)
       : body_(body), g_(g), closely_(closely) {}
   double operator()(std::size_t part) {
-    if (!(known_ >> part & 1)) {
-      known_ |= 1u << part;
-      reach_[part] = partSupport(body_, part, g_, closely_);
+    if (!(computed_ >> part & 1)) {
+      computed_ |= 1u << part;
+      values_[part] = partSupport(body_, part, g_, closely_);
     }
-    return reach_[part];
+    return values_[part];
   }
 
  private:
   const structure::HapticStructure& body_;
   const Vector3d g_;
   const bool closely_;
-  double reach_[kMax];
-  unsigned known_{0};
+  double values_[kMax];
+  unsigned computed_{0};
 };
 
 /// Surfaces that are apart may be nested. This excludes it for a surface of one component that extends beyond
 /// the other's bounding sphere: on a minimal sphere, in every direction from the centre, some point of the
 /// body lies no lower than the centre.
-bool reachesOut(const structure::HapticStructure& body, const structure::HapticStructure& other,
-                double between_centres2) {
-  const double r = body.bounding_sphere.radius, reach = other.bounding_sphere.radius + kSphereRounding;
-  return body.pieces.empty() && between_centres2 + r * r > reach * reach;
+bool extendsBeyond(const structure::HapticStructure& body, const structure::HapticStructure& other,
+                   double between_centres2) {
+  const double r = body.bounding_sphere.radius, other_r = other.bounding_sphere.radius + kSphereRounding;
+  return body.pieces.empty() && between_centres2 + r * r > other_r * other_r;
 }
 
 }  // namespace
@@ -73,10 +73,10 @@ structure::ExtremePoint partExtreme(const structure::HapticStructure& body, std:
 }
 
 FacingParts::FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F,
-                         const Transform& X_FP, double by, bool closely, PartAxes& lines) noexcept
-    : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), lines_(lines) {
+                         const Transform& X_FP, double by, bool closely, PartAxes& axes) noexcept
+    : P_(P), F_(F), X_FP_(X_FP), by_(by + kPlaneRounding), closely_(closely), axes_(axes) {
   const double between_centres2 = (X_FP * P.bounding_sphere.centre - F.bounding_sphere.centre).squaredNorm();
-  may_contain_ = !reachesOut(P, F, between_centres2) || !reachesOut(F, P, between_centres2);
+  may_contain_ = !extendsBeyond(P, F, between_centres2) || !extendsBeyond(F, P, between_centres2);
   if (may_contain_) return;
   facing_ = kernels::searchKernels().meeting(P.treeView(X_FP).X_FP, P.parts.spheres(), F.parts.spheres(),
                                              F.parts.size(), static_cast<float>(by + kSphereRounding));
@@ -91,7 +91,7 @@ double FacingParts::slab(const Vector3d& n, std::size_t i, std::size_t j) const 
 // slab across v is wide enough or v is too short.
 bool FacingParts::partsApart(const Parts& parts) noexcept {
   const auto [i, j] = parts;
-  for (const Vector3d& n : lines_.n)
+  for (const Vector3d& n : axes_.n)
     if (!n.isZero() && slab(n, i, j) >= by_) return true;
   // At distances where 0.01 mm matters, hulls of parts rarely decide.
   if (closely_) return false;
@@ -105,14 +105,14 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
                          partFarthest(P_, i, X_FP_.linear().transpose() * -n, on_points) -
                          partFarthest(F_, j, n, on_field);
     if (width >= by_) {
-      lines_.n[lines_.next] = n;
-      lines_.next = (lines_.next + 1) % PartAxes::kMax;
+      axes_.n[axes_.next] = n;
+      axes_.next = (axes_.next + 1) % PartAxes::kMax;
       return true;
     }
-    const Vector3d way = X_FP_ * on_points.point - on_field.point - v;
-    const double way2 = way.squaredNorm();
-    if (!(way2 > 0.0)) return false;
-    v += std::clamp(-v.dot(way) / way2, 0.0, 1.0) * way;
+    const Vector3d direction = X_FP_ * on_points.point - on_field.point - v;
+    const double length2 = direction.squaredNorm();
+    if (!(length2 > 0.0)) return false;
+    v += std::clamp(-v.dot(direction) / length2, 0.0, 1.0) * direction;
   }
   return false;
 }
@@ -120,9 +120,9 @@ bool FacingParts::partsApart(const Parts& parts) noexcept {
 bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
   between = {};
   if (may_contain_) return false;
-  Reaches of_points(P_, X_FP_.linear().transpose() * -n, closely_), of_field(F_, n, closely_);
+  SupportValues of_points(P_, X_FP_.linear().transpose() * -n, closely_), of_field(F_, n, closely_);
   const double along = n.dot(X_FP_.translation());
-  double least = kInfinity;
+  double smallest = kInfinity;
   std::uint64_t open = 0;
   int nearest = 0;
   for (std::uint64_t left = facing_; left != 0; left &= left - 1) {
@@ -130,7 +130,7 @@ bool FacingParts::apart(const Vector3d& n, Parts& between) noexcept {
     const double slab = along - of_points(partOfPoints(bit)) - of_field(partOfField(bit));
     if (slab >= by_) continue;
     open |= std::uint64_t{1} << bit;
-    if (slab < least) least = slab, nearest = bit;
+    if (slab < smallest) smallest = slab, nearest = bit;
   }
   // The nearest pair along n first, as it is the most likely to fail.
   for (int bit = nearest; open != 0; bit = std::countr_zero(open)) {

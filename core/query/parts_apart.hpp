@@ -21,9 +21,9 @@ class FacingParts {
   };
 
   /// P and F as in a query; all must outlive this object. `closely`: uses exact support functions for bodies
-  /// of one part. `lines`: separating axes kept from earlier poses.
+  /// of one part. `axes`: separating axes kept from earlier poses.
   FacingParts(const structure::HapticStructure& P, const structure::HapticStructure& F, const Transform& X_FP,
-              double by, bool closely, PartAxes& lines) noexcept;
+              double by, bool closely, PartAxes& axes) noexcept;
 
   /// True if the bodies are provably at least `by` apart: neither is inside the other, and every pair of
   /// facing parts is separated by a slab of this width, across n or another axis of their own. n: unit, from
@@ -39,7 +39,7 @@ class FacingParts {
   const Transform& X_FP_;
   double by_;
   bool closely_;
-  PartAxes& lines_;
+  PartAxes& axes_;
   bool may_contain_;  ///< one of the bodies, or a component of it, may lie inside the other
   std::uint64_t facing_{0};
 };

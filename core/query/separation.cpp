@@ -10,11 +10,11 @@ double separationAlong(const Vector3d& n, const PlacedBody& a, const PlacedBody&
                  : apart - a.body.support.upper(towards_b) - b.body.support.upper(towards_a);
 }
 
-double mostMotion(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,
-                  const Transform& X_1) noexcept {
-  const Vector3d way = X_1 * bounding_sphere.centre - X_0 * bounding_sphere.centre;
+double maxDisplacement(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,
+                       const Transform& X_1) noexcept {
+  const Vector3d displacement = X_1 * bounding_sphere.centre - X_0 * bounding_sphere.centre;
   const double chord = (X_1.linear() - X_0.linear()).norm() / std::numbers::sqrt2;
-  return way.norm() + bounding_sphere.radius * chord;
+  return displacement.norm() + bounding_sphere.radius * chord;
 }
 
 }  // namespace abstand::query

@@ -16,7 +16,7 @@ double separationAlong(const Vector3d& n, const PlacedBody& a, const PlacedBody&
 
 /// Motion bound (m) of the body between two poses: the displacement of its bounding sphere's centre, plus the
 /// radius times the longest chord of the rotation, 2 sin(angle / 2) = |R_1 - R_0|_F / sqrt 2.
-double mostMotion(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,
-                  const Transform& X_1) noexcept;
+double maxDisplacement(const geometry::EnclosingSphere& bounding_sphere, const Transform& X_0,
+                       const Transform& X_1) noexcept;
 
 }  // namespace abstand::query

@@ -5,14 +5,14 @@
 namespace abstand::query {
 namespace {
 
-constexpr int kProjections = 8;       // more alternating projections gain little
-constexpr int kDepthSteps = 6;        // halvings of the step inside
-constexpr double kMinStep = 0.2;      // share of the first step
-constexpr double kLevel = 0.03;       // smallest slope of the depth along the surface for a step
-constexpr double kSteep = 0.2;        // the same if the field showed none
-constexpr double kConverged = 1e-6;   // m: smaller gains are not worth a query
-constexpr double kEnoughPart = 1e-3;  // the same as a share of the distance; the reported bound covers it
-constexpr double kDepthPart = 0.002;  // share of the depth, for steps by the field
+constexpr int kProjections = 8;                // more alternating projections gain little
+constexpr int kDepthSteps = 6;                 // halvings of the step inside
+constexpr double kMinStep = 0.2;               // share of the first step
+constexpr double kMinSlope = 0.03;             // smallest slope of the depth along the surface for a step
+constexpr double kMinSlopeAtMedialAxis = 0.2;  // the same if the field showed none
+constexpr double kConverged = 1e-6;            // m: smaller gains are not worth a query
+constexpr double kConvergedShare = 1e-3;  // the same as a share of the distance; the reported bound covers it
+constexpr double kDepthShare = 0.002;     // share of the depth, for steps by the field
 
 /// Projections onto the two surfaces, in the frame F; keeps the last location as a hint.
 class Surfaces {
@@ -71,11 +71,11 @@ void approach(Surfaces& surfaces, Witness& w) {
     const double gain = w.distance - d;
     if (gain <= 0.0) return;
     set(w, p, q, d);
-    if (gain < std::max(kConverged, kEnoughPart * d)) return;
+    if (gain < std::max(kConverged, kConvergedShare * d)) return;
   }
 }
 
-void deepen(Surfaces& surfaces, Witness& w, double step) {
+void increaseDepth(Surfaces& surfaces, Witness& w, double step) {
   for (int i = 0; i < kDepthSteps; ++i) {
     const double depth = -w.distance;
     if (depth < 1e-12) return;
@@ -96,8 +96,8 @@ void deepen(Surfaces& surfaces, Witness& w, double step) {
 
 /// Moves to a deeper point of P's surface near p, as deep as the samples of the near field show. `normal`: of
 /// P's surface there, unit, in F's axes.
-Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, const Vector3d& normal,
-              double step) {
+Vector3d descendInField(Surfaces& surfaces, const field::NearField& near, Vector3d p, const Vector3d& normal,
+                        double step) {
   float s, gradient[3];
   const auto at = [&](const Vector3d& q) {
     const Vector3f f = q.cast<float>();
@@ -106,19 +106,19 @@ Vector3d sunk(Surfaces& surfaces, const field::NearField& near, Vector3d p, cons
   if (!at(p)) return p;
   float deepest = s;
   Vector3d down = -Vector3d(gradient[0], gradient[1], gradient[2]);
-  const double least = kMinStep * step;
-  while (step > least) {
+  const double min_step = kMinStep * step;
+  while (step > min_step) {
     // Tangential component: only motion along the surface counts.
     const Vector3d along = down - normal * normal.dot(down);
     const double slope = along.norm();
-    if (!(slope > kLevel * down.norm())) return p;
+    if (!(slope > kMinSlope * down.norm())) return p;
     const Vector3d next = surfaces.toPoints(p + (step / slope) * along);
     if (at(next) && s < deepest) {
       const double gain = deepest - s;
       p = next;
       deepest = s;
       down = -Vector3d(gradient[0], gradient[1], gradient[2]);
-      if (gain < kDepthPart * -deepest) return p;
+      if (gain < kDepthShare * -deepest) return p;
     } else {
       step *= 0.5;
     }
@@ -135,15 +135,16 @@ Witness refineWitness(const structure::HapticStructure& P, const structure::Hapt
   w.hint_field = start.hint;
   Surfaces surfaces(*P.surface, *F.surface, X_FP, w);
   bool inside;
-  const Vector3d p = near ? sunk(surfaces, *near, start.point, start.normal, start.step) : start.point;
+  const Vector3d p =
+      near ? descendInField(surfaces, *near, start.point, start.normal, start.step) : start.point;
   const Vector3d q = surfaces.toField(p, inside);
   set(w, p, q, (p - q).norm());
   if (inside) {
     w.distance = -w.distance;
     // At a medial axis several directions out are equally short and the field is too coarse for a gradient.
     const Vector3d inward = (p - q).normalized();
-    if (!near || (inward - start.normal * start.normal.dot(inward)).norm() > kSteep)
-      deepen(surfaces, w, start.step);
+    if (!near || (inward - start.normal * start.normal.dot(inward)).norm() > kMinSlopeAtMedialAxis)
+      increaseDepth(surfaces, w, start.step);
   } else {
     approach(surfaces, w);
   }
@@ -151,9 +152,9 @@ Witness refineWitness(const structure::HapticStructure& P, const structure::Hapt
 }
 
 Witness footWitness(const geometry::Surface& field, const Vector3d& start, std::uint32_t hint,
-                    double enough) noexcept {
+                    double max_distance) noexcept {
   geometry::SurfacePoint foot = field.nearby(start, hint);
-  if (foot.distance > enough) foot = field.closest(start, foot.hint);
+  if (foot.distance > max_distance) foot = field.closest(start, foot.hint);
   return {start, foot.point, foot.distance, geometry::kNoHint, foot.hint};
 }
 
@@ -162,8 +163,8 @@ void slideWitness(const geometry::Surface& points, const geometry::Surface& fiel
   Surfaces(points, field, X_FP, w).slide();
 }
 
-bool walkWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
-                 Witness& w) noexcept {
+bool projectWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                    Witness& w) noexcept {
   const Transform X_PF = X_FP.inverse();
   if (w.hint_points == geometry::kNoHint && !points.shape())
     w.hint_points = points.closest(X_PF * w.on_points).hint;
@@ -176,10 +177,10 @@ bool walkWitness(const geometry::Surface& points, const geometry::Surface& field
   set(w, p, on_field.point, on_field.distance);
   w.hint_points = on_points.hint;
   w.hint_field = on_field.hint;
-  return gain >= std::max(kConverged, kEnoughPart * w.distance);
+  return gain >= std::max(kConverged, kConvergedShare * w.distance);
 }
 
-void approachWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+void convergeWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
                      Witness& w) noexcept {
   Surfaces surfaces(points, field, X_FP, w);
   approach(surfaces, w);

@@ -30,10 +30,10 @@ struct WitnessStart {
 Witness refineWitness(const structure::HapticStructure& P, const structure::HapticStructure& F,
                       const Transform& X_FP, const WitnessStart& start) noexcept;
 
-/// Keeps `start`, which is outside of F, and finds the nearest point of F's surface, or one within `enough`
-/// (m).
+/// Keeps `start`, which is outside of F, and finds the nearest point of F's surface, or one within
+/// `max_distance` (m).
 Witness footWitness(const geometry::Surface& field, const Vector3d& start, std::uint32_t hint,
-                    double enough) noexcept;
+                    double max_distance) noexcept;
 
 /// Moves both points to the nearest points of the two triangles that they lie on; no effect if a body has no
 /// triangles.
@@ -42,11 +42,11 @@ void slideWitness(const geometry::Surface& points, const geometry::Surface& fiel
 
 /// One round of alternating projections within the neighbourhoods of two points that are apart
 /// (Surface::nearby); fast if the points are close to the minimum. False if the gain is negligible.
-bool walkWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
-                 Witness& w) noexcept;
+bool projectWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+                    Witness& w) noexcept;
 
-/// Repeats walkWitness() until a round gains less than 0.1 % of the distance.
-void approachWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
+/// Repeats projectWitness() until a round gains less than 0.1 % of the distance.
+void convergeWitness(const geometry::Surface& points, const geometry::Surface& field, const Transform& X_FP,
                      Witness& w) noexcept;
 
 }  // namespace abstand::query

@@ -74,14 +74,13 @@ MechNumber MechReader::number(const MechLine& line, std::size_t i, const std::st
   return {*value, line.line, word.column};
 }
 
-MechNumber MechReader::integer(const MechLine& line, std::size_t i, int least,
-                               const std::string& what) const {
+MechNumber MechReader::integer(const MechLine& line, std::size_t i, int min, const std::string& what) const {
   const auto& word = line.words[i];
   const auto value = parseInt(word.text);
-  if (!value || *value < least)
+  if (!value || *value < min)
     fail(line.line, word.column,
          "found " + text::inQuotes(word.text) + ", expected " + what + ": a whole number from " +
-             std::to_string(least) + " on");
+             std::to_string(min) + " on");
   return {static_cast<double>(*value), line.line, word.column};
 }
 

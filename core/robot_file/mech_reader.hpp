@@ -40,8 +40,8 @@ class MechReader {
   void expectValues(const MechLine& line, std::size_t count, const std::string& what) const;
   void expectAlone(const MechLine& line) const;
   MechNumber number(const MechLine& line, std::size_t i, const std::string& what) const;
-  /// An integer >= `least`.
-  MechNumber integer(const MechLine& line, std::size_t i, int least, const std::string& what) const;
+  /// An integer >= `min`.
+  MechNumber integer(const MechLine& line, std::size_t i, int min, const std::string& what) const;
 
  private:
   std::vector<MechLine> lines_;

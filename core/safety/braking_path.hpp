@@ -44,13 +44,13 @@ class BrakingPath {
   double fastest(int joint, double t0) const noexcept;
   double stopTime(int joint) const noexcept;  ///< s from now, including the reaction time
   double stopTime() const noexcept { return stop_time_; }
-  double way(int joint) const noexcept;  ///< rad or m from now to standstill, signed
-  double deceleration(int joint) const { return now_[static_cast<std::size_t>(joint)]; }
+  double brakingDistance(int joint) const noexcept;  ///< rad or m from now to standstill, signed
+  double deceleration(int joint) const { return deceleration_[static_cast<std::size_t>(joint)]; }
 
  private:
   BrakingKind kind_;
   double reaction_time_, stop_time_{0.0};
-  config::JointNumbers most_, now_;  ///< decelerations: allowed, and on this path
+  config::JointNumbers max_deceleration_, deceleration_;  ///< decelerations: allowed, and on this path
   std::vector<double> q_, qd_;
 };
 

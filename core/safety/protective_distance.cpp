@@ -45,12 +45,12 @@ double permittedSpeed(const SeparationOptions& o, double wanted, double person_s
   const ProtectiveDistance still = protectiveDistance(o, 0.0, person_speed, distance);
   const double spread = o.reaction_time + 0.5 * o.stopping_time;
   if (o.deceleration == 0.0 && spread > 0.0) return std::min(wanted, (distance - still.sum()) / spread);
-  double least = 0.0, most = wanted;
+  double lower = 0.0, upper = wanted;
   for (int i = 0; i < kHalvings; ++i) {
-    const double v = 0.5 * (least + most);
-    (fits(v) ? least : most) = v;
+    const double v = 0.5 * (lower + upper);
+    (fits(v) ? lower : upper) = v;
   }
-  return least;
+  return lower;
 }
 
 }  // namespace abstand::safety

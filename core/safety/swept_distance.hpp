@@ -43,12 +43,12 @@ struct SweptResult {
 /// Lower bound of the distance over [a, b], if it is at least `lower_a` at a and `lower_b` at b and changes
 /// by at most `rate` m/s: (lower_a + lower_b - rate (b - a)) / 2, or the bound of an end if that is smaller.
 /// Also valid for a motion of which only start, end and speed bounds are known.
-inline double leastBetween(double lower_a, double lower_b, double rate, double duration) noexcept {
+inline double minBetween(double lower_a, double lower_b, double rate, double duration) noexcept {
   // Avoids 0 * infinity: in no time nothing moves.
-  const double way = duration > 0.0 ? rate * duration * (1.0 + 1e-12) : 0.0;
+  const double max_change = duration > 0.0 ? rate * duration * (1.0 + 1e-12) : 0.0;
   // Each end also bounds the other.
-  const double a = std::max(lower_a, lower_b - way), b = std::max(lower_b, lower_a - way);
-  return 0.5 * (a + b - way);
+  const double a = std::max(lower_a, lower_b - max_change), b = std::max(lower_b, lower_a - max_change);
+  return 0.5 * (a + b - max_change);
 }
 
 /// Known samples at both ends of the interval, which are then not computed.
@@ -74,43 +74,43 @@ SweptResult sweptDistance(double duration, Sample&& sample, Rate&& rate, const S
   std::array<Interval, static_cast<std::size_t>(kMaxSweptSamples)> intervals;
   std::size_t count = 0;
   SweptResult result;
-  double least = kInfinity;  // minimum of the samples' lower bounds
-  const auto take = [&](double t, const DistanceSample* known = nullptr) {
+  double smallest = kInfinity;  // minimum of the samples' lower bounds
+  const auto sampleAt = [&](double t, const DistanceSample* known = nullptr) {
     const DistanceSample s = known ? *known : sample(t);
     result.samples += known == nullptr;
     if (s.upper < result.upper) result.upper = s.upper, result.t = t;
-    if (!(s.lower >= least)) least = s.lower;
+    if (!(s.lower >= smallest)) smallest = s.lower;
     return s.lower;
   };
   const auto interval = [&](double a, double b, double lower_a, double lower_b) {
     const double r = rate(a, b);
-    return Interval{a, b, lower_a, lower_b, r, leastBetween(lower_a, lower_b, r, b - a)};
+    return Interval{a, b, lower_a, lower_b, r, minBetween(lower_a, lower_b, r, b - a)};
   };
 
-  const double first = take(0.0, ends ? &ends->first : nullptr);
+  const double first = sampleAt(0.0, ends ? &ends->first : nullptr);
   if (!(duration > 0.0)) {
     result.lower = first;
     result.done = true;
     return result;
   }
-  intervals[count++] = interval(0.0, duration, first, take(duration, ends ? &ends->last : nullptr));
+  intervals[count++] = interval(0.0, duration, first, sampleAt(duration, ends ? &ends->last : nullptr));
 
-  const int most = std::clamp(options.max_samples, 2, kMaxSweptSamples);
+  const int limit = std::clamp(options.max_samples, 2, kMaxSweptSamples);
   for (;;) {
     std::size_t worst = 0;
     for (std::size_t i = 1; i < count; ++i)
       if (!(intervals[i].lower >= intervals[worst].lower)) worst = i;
     Interval& w = intervals[worst];
     result.lower = w.lower;
-    result.done = least - result.lower <= options.tolerance || result.lower >= options.enough ||
+    result.done = smallest - result.lower <= options.tolerance || result.lower >= options.enough ||
                   result.upper < options.hit;
-    if (result.done || result.samples >= most) return result;
+    if (result.done || result.samples >= limit) return result;
     // Where the bounds from both ends intersect, if not at an end.
     const double length = w.b - w.a, lean = w.rate > 0.0 ? (w.lower_a - w.lower_b) / (2.0 * w.rate) : 0.0;
     double t = w.a + std::clamp(0.5 * length + lean, 0.1 * length, 0.9 * length);
     if (!(t > w.a && t < w.b)) t = w.a + 0.5 * length;
     if (!(t > w.a && t < w.b)) return result;  // no double in between
-    const double lower = take(t);
+    const double lower = sampleAt(t);
     intervals[count++] = interval(t, w.b, lower, w.lower_b);
     w = interval(w.a, t, w.lower_a, lower);
   }

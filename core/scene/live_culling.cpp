@@ -4,12 +4,12 @@
 
 namespace abstand::scene {
 
-void LiveCulling::take(const query::PairResult& result, const Placed& a, const Placed& b, double touch_from,
-                       double margin, double share) {
-  proof_.take(result, a.X_WB, b.X_WB);
+void LiveCulling::update(const query::PairResult& result, const Placed& a, const Placed& b,
+                         double contact_distance, double margin, double share) {
+  proof_.update(result, a.X_WB, b.X_WB);
   a_ = a.object;
   b_ = b.object;
-  allowance_ = allowanceOf(proof_, result, touch_from, share);
+  allowance_ = allowanceOf(proof_, result, contact_distance, share);
   margin_ = margin;
 }
 
@@ -17,7 +17,7 @@ double LiveCulling::movement(const LiveObject& a, const LiveObject& b) const {
   return (a.max_speed * (a.t - a_.t) + b.max_speed * (b.t - b_.t)) * SpeedWatch::kTolerance;
 }
 
-bool LiveCulling::mayRest(const LiveObject& a, const LiveObject& b, double margin) const {
+bool LiveCulling::mayCull(const LiveObject& a, const LiveObject& b, double margin) const {
   return margin == margin_ && a.interruptions == a_.interruptions && b.interruptions == b_.interruptions &&
          a.max_speed < kInfinity && b.max_speed < kInfinity && movement(a, b) <= allowance_;
 }

@@ -23,11 +23,11 @@ class LiveCulling {
     const Transform& X_WB;
     const LiveObject& object;
   };
-  void take(const query::PairResult& result, const Placed& a, const Placed& b, double touch_from,
-            double margin, double share);
+  void update(const query::PairResult& result, const Placed& a, const Placed& b, double contact_distance,
+              double margin, double share);
   /// Whether the query may be skipped. Never without bounds on both speeds, nor after a change of the margin.
-  bool mayRest(const LiveObject& a, const LiveObject& b, double margin) const;
-  /// Carries the last result to new poses. Only if mayRest().
+  bool mayCull(const LiveObject& a, const LiveObject& b, double margin) const;
+  /// Carries the last result to new poses. Only if mayCull().
   void carry(const Transform& X_WA, const Transform& X_WB, const LiveObject& a, const LiveObject& b,
              query::PairResult& result) const;
 

@@ -26,7 +26,7 @@ double MotionBound::moveTo(const Transform& X_WB) {
   centre_ = centre;
   radius_ = sphere_B_.radius * (1.0 + defect);
   defect_ = defect;
-  way_ = std::nextafter(way_ + step, kInfinity);
+  travelled_ = std::nextafter(travelled_ + step, kInfinity);
   return step;
 }
 

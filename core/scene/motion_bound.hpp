@@ -20,13 +20,13 @@ class MotionBound {
   explicit MotionBound(const geometry::EnclosingSphere& sphere_B);
 
   /// Upper bound (m) on the displacement of every point of the body from the last pose to this one; adds it
-  /// to way().
+  /// to travelled().
   double moveTo(const Transform& X_WB);
 
   const Vector3d& centre() const { return centre_; }  ///< world
   double radius() const { return radius_; }           ///< m
   /// Accumulated motion bound (m) since construction; only differences are meaningful. Never decreases.
-  double way() const { return way_; }
+  double travelled() const { return travelled_; }
 
  private:
   geometry::EnclosingSphere sphere_B_;
@@ -34,7 +34,7 @@ class MotionBound {
   Vector3d centre_;
   double radius_;
   double defect_{0.0};  ///< e of the current pose
-  double way_{0.0};
+  double travelled_{0.0};
 };
 
 /// Gap of the bounding spheres (m, signed): lower bound of the distance of the bodies.

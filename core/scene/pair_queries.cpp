@@ -43,7 +43,7 @@ void PairQueries::setCulling(const QueryCulling& culling, const PairTable& pairs
   memories_.assign(culling.remember ? pairs.size() : 0, {});
 }
 
-void PairQueries::makeRoom(const PairTable& pairs) {
+void PairQueries::reserve(const PairTable& pairs) {
   if (culling_.limited()) queue_.reserve(pairs.capacity());
   if (culling_.remember) memories_.resize(pairs.size());
 }
@@ -71,7 +71,7 @@ void PairQueries::forEach(const std::vector<PairId>& list, PairTable& pairs, Tas
   }
 }
 
-void PairQueries::check(Pair& pair, const Tables& tables, kernels::PairScratch& scratch) {
+void PairQueries::query(Pair& pair, const Tables& tables, kernels::PairScratch& scratch) {
   const Object& a = tables.objects[pair.a.index()];
   const Object& b = tables.objects[pair.b.index()];
   query::PairMemory nothing;
@@ -81,23 +81,23 @@ void PairQueries::check(Pair& pair, const Tables& tables, kernels::PairScratch& 
                    pair.result);
   pair.outcome = PairOutcome::kChecked;
   if (!culling_.any()) return;
-  pair.rest.take(pair.result, {a.X_WB, tables.bounds[pair.a.index()]},
-                 {b.X_WB, tables.bounds[pair.b.index()]},
-                 touchFrom(*a.spec.structure, *b.spec.structure, pair.options), culling_);
+  pair.culling.update(pair.result, {a.X_WB, tables.bounds[pair.a.index()]},
+                      {b.X_WB, tables.bounds[pair.b.index()]},
+                      contactDistance(*a.spec.structure, *b.spec.structure, pair.options), culling_);
 }
 
-void PairQueries::visit(Pair& pair, const Tables& tables, kernels::PairScratch& scratch) {
+void PairQueries::update(Pair& pair, const Tables& tables, kernels::PairScratch& scratch) {
   if (pair.paused) return;
   const MotionBound& a = tables.bounds[pair.a.index()];
   const MotionBound& b = tables.bounds[pair.b.index()];
-  pair.outcome = culling_.any() ? pair.rest.outcome(a, b, culling_) : PairOutcome::kChecked;
+  pair.outcome = culling_.any() ? pair.culling.outcome(a, b, culling_) : PairOutcome::kChecked;
   if (pair.outcome == PairOutcome::kChecked) {
     // With a time budget, the proven bound is used until the pair is queried.
-    if (!culling_.limited() || !pair.rest.proven()) return check(pair, tables, scratch);
-    pair.outcome = PairOutcome::kPutOff;
+    if (!culling_.limited() || !pair.culling.proven()) return query(pair, tables, scratch);
+    pair.outcome = PairOutcome::kDeferred;
   }
-  pair.rest.proof().carry(tables.objects[pair.a.index()].X_WB, tables.objects[pair.b.index()].X_WB,
-                          pair.rest.lowerNow(a, b), pair.result);
+  pair.culling.proof().carry(tables.objects[pair.a.index()].X_WB, tables.objects[pair.b.index()].X_WB,
+                             pair.culling.lowerNow(a, b), pair.result);
 }
 
 /// Queries deferred pairs, the most urgent first, until the deadline; at least one batch, so that no pair
@@ -106,22 +106,22 @@ void PairQueries::queryUntil(double deadline, const std::vector<PairId>& list, c
   queue_.clear();
   for (const PairId id : list) {
     const Pair& pair = tables.pairs[id.index()];
-    if (pair.outcome != PairOutcome::kPutOff) continue;
-    const double clearance = pair.result.distance - pair.result.bound - pair.rest.touchFrom();
+    if (pair.outcome != PairOutcome::kDeferred) continue;
+    const double clearance = pair.result.distance - pair.result.bound - pair.culling.contactDistance();
     queue_.add({id, clearance <= 0.0, pair.waited, clearance});
   }
-  queue_.sortOut();
+  queue_.heapify();
   do {
     batch_.clear();
     while (!queue_.empty() && batch_.size() < kBatch * scratch_.size()) batch_.push_back(queue_.next());
     forEach(batch_, tables.pairs,
-            [&](Pair& pair, kernels::PairScratch& scratch) { check(pair, tables, scratch); });
+            [&](Pair& pair, kernels::PairScratch& scratch) { query(pair, tables, scratch); });
   } while (!queue_.empty() && clock_() < deadline);
 }
 
 void PairQueries::run(const std::vector<PairId>& list, const Tables& tables, double deadline) {
   forEach(list, tables.pairs,
-          [&](Pair& pair, kernels::PairScratch& scratch) { visit(pair, tables, scratch); });
+          [&](Pair& pair, kernels::PairScratch& scratch) { update(pair, tables, scratch); });
   if (culling_.limited()) queryUntil(deadline, list, tables);
 }
 

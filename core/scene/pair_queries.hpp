@@ -44,7 +44,7 @@ class PairQueries {
   const QueryCulling& culling() const { return culling_; }
   void setClock(Clock clock) { clock_ = clock; }
   /// Call after adding a pair.
-  void makeRoom(const PairTable& pairs);
+  void reserve(const PairTable& pairs);
   /// Clears the memories of warm starts. No allocation.
   void startCold() noexcept;
 
@@ -57,8 +57,8 @@ class PairQueries {
   struct Scratch;
   template <class Task>
   void forEach(const std::vector<PairId>& list, PairTable& pairs, Task task);
-  void check(Pair& pair, const Tables& tables, kernels::PairScratch& scratch);
-  void visit(Pair& pair, const Tables& tables, kernels::PairScratch& scratch);
+  void query(Pair& pair, const Tables& tables, kernels::PairScratch& scratch);
+  void update(Pair& pair, const Tables& tables, kernels::PairScratch& scratch);
   void queryUntil(double deadline, const std::vector<PairId>& list, const Tables& tables);
 
   QueryCulling culling_;

@@ -41,7 +41,7 @@ struct PairBodies {
 };
 
 /// Constant data shared by all groups.
-struct World {
+struct SharedData {
   std::vector<std::shared_ptr<const structure::HapticStructure>> structures;
   std::vector<PairBodies> pairs;
   double rest{0.0};  ///< QueryCulling::rest
@@ -55,41 +55,41 @@ struct World {
 
   /// Updates the result of a pair: from the last query if culling allows it, otherwise by a new query. True
   /// if it was queried.
-  bool bringUp(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, query::PairMemory& memory,
-               kernels::PairScratch& scratch, query::PairResult& result) const {
+  bool updateResult(std::uint32_t pair, const PoseSet& poses, LiveCulling& last, query::PairMemory& memory,
+                    kernels::PairScratch& scratch, query::PairResult& result) const {
     const auto [a, b] = pairs[pair];
     const query::PairOptions& options = poses.options[pair];
-    const LiveObject &now_a = poses.objects[a], &now_b = poses.objects[b];
-    if (last.mayRest(now_a, now_b, options.margin)) {
+    const LiveObject &state_a = poses.objects[a], &state_b = poses.objects[b];
+    if (last.mayCull(state_a, state_b, options.margin)) {
       result = {};  // a culled pair has no contacts
-      last.carry(poses.X_WB[a], poses.X_WB[b], now_a, now_b, result);
+      last.carry(poses.X_WB[a], poses.X_WB[b], state_a, state_b, result);
       return false;
     }
     query(pair, poses, memory, scratch, result);
-    last.take(result, {poses.X_WB[a], now_a}, {poses.X_WB[b], now_b},
-              touchFrom(*structures[a], *structures[b], options), options.margin, rest);
+    last.update(result, {poses.X_WB[a], state_a}, {poses.X_WB[b], state_b},
+                contactDistance(*structures[a], *structures[b], options), options.margin, rest);
     return true;
   }
 };
 
-enum class Order : std::uint8_t { kRun, kPause, kStop };
+enum class GroupState : std::uint8_t { kRun, kPause, kStop };
 
 class Group {
  public:
-  Group(const World& world, const PoseSet& poses, PairList pairs)
-      : world_(world),
+  Group(const SharedData& shared, const PoseSet& poses, PairList pairs)
+      : shared_(shared),
         poses_(poses),
-        wanted_(pairs),
-        results_(emptyResults(world)),
-        rests_(world.rest > 0.0 ? world.pairs.size() : 0),
-        memories_(world.pairs.size()),
+        requested_(pairs),
+        results_(emptyResults(shared)),
+        cullings_(shared.rest > 0.0 ? shared.pairs.size() : 0),
+        memories_(shared.pairs.size()),
         pairs_(std::move(pairs)) {}
   ~Group() { stop(); }
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
 
   void start() {
-    order_.store(Order::kRun, std::memory_order_release);
+    state_.store(GroupState::kRun, std::memory_order_release);
     if (thread_.joinable()) {
       wake();
       return;
@@ -100,13 +100,13 @@ class Group {
 
   void pause() {
     if (!thread_.joinable()) return;
-    order_.store(Order::kPause, std::memory_order_release);
+    state_.store(GroupState::kPause, std::memory_order_release);
     wake();
   }
 
   void stop() {
     if (!thread_.joinable()) return;
-    order_.store(Order::kStop, std::memory_order_release);
+    state_.store(GroupState::kStop, std::memory_order_release);
     wake();
     thread_.join();
   }
@@ -121,8 +121,8 @@ class Group {
 
   void setPairs(const PairList& pairs) {
     pairs_ = pairs;
-    wanted_.back() = pairs;
-    wanted_.publish();
+    requested_.back() = pairs;
+    requested_.publish();
     wake();
   }
 
@@ -138,10 +138,10 @@ class Group {
   long collected{0};  ///< owner's: cycle of the last collected results
 
  private:
-  static ResultSet emptyResults(const World& world) {
+  static ResultSet emptyResults(const SharedData& shared) {
     ResultSet set;
-    set.pairs.index.resize(world.pairs.size());
-    set.results.resize(world.pairs.size());
+    set.pairs.index.resize(shared.pairs.size());
+    set.results.resize(shared.pairs.size());
     return set;
   }
 
@@ -151,23 +151,23 @@ class Group {
   }
 
   void run() {
-    for (bool begun = false;;) {
+    for (bool started = false;;) {
       // Read first: any later action of the owner changes the signal, so no wake-up is lost.
       const std::uint32_t signal = signal_.load(std::memory_order_acquire);
-      const Order order = order_.load(std::memory_order_acquire);
-      if (order == Order::kStop) return;
-      if (order == Order::kPause || (begun && !poses_.fresh() && !wanted_.fresh())) {
+      const GroupState state = state_.load(std::memory_order_acquire);
+      if (state == GroupState::kStop) return;
+      if (state == GroupState::kPause || (started && !poses_.fresh() && !requested_.fresh())) {
         signal_.wait(signal, std::memory_order_acquire);
         continue;
       }
-      begun = true;
+      started = true;
       cycle();
     }
   }
 
   void cycle() {
     const PoseSet& poses = poses_.latest();
-    const PairList& pairs = wanted_.latest();
+    const PairList& pairs = requested_.latest();
     ResultSet& out = results_.back();
     out.pairs.count = pairs.count;
     out.t = poses.t;
@@ -176,9 +176,10 @@ class Group {
     for (std::size_t k = 0; k < pairs.count; ++k) {
       const std::uint32_t pair = pairs.index[k];
       out.pairs.index[k] = pair;
-      if (rests_.empty()) {
-        world_.query(pair, poses, memories_[pair], scratch_, out.results[k]);
-      } else if (!world_.bringUp(pair, poses, rests_[pair], memories_[pair], scratch_, out.results[k])) {
+      if (cullings_.empty()) {
+        shared_.query(pair, poses, memories_[pair], scratch_, out.results[k]);
+      } else if (!shared_.updateResult(pair, poses, cullings_[pair], memories_[pair], scratch_,
+                                       out.results[k])) {
         ++rested;
       }
     }
@@ -191,17 +192,17 @@ class Group {
     results_.publish();
   }
 
-  const World& world_;
-  TripleBuffer<PoseSet> poses_;      ///< owner to group
-  TripleBuffer<PairList> wanted_;    ///< owner to group
-  TripleBuffer<ResultSet> results_;  ///< group to owner
-  std::vector<LiveCulling> rests_;   ///< group's, one for each pair of the scene; empty if culling is off
+  const SharedData& shared_;
+  TripleBuffer<PoseSet> poses_;        ///< owner to group
+  TripleBuffer<PairList> requested_;   ///< owner to group
+  TripleBuffer<ResultSet> results_;    ///< group to owner
+  std::vector<LiveCulling> cullings_;  ///< group's, one for each pair of the scene; empty if culling is off
   std::vector<query::PairMemory> memories_;  ///< likewise
   PairList pairs_;                           ///< owner's copy of the wanted list
   kernels::PairScratch scratch_;
   long first_cycle_{0};  ///< owner's
   alignas(64) std::atomic<std::uint32_t> signal_{0};
-  std::atomic<Order> order_{Order::kRun};
+  std::atomic<GroupState> state_{GroupState::kRun};
   alignas(64) std::atomic<long> cycles_{0};  ///< over all threads of this group
   std::atomic<long> checked_{0}, rested_{0};
   std::jthread thread_;
@@ -212,7 +213,7 @@ class Group {
 struct PairThreads::Impl {
   static constexpr std::size_t kNoGroup = static_cast<std::size_t>(-1);
 
-  World world;
+  SharedData shared;
   PoseSet poses;  ///< last published
   std::vector<std::unique_ptr<Group>> groups;
   std::vector<std::size_t> group_of;       ///< of each pair
@@ -227,9 +228,9 @@ struct PairThreads::Impl {
     return *groups[index];
   }
 
-  void take(const Scene& scene) {
-    ABSTAND_CHECK(scene.objectCount() >= world.structures.size() &&
-                  scene.pairs().size() >= world.pairs.size());
+  void copyState(const Scene& scene) {
+    ABSTAND_CHECK(scene.objectCount() >= shared.structures.size() &&
+                  scene.pairs().size() >= shared.pairs.size());
     double latest = -kInfinity;
     for (std::size_t i = 0; i < poses.X_WB.size(); ++i) {
       const Object& object = scene.objects()[i];
@@ -243,19 +244,19 @@ struct PairThreads::Impl {
   }
 
   void checkFree(PairId pair) const {
-    ABSTAND_CHECK(pair.index() < world.pairs.size());
+    ABSTAND_CHECK(pair.index() < shared.pairs.size());
     if (group_of[pair.index()] == kNoGroup) return;
     throw UsageError("pair " + pair_names[pair.index()] +
                      ": in a thread group already, expected to be in one only");
   }
 
   /// Adds a pair to a list, with a first result.
-  void admit(PairId pair, GroupIndex group, PairList& list) {
+  void insert(PairId pair, GroupIndex group, PairList& list) {
     const std::uint32_t i = pair.index();
     group_of[i] = group;
     list.index[list.count++] = i;
     query::PairMemory nothing;
-    world.query(i, poses, nothing, scratch, results[i]);
+    shared.query(i, poses, nothing, scratch, results[i]);
     result_time[i] = poses.t;
     result_number[i] = poses.number;
   }
@@ -265,11 +266,11 @@ PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
   Impl& m = *impl_;
   const auto& objects = scene.objects();
   for (const Object& object : objects) {
-    m.world.structures.push_back(object.spec.structure);
+    m.shared.structures.push_back(object.spec.structure);
   }
-  m.world.rest = scene.culling().rest;
+  m.shared.rest = scene.culling().rest;
   for (const Pair& pair : scene.pairs()) {
-    m.world.pairs.push_back({pair.a.index(), pair.b.index()});
+    m.shared.pairs.push_back({pair.a.index(), pair.b.index()});
     m.pair_names.push_back("`" + objects[pair.a.index()].spec.name + "`, `" +
                            objects[pair.b.index()].spec.name + "`");
   }
@@ -280,7 +281,7 @@ PairThreads::PairThreads(const Scene& scene) : impl_(std::make_unique<Impl>()) {
   m.results.resize(scene.pairs().size());
   m.result_time.assign(scene.pairs().size(), -kInfinity);
   m.result_number.assign(scene.pairs().size(), -1);
-  m.take(scene);
+  m.copyState(scene);
 }
 
 PairThreads::~PairThreads() = default;
@@ -295,10 +296,10 @@ PairThreads::GroupIndex PairThreads::addGroup(std::vector<PairId> pairs) {
     }
   }
   PairList list;
-  list.index.resize(m.world.pairs.size());
+  list.index.resize(m.shared.pairs.size());
   m.groups.reserve(m.groups.size() + 1);
-  for (const PairId pair : pairs) m.admit(pair, m.groups.size(), list);
-  m.groups.push_back(std::make_unique<Group>(m.world, m.poses, std::move(list)));
+  for (const PairId pair : pairs) m.insert(pair, m.groups.size(), list);
+  m.groups.push_back(std::make_unique<Group>(m.shared, m.poses, std::move(list)));
   return m.groups.size() - 1;
 }
 
@@ -312,14 +313,14 @@ void PairThreads::addPair(GroupIndex group, PairId pair) {
   Group& target = m.group(group);
   m.checkFree(pair);
   PairList list = target.pairs();
-  m.admit(pair, group, list);
+  m.insert(pair, group, list);
   target.setPairs(list);
 }
 
 void PairThreads::removePair(GroupIndex group, PairId pair) {
   Impl& m = *impl_;
   Group& target = m.group(group);
-  ABSTAND_CHECK(pair.index() < m.world.pairs.size());
+  ABSTAND_CHECK(pair.index() < m.shared.pairs.size());
   if (m.group_of[pair.index()] != group) {
     throw UsageError("pair " + m.pair_names[pair.index()] + ": not in this thread group");
   }
@@ -333,7 +334,7 @@ void PairThreads::removePair(GroupIndex group, PairId pair) {
 }
 
 void PairThreads::publishPoses(const Scene& scene) {
-  impl_->take(scene);
+  impl_->copyState(scene);
   for (const auto& group : impl_->groups) group->publish(impl_->poses);
 }
 

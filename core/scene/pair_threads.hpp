@@ -46,7 +46,7 @@ class PairThreads {
   /// Time (s) of the poses of a pair's last collected result, the latest of the objects' times; minus
   /// infinity for a pair that was never in a group.
   double resultTime(PairId pair) const;
-  /// The same for all pairs of the scene, for Scene::take().
+  /// The same for all pairs of the scene, for Scene::setResults().
   std::span<const double> resultTimes() const;
   /// True if the last collected result of every pair in a group belongs to the last published poses.
   bool upToDate() const;

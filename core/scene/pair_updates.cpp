@@ -12,7 +12,7 @@ void PairUpdates::addObject(std::size_t capacity) {
 
 void PairUpdates::addPair(std::size_t capacity) {
   pending_.reserve(capacity);
-  renewed_.reserve(capacity);
+  updated_.reserve(capacity);
 }
 
 void PairUpdates::addMoved(ObjectId object) {
@@ -39,7 +39,7 @@ void PairUpdates::begin(long step, PairTable& pairs, const std::vector<std::vect
     last_update_step_[object.index()] = step;
   }
   moved_.clear();
-  std::swap(renewed_, pending_);
+  std::swap(updated_, pending_);
   pending_.clear();
 }
 

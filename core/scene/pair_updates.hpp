@@ -24,14 +24,14 @@ class PairUpdates {
   void begin(long step, PairTable& pairs, const std::vector<std::vector<PairId>>& pairs_of);
 
   /// Work list of the last step, in no particular order.
-  const std::vector<PairId>& renewed() const { return renewed_; }
+  const std::vector<PairId>& updated() const { return updated_; }
   /// The last step that updated a pair indexed by this object.
   long lastUpdateStep(ObjectId id) const { return last_update_step_[id.index()]; }
 
  private:
   std::vector<ObjectId> moved_;  ///< since the last step
   std::vector<bool> has_moved_;
-  std::vector<PairId> pending_, renewed_;
+  std::vector<PairId> pending_, updated_;
   std::vector<long> last_update_step_;  ///< for each object
 };
 

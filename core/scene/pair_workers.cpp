@@ -6,13 +6,13 @@
 
 namespace abstand::scene {
 namespace {
-constexpr std::uint64_t kLeft = 0xffffffffu;
+constexpr std::uint64_t kIndexMask = 0xffffffffu;
 }
 
 PairWorkers::PairWorkers(int helpers) {
   try {
     for (int i = 0; i < helpers; ++i)
-      helpers_.emplace_back([this, thread = static_cast<std::size_t>(i) + 1] { help(thread); });
+      helpers_.emplace_back([this, thread = static_cast<std::size_t>(i) + 1] { workerLoop(thread); });
   } catch (...) {
     stopAll();
     throw;
@@ -29,7 +29,7 @@ void PairWorkers::stopAll() noexcept {
 }
 
 void PairWorkers::run(std::size_t count, Task task, void* context) noexcept {
-  ABSTAND_CHECK(count <= kLeft);
+  ABSTAND_CHECK(count <= kIndexMask);
   if (count == 0) return;
   task_ = task;
   context_ = context;
@@ -39,28 +39,28 @@ void PairWorkers::run(std::size_t count, Task task, void* context) noexcept {
   cycle_.store(cycle, std::memory_order_release);
   cycle_.notify_all();
 
-  takeAll(0);
+  runTasks(0);
   for (auto left = unfinished_.load(std::memory_order_acquire); left != 0;
        left = unfinished_.load(std::memory_order_acquire))
     unfinished_.wait(left, std::memory_order_acquire);
 }
 
-void PairWorkers::help(std::size_t thread) noexcept {
+void PairWorkers::workerLoop(std::size_t thread) noexcept {
   std::uint32_t seen = 0;
   for (;;) {
     cycle_.wait(seen, std::memory_order_acquire);
     seen = cycle_.load(std::memory_order_acquire);
     if (stop_.load(std::memory_order_relaxed)) return;
-    takeAll(thread);
+    runTasks(thread);
   }
 }
 
-void PairWorkers::takeAll(std::size_t thread) noexcept {
+void PairWorkers::runTasks(std::size_t thread) noexcept {
   // Large shares first, single pairs at the end, so that all threads finish at the same time.
   const std::uint64_t shares = 2 * (helpers_.size() + 1);
   std::uint64_t ticket = ticket_.load(std::memory_order_acquire);
-  while ((ticket & kLeft) != 0) {
-    const std::uint64_t left = ticket & kLeft;
+  while ((ticket & kIndexMask) != 0) {
+    const std::uint64_t left = ticket & kIndexMask;
     const std::uint64_t n = std::max<std::uint64_t>(1, left / shares);
     if (!ticket_.compare_exchange_weak(ticket, ticket - n, std::memory_order_acq_rel,
                                        std::memory_order_acquire))

@@ -28,8 +28,8 @@ class PairWorkers {
   void run(std::size_t count, Task task, void* context) noexcept;
 
  private:
-  void help(std::size_t thread) noexcept;
-  void takeAll(std::size_t thread) noexcept;
+  void workerLoop(std::size_t thread) noexcept;
+  void runTasks(std::size_t thread) noexcept;
   void stopAll() noexcept;
 
   Task task_{nullptr};

@@ -10,7 +10,7 @@
 namespace abstand::scene {
 
 /// A pair whose query is due.
-struct DuePair {
+struct QueuedPair {
   PairId id;
   bool may_touch;    ///< contact is not excluded
   int waited;        ///< steps since the query became due
@@ -27,8 +27,8 @@ class QueryQueue {
   bool empty() const { return heap_.empty(); }
 
   /// All add() calls precede the first next().
-  void add(const DuePair& pair) { heap_.push_back(pair); }
-  void sortOut() { std::make_heap(heap_.begin(), heap_.end(), later); }
+  void add(const QueuedPair& pair) { heap_.push_back(pair); }
+  void heapify() { std::make_heap(heap_.begin(), heap_.end(), later); }
   PairId next() {
     std::pop_heap(heap_.begin(), heap_.end(), later);
     const PairId id = heap_.back().id;
@@ -37,14 +37,14 @@ class QueryQueue {
   }
 
  private:
-  static bool later(const DuePair& x, const DuePair& y) {
+  static bool later(const QueuedPair& x, const QueuedPair& y) {
     if (x.may_touch != y.may_touch) return y.may_touch;
     if (x.waited != y.waited) return x.waited < y.waited;
     if (x.clearance != y.clearance) return x.clearance > y.clearance;
     return x.id > y.id;
   }
 
-  std::vector<DuePair> heap_;
+  std::vector<QueuedPair> heap_;
 };
 
 }  // namespace abstand::scene

@@ -57,8 +57,8 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   pairs_of_[b.index()].push_back(id);
   touching_.reserve(pairs_.capacity());
   updates_.addPair(pairs_.capacity());
-  queries_.makeRoom(pairs_);
-  renew(id);
+  queries_.reserve(pairs_);
+  invalidate(id);
   return id;
 }
 
@@ -77,7 +77,7 @@ void Scene::setMargin(ObjectId object, double margin) {
   for (const PairId id : pairs_of_[object.index()]) {
     Pair& pair = pairs_[id.index()];
     pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
-    renew(id);
+    invalidate(id);
   }
 }
 
@@ -89,12 +89,12 @@ void Scene::setPaused(PairId id, bool paused, double t) {
     enqueue(id);  // the next step removes it from the totals
     if (std::isnan(time)) time = std::isnan(pair.result.distance) ? -kInfinity : t;
     ++paused_count_;
-    pair.paused = dated_ = true;
+    pair.paused = has_result_times_ = true;
     pair.outcome = PairOutcome::kChecked;
   } else {
     --paused_count_;
     pair.paused = false;
-    renew(id);
+    invalidate(id);
   }
 }
 
@@ -111,7 +111,7 @@ void Scene::setForceLaw(query::ForceLaw law, double stiffness) {
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     pairs_[i].options.law = law;
     pairs_[i].options.stiffness = stiffness;
-    renew(PairId(i));
+    invalidate(PairId(i));
   }
 }
 
@@ -127,13 +127,13 @@ void Scene::setCulling(const QueryCulling& culling) {
   queries_.setCulling(culling, pairs_);
   for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
     pairs_[i].options.far_share = culling.farShare();
-    renew(PairId(i));
+    invalidate(PairId(i));
   }
 }
 
 void Scene::startCold() noexcept {
   queries_.startCold();
-  for (std::uint32_t i = 0; i < pairs_.size(); ++i) renew(PairId(i));
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) invalidate(PairId(i));
 }
 
 bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState state) {
@@ -159,44 +159,44 @@ void Scene::enqueueAll() {
 }
 
 /// Forces a query in the next step, whatever is proven.
-void Scene::renew(PairId id) {
-  pairs_[id.index()].rest.forget();
+void Scene::invalidate(PairId id) {
+  pairs_[id.index()].culling.invalidate();
   enqueue(id);
 }
 
 void Scene::step() {
   const double deadline = queries_.deadline();
   ++steps_;
-  // Results from take() may be older than the current poses although nothing has moved since.
-  if (taken_) enqueueAll();
-  taken_ = false;
+  // Results from setResults() may be older than the current poses although nothing has moved since.
+  if (external_results_) enqueueAll();
+  external_results_ = false;
   updates_.begin(steps_, pairs_, pairs_of_);
-  queries_.run(renewed(), {pairs_, objects_, motions_.bounds()}, deadline);
-  dateResults();
+  queries_.run(updated(), {pairs_, objects_, motions_.bounds()}, deadline);
+  clearResultTimes();
   updateContactList();
   sumWrenches();
 }
 
 /// Results updated in this step belong to the current poses.
-void Scene::dateResults() {
-  if (!dated_) return;
-  for (const PairId id : renewed())
+void Scene::clearResultTimes() {
+  if (!has_result_times_) return;
+  for (const PairId id : updated())
     if (!pairs_[id.index()].paused) result_time_[id.index()] = kNaN;
-  dated_ = paused_count_ > 0;
+  has_result_times_ = paused_count_ > 0;
 }
 
-void Scene::take(const std::vector<query::PairResult>& results, std::span<const double> times) {
+void Scene::setResults(const std::vector<query::PairResult>& results, std::span<const double> times) {
   ABSTAND_CHECK(results.size() == pairs_.size() && (times.empty() || times.size() == pairs_.size()));
   ++steps_;
   enqueueAll();
   updates_.begin(steps_, pairs_, pairs_of_);
-  taken_ = dated_ = true;
+  external_results_ = has_result_times_ = true;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     if (pairs_[i].paused) continue;
     result_time_[i] = times.empty() ? kNaN : times[i];
     pairs_[i].result = results[i];
     pairs_[i].outcome = PairOutcome::kChecked;
-    pairs_[i].rest.forget();
+    pairs_[i].culling.invalidate();
   }
   updateContactList();
   sumWrenches();
@@ -207,13 +207,13 @@ void Scene::count(Pair& pair) {
     case PairOutcome::kChecked:
       ++counts_.checked;
       break;
-    case PairOutcome::kRested:
+    case PairOutcome::kCulled:
       ++counts_.rested;
       break;
-    case PairOutcome::kBeyond:
+    case PairOutcome::kBeyondHorizon:
       ++counts_.beyond;
       break;
-    case PairOutcome::kPutOff:
+    case PairOutcome::kDeferred:
       ++counts_.deferred;
       counts_.longest_wait = std::max(counts_.longest_wait, ++pair.waited);
       return;
@@ -237,24 +237,24 @@ void Scene::updateContactList() {
     }
   }
   counts_ = {};
-  bool begun = false, ended = false;
-  for (std::size_t i = 0; i < renewed().size(); ++i) {
-    prefetchAhead(pairs_, renewed(), i);
-    const PairId id = renewed()[i];
+  bool any_started = false, any_ended = false;
+  for (std::size_t i = 0; i < updated().size(); ++i) {
+    prefetchAhead(pairs_, updated(), i);
+    const PairId id = updated()[i];
     Pair& pair = pairs_[id.index()];
     pair.queued = false;
     if (!pair.paused) count(pair);
     distances_.set(id.index(), pair.paused ? kInfinity : pair.result.distance);
-    if (pair.outcome == PairOutcome::kPutOff) enqueue(id);
+    if (pair.outcome == PairOutcome::kDeferred) enqueue(id);
     if (pair.outcome != PairOutcome::kChecked && !pair.paused) continue;
     const bool touches = !pair.paused && pair.result.contacts > 0;
     if (touches == pair.touching) continue;
     pair.touching = touches;
-    (touches ? begun : ended) = true;
+    (touches ? any_started : any_ended) = true;
     if (touches) touching_.push_back(id);
   }
-  if (ended) std::erase_if(touching_, [this](PairId id) { return !pairs_[id.index()].touching; });
-  if (begun) std::sort(touching_.begin(), touching_.end());
+  if (any_ended) std::erase_if(touching_, [this](PairId id) { return !pairs_[id.index()].touching; });
+  if (any_started) std::sort(touching_.begin(), touching_.end());
 }
 
 /// In pair order. Pairs without contacts would add zeros.

@@ -86,14 +86,14 @@ class Scene {
   void setPaused(PairId id, bool paused, double t);
   std::size_t pausedCount() const { return paused_count_; }
   /// Age (s), at time `t`, of the poses of the pair's result: 0 if the last step() updated it, the age from
-  /// take() otherwise; infinite without a result and if `t` is earlier.
+  /// setResults() otherwise; infinite without a result and if `t` is earlier.
   double ageOf(PairId id, double t) const;
 
   /// Updates every pair's result to the current poses and sums the totals of the objects.
   void step();
   /// Replaces step() if other threads query the pairs (live mode): takes a result for each pair, in order,
   /// with the times (s) of their poses; without times they belong to the current poses.
-  void take(const std::vector<query::PairResult>& results, std::span<const double> times = {});
+  void setResults(const std::vector<query::PairResult>& results, std::span<const double> times = {});
   /// Number of steps so far.
   long steps() const { return steps_; }
   const StepCounts& counts() const { return counts_; }  ///< of the last step()
@@ -104,7 +104,7 @@ class Scene {
   const PairTable& pairs() const { return pairs_; }
   const query::PairResult& result(PairId id) const { return pairs_[id.index()].result; }
   /// Pairs whose results the last step() updated, in no particular order.
-  const std::vector<PairId>& renewed() const { return updates_.renewed(); }
+  const std::vector<PairId>& updated() const { return updates_.updated(); }
   /// Pairs with contacts, in order.
   const std::vector<PairId>& touching() const { return touching_; }
   /// The pair with the smallest distance, the first of equal ones; nullopt before the first step().
@@ -122,9 +122,9 @@ class Scene {
  private:
   void enqueue(PairId id) { updates_.enqueue(id, pairs_[id.index()]); }
   void enqueueAll();
-  void renew(PairId id);
+  void invalidate(PairId id);
   void count(Pair& pair);
-  void dateResults();
+  void clearResultTimes();
   void updateContactList();
   void sumWrenches();
 
@@ -143,8 +143,8 @@ class Scene {
   StepCounts counts_;
   /// time (s) of the poses of each pair's result; NaN: the current ones.
   std::vector<double> result_time_;
-  bool taken_{false};  ///< the results came from take()
-  bool dated_{false};  ///< result_time_ may contain values other than NaN
+  bool external_results_{false};  ///< the results came from setResults()
+  bool has_result_times_{false};  ///< result_time_ may contain values other than NaN
   std::size_t paused_count_{0};
   long steps_{0};
 };

@@ -19,7 +19,7 @@ struct alignas(64) Pair {
   bool touching{false};  ///< is in Scene::touching()
   bool paused{false};    ///< see Scene::setPaused
   int waited{0};         ///< steps since it was deferred
-  TemporalCulling rest;
+  TemporalCulling culling;
   query::PairResult result;
   query::PairOptions options;  ///< margin = margin_a + margin_b, updated by setMargin
 };

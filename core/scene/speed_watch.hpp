@@ -32,16 +32,17 @@ class SpeedWatch {
     std::size_t entry{kMaxListed};
   };
 
-  /// Adds a step of `way` m (upper bound, of the farthest point) in `dt` > 0 s; true if it exceeds `bound`.
-  bool add(ObjectId object, double t, double way, double dt, double bound, State& state) {
-    const bool broken = way > bound * dt * kTolerance;
+  /// Adds a step of `displacement` m (upper bound, of the farthest point) in `dt` > 0 s; true if it exceeds
+  /// `bound`.
+  bool add(ObjectId object, double t, double displacement, double dt, double bound, State& state) {
+    const bool broken = displacement > bound * dt * kTolerance;
     if (broken && !state.broken) {
       ++count_;
       state.entry = listed_.size();
       if (state.entry < kMaxListed) listed_.push_back({object, t, 0.0, bound});
     }
     if (broken && state.entry < kMaxListed)
-      listed_[state.entry].speed = std::max(listed_[state.entry].speed, way / dt);
+      listed_[state.entry].speed = std::max(listed_[state.entry].speed, displacement / dt);
     state.broken = broken;
     return broken;
   }

@@ -10,7 +10,7 @@ constexpr double kRoundUp = 1.0 + 1e-12;
 
 }  // namespace
 
-void PairProof::take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB) {
+void PairProof::update(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB) {
   lower = result.distance - result.bound;
   apart = result.distance > 0.0;
   p_Aa = X_WA.inverse() * result.witness_a;
@@ -27,36 +27,37 @@ void PairProof::carry(const Transform& X_WA, const Transform& X_WB, double lower
   result.bound = std::max(0.0, result.distance - lower_now);
 }
 
-double allowanceOf(const PairProof& proof, const query::PairResult& result, double touch_from, double share) {
-  const double clearance = proof.lower - touch_from;
+double allowanceOf(const PairProof& proof, const query::PairResult& result, double contact_distance,
+                   double share) {
+  const double clearance = proof.lower - contact_distance;
   return share > 0.0 && clearance > 0.0 && result.contacts == 0 ? share * clearance : -1.0;
 }
 
-double touchFrom(const structure::HapticStructure& a, const structure::HapticStructure& b,
-                 const query::PairOptions& options) {
+double contactDistance(const structure::HapticStructure& a, const structure::HapticStructure& b,
+                       const query::PairOptions& options) {
   return options.margin + std::max(a.errorBound(), b.errorBound());
 }
 
-void TemporalCulling::take(const query::PairResult& result, const Moved& a, const Moved& b, double touch_from,
-                           const QueryCulling& culling) {
-  proof_.take(result, a.X_WB, b.X_WB);
-  way_a_ = a.bound.way();
-  way_b_ = b.bound.way();
-  touch_from_ = touch_from;
+void TemporalCulling::update(const query::PairResult& result, const Moved& a, const Moved& b,
+                             double contact_distance, const QueryCulling& culling) {
+  proof_.update(result, a.X_WB, b.X_WB);
+  travelled_a_ = a.bound.travelled();
+  travelled_b_ = b.bound.travelled();
+  contact_distance_ = contact_distance;
   touches_ = result.contacts > 0;
-  allowance_ = allowanceOf(proof_, result, touch_from, culling.rest);
+  allowance_ = allowanceOf(proof_, result, contact_distance, culling.rest);
 }
 
 double TemporalCulling::movement(const MotionBound& a, const MotionBound& b) const {
-  return ((a.way() - way_a_) + (b.way() - way_b_)) * kRoundUp;
+  return ((a.travelled() - travelled_a_) + (b.travelled() - travelled_b_)) * kRoundUp;
 }
 
 PairOutcome TemporalCulling::outcome(const MotionBound& a, const MotionBound& b,
                                      const QueryCulling& culling) const {
   if (!proven()) return PairOutcome::kChecked;
-  if (movement(a, b) <= allowance_) return PairOutcome::kRested;
-  if (!touches_ && proof_.apart && gapOf(a, b) > std::max(culling.horizon, touch_from_))
-    return PairOutcome::kBeyond;
+  if (movement(a, b) <= allowance_) return PairOutcome::kCulled;
+  if (!touches_ && proof_.apart && gapOf(a, b) > std::max(culling.horizon, contact_distance_))
+    return PairOutcome::kBeyondHorizon;
   return PairOutcome::kChecked;
 }
 

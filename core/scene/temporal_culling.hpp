@@ -11,10 +11,10 @@ namespace abstand::scene {
 
 /// Outcome of a pair in the step that last updated it.
 enum class PairOutcome : std::uint8_t {
-  kChecked,  ///< queried at the current poses
-  kRested,   ///< culled: motion since the query is within the allowed share
-  kBeyond,   ///< culled: farther apart than the horizon
-  kPutOff,   ///< deferred: the time budget was used up
+  kChecked,        ///< queried at the current poses
+  kCulled,         ///< culled: motion since the query is within the allowed share
+  kBeyondHorizon,  ///< culled: farther apart than the horizon
+  kDeferred,       ///< deferred: the time budget was used up
 };
 
 /// A queried result that can be carried to other poses.
@@ -23,7 +23,7 @@ struct PairProof {
   Vector3d p_Aa{Vector3d::Zero()}, p_Bb{Vector3d::Zero()};  ///< witness points, each in its body's frame
   bool apart{false};                                        ///< distance > 0
 
-  void take(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB);
+  void update(const query::PairResult& result, const Transform& X_WA, const Transform& X_WB);
   /// Carries the result to new poses with the proven lower bound `lower_now` (m): the witness points move
   /// with their bodies, so `distance` stays that of two surface points, never below the true one, and
   /// distance - bound = lower_now. A result with distance <= 0 keeps its distance, witness points and forces.
@@ -31,44 +31,46 @@ struct PairProof {
   void carry(const Transform& X_WA, const Transform& X_WB, double lower_now, query::PairResult& result) const;
 };
 
-/// Motion (m) after which a pair must be queried again: a share of its clearance beyond `touch_from`;
+/// Motion (m) after which a pair must be queried again: a share of its clearance beyond `contact_distance`;
 /// negative if it may not be culled.
-double allowanceOf(const PairProof& proof, const query::PairResult& result, double touch_from, double share);
+double allowanceOf(const PairProof& proof, const query::PairResult& result, double contact_distance,
+                   double share);
 /// m: pairs certified to be farther apart have no contacts; includes the error of the fields, which may
 /// report one earlier.
-double touchFrom(const structure::HapticStructure& a, const structure::HapticStructure& b,
-                 const query::PairOptions& options);
+double contactDistance(const structure::HapticStructure& a, const structure::HapticStructure& b,
+                       const query::PairOptions& options);
 
 /// Decides which queries are skipped in lock-step mode, by the motion bounds of the bodies
 /// (motion_bound.hpp).
 class TemporalCulling {
  public:
   /// Discards the proof: the pair must be queried.
-  void forget() { proof_.lower = kNaN; }
+  void invalidate() { proof_.lower = kNaN; }
   /// Motion bound and pose of a body at the query.
   struct Moved {
     const Transform& X_WB;
     const MotionBound& bound;
   };
-  /// Stores the result of a query. `touch_from` (m): pairs certified to be farther apart have no contacts.
-  void take(const query::PairResult& result, const Moved& a, const Moved& b, double touch_from,
-            const QueryCulling& culling);
+  /// Stores the result of a query. `contact_distance` (m): pairs certified to be farther apart have no
+  /// contacts.
+  void update(const query::PairResult& result, const Moved& a, const Moved& b, double contact_distance,
+              const QueryCulling& culling);
   /// Whether the query may be skipped at the current poses, and why; kChecked: it may not.
   PairOutcome outcome(const MotionBound& a, const MotionBound& b, const QueryCulling& culling) const;
   /// Proven lower bound (m) at the current poses.
   double lowerNow(const MotionBound& a, const MotionBound& b) const;
   const PairProof& proof() const { return proof_; }
   bool proven() const { return proof_.lower > -kInfinity; }  ///< false for NaN
-  double touchFrom() const { return touch_from_; }
+  double contactDistance() const { return contact_distance_; }
 
  private:
   /// Upper bound (m) on the decrease of the distance since the query.
   double movement(const MotionBound& a, const MotionBound& b) const;
 
   PairProof proof_;
-  double way_a_{0.0}, way_b_{0.0};  ///< accumulated motion bounds of the bodies at the query
-  double allowance_{-1.0};          ///< m of motion; negative: none
-  double touch_from_{0.0};
+  double travelled_a_{0.0}, travelled_b_{0.0};  ///< accumulated motion bounds of the bodies at the query
+  double allowance_{-1.0};                      ///< m of motion; negative: none
+  double contact_distance_{0.0};
   bool touches_{false};
 };
 

@@ -5,7 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/geometry/mass_properties.hpp"
-#include "core/shell/farthest_point_sampler.hpp"
+#include "core/shell/covering_radius.hpp"
 #include "core/shell/pointshell_tips.hpp"
 #include "core/shell/quadrature_correction.hpp"
 #include "core/shell/shell_sampler.hpp"
@@ -40,24 +40,24 @@ struct Cell {
   Vector3d normal{Vector3d::Zero()};  ///< integral of the outward normal
   Vector3d rim{Vector3d::Zero()};  ///< integral of the conormal over its sharp edges (outward, in the face)
   double second_moment{0.0};       ///< integral of |x|^2
-  double spread{0.0};              ///< integral of u = 1 / density
-  Vector3d spread_moment{Vector3d::Zero()};  ///< integral of u x
+  double inverse_density{0.0};     ///< integral of u = 1 / density
+  Vector3d inverse_density_moment{Vector3d::Zero()};  ///< integral of u x
 };
 
 std::vector<Cell> gatherCells(const SubTriangles& pool, const std::vector<float>& density,
                               const std::vector<std::uint32_t>& nearest, std::size_t count) {
   std::vector<Cell> cells(count);
-  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+  pool.forEach([&](std::uint32_t i, const SubTriangles::View& piece) {
     Cell& cell = cells[nearest[i]];
     const double area = piece.area();
     const Vector3d& normal = pool.normal(piece.triangle());
     const Vector3d centroid = piece.centroid();
     cell.area += area;
-    cell.spread += area / density[i];
-    cell.spread_moment += area / density[i] * centroid;
+    cell.inverse_density += area / density[i];
+    cell.inverse_density_moment += area / density[i] * centroid;
     cell.moment += area * centroid;
     cell.normal += area * normal;
-    cell.second_moment += area * (centroid.squaredNorm() + piece.spread());
+    cell.second_moment += area * (centroid.squaredNorm() + piece.variance());
     if (piece.sharp() == 0) return;
     for (int e = 0; e < 3; ++e) {
       if ((piece.sharp() >> e & 1u) != 0)
@@ -81,7 +81,7 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) {
     if (cell.area <= 0.0) continue;
     scaled_variance +=
-        0.5 * cell.area / cell.spread * (cell.second_moment - cell.moment.squaredNorm() / cell.area);
+        0.5 * cell.area / cell.inverse_density * (cell.second_moment - cell.moment.squaredNorm() / cell.area);
     area += cell.area;
   }
   scaled_variance /= area;
@@ -90,13 +90,13 @@ std::vector<Vector3d> targets(const std::vector<Cell>& cells) {
     const Cell& cell = cells[i];
     if (cell.area <= 0.0) continue;
     const Vector3d centroid = cell.moment / cell.area;
-    const double variance = scaled_variance * cell.spread / cell.area;
-    const Vector3d variance_gradient = cell.spread_moment / cell.spread - centroid;
+    const double variance = scaled_variance * cell.inverse_density / cell.area;
+    const Vector3d variance_gradient = cell.inverse_density_moment / cell.inverse_density - centroid;
     const Vector3d shift = 0.5 * (variance / cell.area * cell.rim - variance_gradient);
     // In a narrow face all cells touch sharp edges, and a full shift would leave the face.
-    const double reach =
+    const double max_shift =
         0.5 * std::sqrt(std::max(0.0, cell.second_moment / cell.area - centroid.squaredNorm()));
-    out[i] = centroid + (shift.norm() > reach ? reach / shift.norm() : 1.0) * shift;
+    out[i] = centroid + (shift.norm() > max_shift ? max_shift / shift.norm() : 1.0) * shift;
   }
   return out;
 }
@@ -111,33 +111,33 @@ std::vector<Vector3d> onSurface(const SubTriangles& pool, const std::vector<std:
                              ///< farther than the best one
   };
   std::vector<Best> bests(target.size());
-  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+  pool.forEach([&](std::uint32_t i, const SubTriangles::View& piece) {
     const Vector3d& to = target[nearest[i]];
     Best& best = bests[nearest[i]];
     if (!((piece.centroid() - to).squaredNorm() < best.far2)) return;
     const Vector3d p = closestPoint(piece.whole(), to);
     const double d2 = (p - to).squaredNorm();
     if (d2 >= best.distance2) return;
-    const double reach = std::sqrt(d2) + pool.reach();
-    best = {d2, reach * reach};
+    const double limit = std::sqrt(d2) + pool.centroidRadius();
+    best = {d2, limit * limit};
     out[nearest[i]] = p;
   });
   return out;
 }
 
-/// Distance of the points in `asked` from the sharp edges of their own cells; infinite if there are none.
+/// Distance of the points in `selected` from the sharp edges of their own cells; infinite if there are none.
 std::vector<double> rimDistances(const SubTriangles& pool, const std::vector<std::uint32_t>& nearest,
-                                 const std::vector<Vector3d>& points, const std::vector<bool>& asked) {
+                                 const std::vector<Vector3d>& points, const std::vector<bool>& selected) {
   std::vector<double> out(points.size(), kInfinity);
-  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
-    if (piece.sharp() == 0 || !asked[nearest[i]]) return;
+  pool.forEach([&](std::uint32_t i, const SubTriangles::View& piece) {
+    if (piece.sharp() == 0 || !selected[nearest[i]]) return;
     const Vector3d& p = points[nearest[i]];
-    double& least = out[nearest[i]];
+    double& nearest_edge = out[nearest[i]];
     for (int e = 0; e < 3; ++e) {
       if ((piece.sharp() >> e & 1u) == 0) continue;
-      const Vector3d start = piece.corner(e), way = piece.corner((e + 1) % 3) - start, from = p - start;
-      const double t = std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0);
-      least = std::min(least, (from - t * way).norm());
+      const Vector3d start = piece.corner(e), edge = piece.corner((e + 1) % 3) - start, from = p - start;
+      const double t = std::clamp(from.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+      nearest_edge = std::min(nearest_edge, (from - t * edge).norm());
     }
   });
   return out;
@@ -168,23 +168,23 @@ Vector3d shapeNormal(const geometry::Shape& shape, const Vector3d& p, const Vect
 }
 
 /// Projects a point onto a shape's surface and sets the normal there.
-void settle(const geometry::Surface& surface, BalancePoint& point) {
+void projectOntoShape(const geometry::Surface& surface, CorrectionPoint& point) {
   point.position = surface.closest(point.position).point;
   point.normal = -shapeNormal(*surface.shape(), point.position, -point.normal);
 }
 
-void keepTotalArea(std::vector<BalancePoint>& points) {
-  double now = 0.0, before = 0.0;
-  for (const BalancePoint& p : points) now += p.area, before += p.home_area;
-  for (BalancePoint& p : points) p.area *= before / now;
+void restoreTotalArea(std::vector<CorrectionPoint>& points) {
+  double current = 0.0, initial = 0.0;
+  for (const CorrectionPoint& p : points) current += p.area, initial += p.initial_area;
+  for (CorrectionPoint& p : points) p.area *= initial / current;
 }
 
 /// Points per area at each sub-triangle, as a multiple of the usual density, limited by kMaxExtra.
 std::vector<float> pointDensity(const SubTriangles& pool) {
   std::vector<float> density(pool.size(), 1.0f);
-  if (pool.plain()) return density;
+  if (pool.isUniform()) return density;
   double area = 0.0, extra = 0.0;
-  pool.walk([&](std::uint32_t i, const SubTriangles::View& piece) {
+  pool.forEach([&](std::uint32_t i, const SubTriangles::View& piece) {
     density[i] = 1.0f / (pool.pitch(i) * pool.pitch(i));
     area += piece.area();
     extra += piece.area() * double(density[i] - 1.0f);
@@ -203,24 +203,24 @@ std::vector<Vector3f> scaledNormals(const std::vector<Cell>& cells, double lengt
 }
 
 /// Partition of a surface among points.
-struct Shares {
+struct Partition {
   std::vector<std::uint32_t> nearest;  ///< cell of each sub-triangle
   std::vector<Cell> cells;
   std::vector<std::uint32_t> order;  ///< order of the cells in the shell
 };
 
-Shares share(const SubTriangles& pool, double spacing) {
+Partition makePartition(const SubTriangles& pool, double spacing) {
   const double normal_length = kNormalLength * spacing;
   const std::vector<float> density = pointDensity(pool);
-  ShellSampler spread(pool, density, normal_length, kCell * spacing);
-  spread.spread(kStop * spacing);
-  std::vector<Cell> cells = gatherCells(pool, density, spread.nearest(), spread.count());
+  ShellSampler sampler(pool, density, normal_length, kCell * spacing);
+  sampler.selectCentres(kStop * spacing);
+  std::vector<Cell> cells = gatherCells(pool, density, sampler.nearest(), sampler.count());
   std::vector<Vector3f> centred;
   for (const Vector3d& p : targets(cells)) centred.push_back(p.cast<float>());
-  spread.fill(std::move(centred), scaledNormals(cells, normal_length), kFill * spacing);
-  cells = gatherCells(pool, density, spread.nearest(), spread.count());
-  std::vector<std::uint32_t> order = spread.order();
-  return {spread.takeNearest(), std::move(cells), std::move(order)};
+  sampler.fillHoles(std::move(centred), scaledNormals(cells, normal_length), kFill * spacing);
+  cells = gatherCells(pool, density, sampler.nearest(), sampler.count());
+  std::vector<std::uint32_t> order = sampler.order();
+  return {sampler.releaseNearest(), std::move(cells), std::move(order)};
 }
 
 }  // namespace
@@ -234,56 +234,56 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
   const PitchField field(mesh, spacing);
   const SubTriangles pool(mesh, kMaxEdge * spacing, kPointArea / kPiecesPerPoint * spacing * spacing, field);
   if (pool.size() == 0) throw UsageError("a surface without area has no shell points");
-  Shares shares = share(pool, spacing);
-  std::vector<std::uint32_t>& nearest = shares.nearest;
-  std::vector<Cell>& cells = shares.cells;
+  Partition partition = makePartition(pool, spacing);
+  std::vector<std::uint32_t>& nearest = partition.nearest;
+  std::vector<Cell>& cells = partition.cells;
   const std::vector<Vector3d> points = onSurface(pool, nearest, targets(cells));
 
   double pool_area = 0.0;
   for (const Cell& cell : cells) pool_area += cell.area;
   const double area_scale = shape != nullptr ? surface.area() / pool_area : 1.0;
-  std::vector<BalancePoint> balanced;
-  balanced.reserve(points.size());
-  std::vector<std::uint32_t> cell_of, kept(points.size(), 0);
-  for (const std::uint32_t k : shares.order) {
+  std::vector<CorrectionPoint> corrected;
+  corrected.reserve(points.size());
+  std::vector<std::uint32_t> cell_of, index_of(points.size(), 0);
+  for (const std::uint32_t k : partition.order) {
     if (cells[k].area <= 0.0) continue;
-    kept[k] = static_cast<std::uint32_t>(balanced.size());
+    index_of[k] = static_cast<std::uint32_t>(corrected.size());
     cell_of.push_back(k);
     // Bumps within a cell cancel; what remains is the area times the mean normal.
     const double area = shape != nullptr ? area_scale * cells[k].area : cells[k].normal.norm();
-    balanced.push_back({points[k], -cells[k].normal.normalized(), area, points[k], area,
-                        QuadratureCorrection::kReach * spacing});
-    if (shape != nullptr) settle(surface, balanced.back());
+    corrected.push_back({points[k], -cells[k].normal.normalized(), area, points[k], area,
+                         QuadratureCorrection::kMaxShift * spacing});
+    if (shape != nullptr) projectOntoShape(surface, corrected.back());
   }
   cells = {};
-  if (!field.plain()) {
-    const QuadratureCorrection balance(*halfSpaceOverlap(surface, kFineSagitta * spacing), field.sharpEdges(),
-                                       balanced, spacing, threads);
+  if (!field.isUniform()) {
+    const QuadratureCorrection correction(*halfSpaceOverlap(surface, kFineSagitta * spacing),
+                                          field.sharpEdges(), corrected, spacing, threads);
     std::vector<bool> pressed(points.size(), false);
-    for (std::size_t i = 0; i < balanced.size(); ++i) pressed[cell_of[i]] = balance.presses(i);
+    for (std::size_t i = 0; i < corrected.size(); ++i) pressed[cell_of[i]] = correction.isPressed(i);
     const std::vector<double> from_rim = rimDistances(pool, nearest, points, pressed);
-    for (std::size_t i = 0; i < balanced.size(); ++i)
-      balanced[i].reach = std::min(balanced[i].reach, 0.5 * from_rim[cell_of[i]]);
-    balance.adjust(balanced, QuadratureCorrection::Freedom::kPlaceAndArea);
+    for (std::size_t i = 0; i < corrected.size(); ++i)
+      corrected[i].max_shift = std::min(corrected[i].max_shift, 0.5 * from_rim[cell_of[i]]);
+    correction.adjust(corrected, QuadratureCorrection::Variables::kPositionAndArea);
     // Projected back onto the surface.
     std::vector<Vector3d> moved(points.size(), Vector3d::Constant(kNaN));
-    for (std::size_t i = 0; i < balanced.size(); ++i) {
-      if (pressed[cell_of[i]]) moved[cell_of[i]] = balanced[i].position;
+    for (std::size_t i = 0; i < corrected.size(); ++i) {
+      if (pressed[cell_of[i]]) moved[cell_of[i]] = corrected[i].position;
     }
     moved = onSurface(pool, nearest, moved);
-    for (std::size_t i = 0; i < balanced.size(); ++i) {
+    for (std::size_t i = 0; i < corrected.size(); ++i) {
       if (!pressed[cell_of[i]]) continue;
-      balanced[i].position = moved[cell_of[i]];
-      if (shape != nullptr) settle(surface, balanced[i]);
+      corrected[i].position = moved[cell_of[i]];
+      if (shape != nullptr) projectOntoShape(surface, corrected[i]);
     }
-    balance.adjust(balanced, QuadratureCorrection::Freedom::kArea);
-    keepTotalArea(balanced);
+    correction.adjust(corrected, QuadratureCorrection::Variables::kArea);
+    restoreTotalArea(corrected);
   }
 
   Pointshell shell;
   shell.spacing = spacing;
   std::vector<Vector3f> positions;
-  for (const BalancePoint& p : balanced) {
+  for (const CorrectionPoint& p : corrected) {
     positions.push_back(p.position.cast<float>());
     shell.x.push_back(positions.back().x());
     shell.y.push_back(positions.back().y());
@@ -293,7 +293,7 @@ Pointshell makePointshell(const geometry::Surface& surface, double spacing, int 
     shell.nz.push_back(static_cast<float>(p.normal.z()));
     shell.area.push_back(static_cast<float>(p.area));
   }
-  for (std::uint32_t& k : nearest) k = kept[k];
+  for (std::uint32_t& k : nearest) k = index_of[k];
   // A shape's surface is within the sagitta of its mesh.
   shell.covering_radius =
       coveringRadius(pool, positions, nearest) + (shape != nullptr ? kShellSagitta * spacing : 0.0);

@@ -16,8 +16,8 @@ struct SharpEdge {
   Vector3d along() const { return (end[1] - end[0]).normalized(); }
   /// Distance from p to the edge (m).
   double distance(const Vector3d& p) const {
-    const Vector3d way = end[1] - end[0], from = p - end[0];
-    return (from - std::clamp(from.dot(way) / way.squaredNorm(), 0.0, 1.0) * way).norm();
+    const Vector3d edge = end[1] - end[0], from = p - end[0];
+    return (from - std::clamp(from.dot(edge) / edge.squaredNorm(), 0.0, 1.0) * edge).norm();
   }
 };
 

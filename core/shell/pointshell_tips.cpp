@@ -105,10 +105,10 @@ PitchField::PitchField(const geometry::TriangleMesh& mesh, double spacing)
   std::vector<Vector3f> along;
   for (std::uint32_t c = 0; c < edges_.sharp_edges.size(); ++c) {
     const SharpEdge& sharp_edge = edges_.sharp_edges[c];
-    const Vector3d way = sharp_edge.end[1] - sharp_edge.end[0];
-    const int steps = 1 + static_cast<int>(way.norm() / (kAlongSharpEdge * spacing));
+    const Vector3d edge = sharp_edge.end[1] - sharp_edge.end[0];
+    const int steps = 1 + static_cast<int>(edge.norm() / (kAlongSharpEdge * spacing));
     for (int i = 0; i <= steps; ++i) {
-      along.push_back((sharp_edge.end[0] + i * way / steps).cast<float>());
+      along.push_back((sharp_edge.end[0] + i * edge / steps).cast<float>());
       sharp_edge_of_.push_back(c);
     }
   }

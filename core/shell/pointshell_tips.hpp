@@ -30,7 +30,7 @@ class PitchField {
   /// The pitch at p; `near` is the result of near() for a place nearby.
   double pitch(const Vector3d& p, const Near& near) const;
   /// True if the pitch is 1 everywhere.
-  bool plain() const { return tips_.empty() && sharpEdges().empty(); }
+  bool isUniform() const { return tips_.empty() && sharpEdges().empty(); }
   const std::vector<std::uint8_t>& sharp() const { return edges_.sharp; }
   const std::vector<SharpEdge>& sharpEdges() const { return edges_.sharp_edges; }
 

@@ -11,7 +11,7 @@ namespace {
 using Lane = Eigen::Array<float, BlockTree::kBlock, 1>;
 
 /// Inserts two zero bits after each of the low 21 bits.
-std::uint64_t spread(std::uint64_t v) {
+std::uint64_t spreadBits(std::uint64_t v) {
   v &= 0x1fffff;
   v = (v | v << 32) & 0x1f00000000ffffULL;
   v = (v | v << 16) & 0x1f0000ff0000ffULL;
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Vector3f>& points) {
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     std::uint64_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      code |= spread(static_cast<std::uint64_t>((double(points[i][axis]) - lower[axis]) * scale)) << axis;
+      code |= spreadBits(static_cast<std::uint64_t>((double(points[i][axis]) - lower[axis]) * scale)) << axis;
     }
     keys[i] = {code, i};
   }
@@ -123,13 +123,13 @@ float PointsBelow::lowest(const Vector3f& u) const {
   return best;
 }
 
-void PointsBelow::find(const Vector3f& u, float level, std::size_t most,
+void PointsBelow::find(const Vector3f& u, float level, std::size_t max_count,
                        std::vector<std::uint32_t>& out) const {
   const Eigen::Array4f direction = BlockTree::corner(u);
   std::array<std::size_t, 64> stack;
   int top = 0;
   stack[top++] = 1;
-  while (top > 0 && out.size() <= most) {
+  while (top > 0 && out.size() <= max_count) {
     const std::size_t node = stack[--top];
     if (tree_.empty(node) || tree_.boxes[node].lowest(direction) >= level) continue;
     if (node < tree_.leaves) {

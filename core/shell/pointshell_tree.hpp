@@ -68,8 +68,8 @@ class PointsBelow {
   /// Smallest u . p over all points; infinite if there are none.
   float lowest(const Vector3f& u) const;
   /// Appends the indices of the points with u . p < level; stops after the block in which their number
-  /// exceeds `most`.
-  void find(const Vector3f& u, float level, std::size_t most, std::vector<std::uint32_t>& out) const;
+  /// exceeds `max_count`.
+  void find(const Vector3f& u, float level, std::size_t max_count, std::vector<std::uint32_t>& out) const;
 
  private:
   BlockTree tree_;

@@ -10,13 +10,13 @@
 namespace abstand::shell {
 
 /// A shell point during the correction. Body frame, m.
-struct BalancePoint {
+struct CorrectionPoint {
   Vector3d position;
-  Vector3d normal;   ///< unit, inwards
-  double area;       ///< m^2
-  Vector3d home;     ///< initial position
-  double home_area;  ///< initial area
-  double reach;      ///< largest allowed distance from `home`
+  Vector3d normal;            ///< unit, inwards
+  double area;                ///< m^2
+  Vector3d initial_position;  ///< initial position
+  double initial_area;        ///< initial area
+  double max_shift;           ///< largest allowed distance from `initial_position`
 };
 
 /// A set of half-spaces pressed into a body, each with its exact force (half_space_overlap.hpp). The force of
@@ -29,24 +29,24 @@ class QuadratureCorrection {
   /// are 0.75 to 2.2 spacings. Only points that a half-space reaches are adjusted. The result does not depend
   /// on the number of threads.
   QuadratureCorrection(const HalfSpaceOverlap& body, const std::vector<SharpEdge>& sharp_edges,
-                       const std::vector<BalancePoint>& points, double spacing, int threads);
+                       const std::vector<CorrectionPoint>& points, double spacing, int threads);
 
-  enum class Freedom { kPlaceAndArea, kArea };
+  enum class Variables { kPositionAndArea, kArea };
   /// Kaczmarz method (1937): the half-spaces are processed one by one, each with the smallest change that
   /// corrects it, with decreasing relaxation, so that contradictions average out. Positions move in the
-  /// tangent plane, within their `reach`; areas stay between kMinArea and kMaxArea times the initial ones.
-  /// `points`: those given to the constructor, within `reach` of their initial positions.
-  void adjust(std::vector<BalancePoint>& points, Freedom freedom) const;
+  /// tangent plane, within their `max_shift`; areas stay between kMinArea and kMaxArea times the initial
+  /// ones. `points`: those given to the constructor, within `max_shift` of their initial positions.
+  void adjust(std::vector<CorrectionPoint>& points, Variables variables) const;
 
   /// True if point i is in one of the half-spaces; other points are not changed.
-  bool presses(std::size_t i) const { return pressed_[i]; }
+  bool isPressed(std::size_t i) const { return pressed_[i]; }
 
-  static constexpr double kReach = 0.25;  ///< spacings
+  static constexpr double kMaxShift = 0.25;  ///< spacings
   static constexpr float kMinArea = 0.4f;
   static constexpr float kMaxArea = 2.0f;
 
  private:
-  struct Press {
+  struct HalfSpaceSample {
     Vector3d direction;
     double level;
     Vector3d force;  ///< exact force for stiffness 1
@@ -56,10 +56,10 @@ class QuadratureCorrection {
   };
 
   double spacing_;
-  std::vector<Press> presses_;         ///< in processing order
-  std::vector<std::uint32_t> order_;   ///< position -> point, in Morton order
-  std::vector<std::uint32_t> points_;  ///< positions of the points of all presses
-  std::vector<bool> pressed_;          ///< for each point
+  std::vector<HalfSpaceSample> half_spaces_;  ///< in processing order
+  std::vector<std::uint32_t> order_;          ///< position -> point, in Morton order
+  std::vector<std::uint32_t> points_;         ///< positions of the points of all presses
+  std::vector<bool> pressed_;                 ///< for each point
 };
 
 }  // namespace abstand::shell

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "core/shell/pointshell_samples.hpp"
+#include "core/shell/farthest_point_sampler.hpp"
 #include "core/shell/sub_triangles.hpp"
 
 namespace abstand::shell {
@@ -19,12 +19,12 @@ class ShellSampler {
   ShellSampler(const SubTriangles& pool, const std::vector<float>& density, double normal_length,
                double cell);
 
-  /// Selects centres from the centroids of the sub-triangles until each is within `reach` (m) of one, by
-  /// FarthestPointSampler::spread().
-  void spread(double reach);
+  /// Selects centres from the centroids of the sub-triangles until each is within `radius` (m) of one, by
+  /// FarthestPointSampler::selectCentres().
+  void selectCentres(double radius);
   /// Replaces positions and normals of the centres, drops centres that are nearest to no sub-triangle, and
-  /// adds centres until each sub-triangle is within `reach` (m) of one.
-  void fill(std::vector<Vector3f> points, std::vector<Vector3f> normals, double reach);
+  /// adds centres until each sub-triangle is within `radius` (m) of one.
+  void fillHoles(std::vector<Vector3f> points, std::vector<Vector3f> normals, double radius);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(points_.size()); }
   /// Order of the centres in which the first m, for any m, cover the surface about evenly: the order of
@@ -34,21 +34,21 @@ class ShellSampler {
   /// Nearest centre of each sub-triangle.
   const std::vector<std::uint32_t>& nearest() const { return nearest_; }
   /// Moves nearest() out; call last.
-  std::vector<std::uint32_t> takeNearest() { return std::move(nearest_); }
+  std::vector<std::uint32_t> releaseNearest() { return std::move(nearest_); }
 
  private:
   struct Box {
     Vector3f lower, upper;
     void enclose(const Vector3f& p) { lower = lower.cwiseMin(p), upper = upper.cwiseMax(p); }
-    bool isWithin(float reach, const Box& other) const {
-      return ((lower.array() - reach) <= other.upper.array()).all() &&
-             ((upper.array() + reach) >= other.lower.array()).all();
+    bool isWithin(float radius, const Box& other) const {
+      return ((lower.array() - radius) <= other.upper.array()).all() &&
+             ((upper.array() + radius) >= other.lower.array()).all();
     }
   };
-  struct Stretch {
+  struct Chunk {
     std::uint32_t first, end;
-    std::uint32_t known;  ///< number of batches already offered to its samples
-    Box box;              ///< of the centroids
+    std::uint32_t offered_batches;  ///< number of batches already offered to its samples
+    Box box;                        ///< of the centroids
   };
   /// Range of centres found in one pass.
   struct Batch {
@@ -57,31 +57,31 @@ class ShellSampler {
   };
   static Box emptyBox();
   template <class Fn>
-  void inTurn(Fn fn);
+  void forEachChunk(Fn fn);
   /// Loads the samples of a chunk into the sampler.
-  void take(Stretch& stretch);
-  bool isNear(std::uint32_t centre, const Stretch& stretch, double reach) const;
+  void loadSamples(Chunk& chunk);
+  bool isNear(std::uint32_t centre, const Chunk& chunk, double radius) const;
   /// Offers the centres of a batch to the loaded chunk.
-  void offer(const Stretch& stretch, const Batch& batch, double reach);
+  void offer(const Chunk& chunk, const Batch& batch, double radius);
   /// Stores the results of the sampler for the chunk.
-  void keep(Stretch& stretch, bool filling);
+  void storeResults(Chunk& chunk, bool filling);
   /// Offers every chunk the centres found after it was processed.
-  void catchUp(double reach);
-  std::span<std::uint32_t> nearestOf(const Stretch& s) { return {&nearest_[s.first], s.end - s.first}; }
+  void offerLaterCentres(double radius);
+  std::span<std::uint32_t> nearestOf(const Chunk& s) { return {&nearest_[s.first], s.end - s.first}; }
 
   const SubTriangles& pool_;
   const std::vector<float>& density_;
   double normal_length_, cell_;
-  std::vector<Stretch> stretches_;
+  std::vector<Chunk> chunks_;
   std::vector<Batch> batches_;
   std::vector<Vector3f> points_, normals_;  ///< of the centres
   std::vector<float> found_at2_;  ///< squared distance to the other centres when found; or the mark of a hole
                                   ///< filler
   std::vector<bool> used_;        ///< for each centre
   std::vector<std::uint32_t> nearest_;
-  const Stretch* taken_{nullptr};
+  const Chunk* loaded_{nullptr};
   std::vector<Sample> samples_;
-  FarthestPointSampler cover_;
+  FarthestPointSampler sampler_;
 };
 
 }  // namespace abstand::shell

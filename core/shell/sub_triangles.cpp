@@ -11,7 +11,7 @@ namespace {
 
 /// In multiples of the largest allowed edge: parts larger than this are not yet tested for nearby tips and
 /// sharp edges. Two stages, as most of a surface is far from all of them.
-constexpr double kAskFirst = 8.0, kAskAgain = 2.0;
+constexpr double kFirstNearTest = 8.0, kSecondNearTest = 2.0;
 
 /// With more sub-triangles (estimated), triangles are processed in spatial order.
 constexpr double kManyPieces = 2e5;
@@ -86,7 +86,7 @@ struct SubTriangles::Part {
   double length2[3];  ///< squared lengths of its edges
   double area;
   std::uint32_t frame;
-  int asked;  ///< stages of tests done; 2: all
+  int near_tests;  ///< stages of tests done; 2: all
   PitchField::Near near;
 };
 
@@ -107,9 +107,9 @@ SubTriangles::SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, 
                      " million are allowed");
   }
   // Reserved but unused memory is not committed. A fine pitch needs more.
-  const auto room = static_cast<std::size_t>(field.plain() ? pieces : 2.0 * pieces);
-  pieces_.reserve(room);
-  if (!field.plain()) pitch_.reserve(room);
+  const auto capacity = static_cast<std::size_t>(field.isUniform() ? pieces : 2.0 * pieces);
+  pieces_.reserve(capacity);
+  if (!field.isUniform()) pitch_.reserve(capacity);
   std::vector<std::uint32_t> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0u);
   if (pieces > kManyPieces) {
@@ -121,7 +121,7 @@ SubTriangles::SubTriangles(const geometry::TriangleMesh& mesh, double max_edge, 
   }
   std::vector<Part> stack;
   for (const std::uint32_t t : order) {
-    if (!normals_[t].isZero()) cut(t, max_area, field, stack);
+    if (!normals_[t].isZero()) subdivide(t, max_area, field, stack);
   }
 }
 
@@ -131,7 +131,8 @@ SubTriangles::Frame SubTriangles::frameOf(std::uint32_t t, std::uint32_t frame) 
   return {a, mesh_.corner(t, 1) - a, mesh_.corner(t, 2) - a};
 }
 
-void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field, std::vector<Part>& stack) {
+void SubTriangles::subdivide(std::uint32_t t, double max_area, const PitchField& field,
+                             std::vector<Part>& stack) {
   const double max_edge2 = max_edge_ * max_edge_;
   const SubTriangle whole{{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, t, 0u};
   constexpr std::uint16_t kOne = kWhole;
@@ -139,7 +140,7 @@ void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field
             {},
             whole.area(),
             kTriangle,
-            field.plain() ? 2 : 0,
+            field.isUniform() ? 2 : 0,
             {}};
   measure(whole.corner, root.length2);
   stack.push_back(root);
@@ -159,9 +160,10 @@ void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field
     view.piece_ = &piece;
     const int e = longest(part.length2);
     const double length = std::sqrt(part.length2[e]);
-    if (part.asked < 2 && length <= (part.asked == 0 ? kAskFirst : kAskAgain) * max_edge_) {
+    if (part.near_tests < 2 &&
+        length <= (part.near_tests == 0 ? kFirstNearTest : kSecondNearTest) * max_edge_) {
       part.near = field.near(view.centroid(), 2.0 / 3.0 * length);
-      part.asked = part.near.none() || length <= kAskAgain * max_edge_ ? 2 : 1;
+      part.near_tests = part.near.none() || length <= kSecondNearTest * max_edge_ ? 2 : 1;
     }
     double pitch = 1.0;
     bool halved = part.area > max_area || part.length2[e] > max_edge2 ||
@@ -174,7 +176,7 @@ void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field
       if (new_run) runs_.push_back({size(), t, frame});
       new_run = false;
       pieces_.push_back(piece);
-      if (!field.plain()) pitch_.push_back(static_cast<float>(pitch));
+      if (!field.isUniform()) pitch_.push_back(static_cast<float>(pitch));
       continue;
     }
     const int f = (e + 1) % 3, g = (e + 2) % 3;
@@ -209,7 +211,7 @@ void SubTriangles::cut(std::uint32_t t, double max_area, const PitchField& field
 
 SubTriangle SubTriangles::piece(std::uint32_t index) const {
   SubTriangle piece;
-  walk(index, index + 1, [&](std::uint32_t, const View& view) { piece = view.whole(); });
+  forEach(index, index + 1, [&](std::uint32_t, const View& view) { piece = view.whole(); });
   return piece;
 }
 

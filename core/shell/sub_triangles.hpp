@@ -38,23 +38,23 @@ class SubTriangles {
   /// Those of one triangle are consecutive; if there are many, triangles are in spatial order, so that a
   /// range of sub-triangles is a compact part of the surface.
   template <class Visit>
-  void walk(std::uint32_t first, std::uint32_t end, Visit visit) const;
+  void forEach(std::uint32_t first, std::uint32_t end, Visit visit) const;
   /// Visits all sub-triangles.
   template <class Visit>
-  void walk(Visit visit) const {
-    walk(0, size(), visit);
+  void forEach(Visit visit) const {
+    forEach(0, size(), visit);
   }
 
   SubTriangle piece(std::uint32_t index) const;
   /// Pitch of the shell points at a sub-triangle, as a multiple of the spacing.
   float pitch(std::uint32_t index) const { return pitch_.empty() ? 1.0f : pitch_[index]; }
   /// True if the pitch is 1 everywhere.
-  bool plain() const { return pitch_.empty(); }
+  bool isUniform() const { return pitch_.empty(); }
   /// Outward unit normal of a triangle of the mesh; zero for a triangle without area.
   const Vector3d& normal(std::uint32_t triangle) const { return normals_[triangle]; }
   /// Upper bound (m) on the distance of a point of a sub-triangle from its centroid: two thirds of the
   /// longest edge.
-  double reach() const { return 2.0 / 3.0 * max_edge_; }
+  double centroidRadius() const { return 2.0 / 3.0 * max_edge_; }
   /// Mesh triangles without area: part of the surface, but without sub-triangles.
   std::vector<SubTriangle> degenerate() const;
 
@@ -82,7 +82,7 @@ class SubTriangles {
   static constexpr std::uint32_t kTriangle = 0xffffffffu;
   struct Part;
   Frame frameOf(std::uint32_t triangle, std::uint32_t frame) const;
-  void cut(std::uint32_t triangle, double max_area, const PitchField& field, std::vector<Part>& stack);
+  void subdivide(std::uint32_t triangle, double max_area, const PitchField& field, std::vector<Part>& stack);
 
   const geometry::TriangleMesh& mesh_;
   double max_edge_;
@@ -109,7 +109,7 @@ class SubTriangles::View {
   }
   /// Mean of |x - centroid|^2 over the sub-triangle (m^2): 1/12 of the sum over the corners, which is 1/3 of
   /// the sum over the edges.
-  double spread() const {
+  double variance() const {
     std::int64_t b2 = 0, bc = 0, c2 = 0;
     for (int i = 0; i < 3; ++i) {
       const int j = i == 2 ? 0 : i + 1;
@@ -133,7 +133,7 @@ class SubTriangles::View {
 };
 
 template <class Visit>
-void SubTriangles::walk(std::uint32_t first, std::uint32_t end, Visit visit) const {
+void SubTriangles::forEach(std::uint32_t first, std::uint32_t end, Visit visit) const {
   View view;
   auto run = std::upper_bound(runs_.begin(), runs_.end(), first,
                               [](std::uint32_t i, const Run& r) { return i < r.first; });

@@ -15,12 +15,12 @@ constexpr std::size_t kPointsABlock = 256;  // for each call of the parallel loo
 
 /// Distance from p along the unit vector n to the first triangle crossed from inside to outside, or infinity
 /// beyond `reach`. Triangles crossed inwards are ignored: the wall begins at p.
-double wayOut(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree, const Vector3d& p,
-              const Vector3d& n, double reach) {
+double exitDistance(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& tree, const Vector3d& p,
+                    const Vector3d& n, double reach) {
   geometry::Bounds box;
   box.add(p);
   box.add(p + reach * n);
-  double least = kInfinity;
+  double smallest = kInfinity;
   tree.forOverlapping(box, [&](std::uint32_t slot) {
     const double across = tree.normal(slot).dot(n);
     // Nearly parallel to the ray: a side face of the wall.
@@ -28,12 +28,12 @@ double wayOut(const geometry::TriangleMesh& mesh, const geometry::TriangleTree& 
     if (across <= kAlong) return;
     const std::uint32_t t = tree.triangle(slot);
     const Vector3d a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
-    const double way = a.dot(tree.normal(slot)) / across;
-    if (way < 0.0 || way >= least || way >= reach) return;
+    const double distance = a.dot(tree.normal(slot)) / across;
+    if (distance < 0.0 || distance >= smallest || distance >= reach) return;
     // The ray crosses the triangle if it passes all edges on the same side (signed volumes).
-    if (n.dot(a.cross(b)) >= 0.0 && n.dot(b.cross(c)) >= 0.0 && n.dot(c.cross(a)) >= 0.0) least = way;
+    if (n.dot(a.cross(b)) >= 0.0 && n.dot(b.cross(c)) >= 0.0 && n.dot(c.cross(a)) >= 0.0) smallest = distance;
   });
-  return least;
+  return smallest;
 }
 
 /// Smallest `value` over the shell points and its point; the first of equal ones.
@@ -41,7 +41,7 @@ struct Extreme {
   double value;
   std::size_t point;
 };
-Extreme leastOf(const std::vector<double>& values) {
+Extreme smallestOf(const std::vector<double>& values) {
   Extreme e{kInfinity, 0};
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] < e.value) e = {values[i], i};
@@ -65,7 +65,7 @@ BuildReport::ThinWalls thinWalls(const structure::HapticStructure& s, const geom
   walls.below = kThinVoxels * s.options.voxel_size;
   const geometry::TriangleTree tree(mesh);
   const std::vector<double> ways = ofPoints(s.shell, [&](std::size_t i) {
-    return wayOut(mesh, tree, s.shell.point(i), s.shell.normal(i).normalized(), walls.below);
+    return exitDistance(mesh, tree, s.shell.point(i), s.shell.normal(i).normalized(), walls.below);
   });
   double thin = 0.0, all = 0.0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -73,7 +73,7 @@ BuildReport::ThinWalls thinWalls(const structure::HapticStructure& s, const geom
     if (ways[i] < walls.below) thin += s.shell.area[i];
   }
   walls.share = all > 0.0 ? thin / all : 0.0;
-  const Extreme thinnest = leastOf(ways);
+  const Extreme thinnest = smallestOf(ways);
   if (thinnest.value < walls.below) {
     walls.thinnest = thinnest.value;
     walls.where = s.shell.point(thinnest.point);
@@ -88,7 +88,7 @@ std::optional<BuildReport::Hull> hullOf(const structure::HapticStructure& s,
   BuildReport::Hull result;
   if (s.mass_properties.volume > 0.0) result.volume_ratio = hull->volume / s.mass_properties.volume;
   const Extreme deepest =
-      leastOf(ofPoints(s.shell, [&](std::size_t i) { return -hull->depth(s.shell.point(i)); }));
+      smallestOf(ofPoints(s.shell, [&](std::size_t i) { return -hull->depth(s.shell.point(i)); }));
   result.worst = std::max(0.0, -deepest.value);
   result.where = s.shell.point(deepest.point);
   return result;

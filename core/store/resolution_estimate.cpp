@@ -117,8 +117,8 @@ double timeQueries(const structure::HapticStructure& s, double gap) {
     Transform X = Transform::Identity();
     X.translation() = (1.0 + kApart) * box.extent()[axis] * Vector3d::Unit(axis);
     query::queryPair({s, Transform::Identity()}, {s, X}, {}, scratch, result);
-    const Vector3d way = (result.witness_a - result.witness_b).normalized();
-    X.translation() += (result.distance - gap) * way;
+    const Vector3d direction = (result.witness_a - result.witness_b).normalized();
+    X.translation() += (result.distance - gap) * direction;
     // Timed one by one: other load on the machine disturbs a few of them, but not the median.
     std::vector<double> one;
     for (double all = 0.0; all < kTimed || one.size() < kMinTimed; all += one.back()) {

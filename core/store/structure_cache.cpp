@@ -50,12 +50,12 @@ constexpr std::size_t kLargeMesh = 1000;
 
 /// The writer's archive() takes non-const fields but does not change them.
 template <class T>
-void put(ArchiveWriter& writer, const T& value) {
+void writeField(ArchiveWriter& writer, const T& value) {
   writer(const_cast<T&>(value));
 }
 
 template <class T>
-void take(std::istream& in, std::uintmax_t size, const ContentKey& key, T& value) {
+void readArchive(std::istream& in, std::uintmax_t size, const ContentKey& key, T& value) {
   ArchiveReader reader(in, size);
   Header header;
   reader(header);
@@ -77,7 +77,7 @@ void add(ContentHash& hash, const geometry::TriangleMesh& mesh) {
   hash.add(mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
 }
 
-struct KeptFile {
+struct CachedFile {
   fs::path path;
   fs::file_time_type used;
   std::uintmax_t bytes;
@@ -138,7 +138,7 @@ bool StructureCache::read(const fs::path& path, const ContentKey& key, T& value)
   std::ifstream in(path, std::ios::binary);
   if (!in) return false;  // removed in the meantime
   try {
-    take(in, size, key, value);
+    readArchive(in, size, key, value);
   } catch (const ArchiveError& e) {
     warn(path.string() + " " + e.what() + "; it is made anew");
     return false;
@@ -152,15 +152,15 @@ void StructureCache::write(const fs::path& path, const ContentKey& key, const T&
   try {
     if (fs::create_directories(folder_)) fs::permissions(folder_, fs::perms::owner_all);
     ArchiveWriter counter(nullptr);
-    put(counter, value);
+    writeField(counter, value);
     OutputFile out(path);
     ArchiveWriter writer(&out.stream());
-    put(writer, headerOf(key, counter.size()));
-    put(writer, value);
+    writeField(writer, headerOf(key, counter.size()));
+    writeField(writer, value);
     ContentKey checksum = writer.checksum();
     writer(checksum.low, checksum.high);
     out.commit();
-    makeRoom();
+    removeOldFiles();
   } catch (const UsageError& e) {
     warn(std::string("the cache does not keep ") + e.what());
   } catch (const WriteError& e) {
@@ -185,34 +185,35 @@ std::shared_ptr<const geometry::Surface> StructureCache::findSurface(const Conte
   return on() && read(surfaceFile(key), key, *surface) ? surface : nullptr;
 }
 
-void StructureCache::keep(const ContentKey& key, const structure::HapticStructure& structure) {
+void StructureCache::store(const ContentKey& key, const structure::HapticStructure& structure) {
   if (on()) write(structureFile(key), key, structure);
 }
 
-void StructureCache::keep(const ContentKey& key, const geometry::MeshSurface& surface) {
+void StructureCache::store(const ContentKey& key, const geometry::MeshSurface& surface) {
   if (on()) write(surfaceFile(key), key, surface);
 }
 
-void StructureCache::makeRoom() {
-  std::vector<KeptFile> files;
+void StructureCache::removeOldFiles() {
+  std::vector<CachedFile> files;
   std::uintmax_t bytes = 0;
   std::error_code ec;
   const auto now = fs::file_time_type::clock::now();
   // Other processes may remove files in the meantime.
   for (fs::directory_iterator it(folder_, ec), end; !ec && it != end; it.increment(ec)) {
-    std::error_code gone;
-    const KeptFile file{it->path(), it->last_write_time(gone), it->file_size(gone)};
-    if (gone) continue;
+    std::error_code missing;
+    const CachedFile file{it->path(), it->last_write_time(missing), it->file_size(missing)};
+    if (missing) continue;
     const std::string name = file.path.filename().string();
     if (name.ends_with(kStructureEnding) || name.ends_with(kSurfaceEnding)) {
       files.push_back(file);
       bytes += file.bytes;
     } else if (name.find(".part") != std::string::npos && now - file.used > kLeftOver) {
-      fs::remove(file.path, gone);
+      fs::remove(file.path, missing);
     }
   }
   if (bytes <= max_bytes_) return;
-  std::sort(files.begin(), files.end(), [](const KeptFile& l, const KeptFile& r) { return l.used < r.used; });
+  std::sort(files.begin(), files.end(),
+            [](const CachedFile& l, const CachedFile& r) { return l.used < r.used; });
   for (std::size_t i = 0; i < files.size() && bytes > max_bytes_; ++i) {
     fs::remove(files[i].path, ec);
     bytes -= files[i].bytes;
@@ -234,7 +235,7 @@ std::shared_ptr<const geometry::Surface> makeSurface(StructureCache& cache, geom
   const ContentKey key = surfaceKey(mesh);
   if (auto found = cache.findSurface(key)) return found;
   auto made = std::make_shared<geometry::MeshSurface>(std::move(mesh));
-  cache.keep(key, *made);
+  cache.store(key, *made);
   return made;
 }
 
@@ -255,7 +256,7 @@ MadeStructure makeHapticStructure(StructureCache& cache, std::string name,
   if (!made.cached) {
     made.structure =
         structure::buildHapticStructure(std::move(name), std::move(surface), options, threads, monitor);
-    cache.keep(key, *made.structure);
+    cache.store(key, *made.structure);
   } else if (monitor.progress) {
     monitor.progress(1.0, "cache");
   }

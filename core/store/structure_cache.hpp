@@ -46,9 +46,9 @@ class StructureCache {
   /// Null if it is absent or unusable. `surface` is the one of the key.
   std::shared_ptr<const structure::HapticStructure> findStructure(
       const ContentKey& key, std::string name, std::shared_ptr<const geometry::Surface> surface);
-  void keep(const ContentKey& key, const structure::HapticStructure& structure);
+  void store(const ContentKey& key, const structure::HapticStructure& structure);
   std::shared_ptr<const geometry::Surface> findSurface(const ContentKey& key);
-  void keep(const ContentKey& key, const geometry::MeshSurface& surface);
+  void store(const ContentKey& key, const geometry::MeshSurface& surface);
 
   /// Problems since the last call, one line each.
   std::vector<std::string> takeWarnings();
@@ -59,7 +59,7 @@ class StructureCache {
   template <class T>
   void write(const std::filesystem::path& file, const ContentKey& key, const T& value);
   void warn(std::string text);
-  void makeRoom();
+  void removeOldFiles();
 
   std::filesystem::path folder_;
   std::uintmax_t max_bytes_;

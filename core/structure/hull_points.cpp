@@ -46,14 +46,14 @@ HullPoints::HullPoints(const std::vector<Vector3d>& corners, const Vector3d& cen
   pad(x_), pad(y_), pad(z_), pad(hints_);
 }
 
-float HullPoints::reachAboutCentre(const Vector3f& g) const {
+float HullPoints::supportAboutCentre(const Vector3f& g) const {
   const float farthest =
       kernels::searchKernels().support({x_.data(), y_.data(), z_.data(), x_.size()}, g.x(), g.y(), g.z());
   return farthest + kHullRounding * g.lpNorm<1>() * radius_;
 }
 
-double HullPoints::reach(const Vector3d& g) const {
-  return g.dot(centre_) + static_cast<double>(reachAboutCentre(g.cast<float>()));
+double HullPoints::support(const Vector3d& g) const {
+  return g.dot(centre_) + static_cast<double>(supportAboutCentre(g.cast<float>()));
 }
 
 ExtremePoint HullPoints::extreme(const Vector3d& g) const {

@@ -25,9 +25,9 @@ class HullPoints {
 
   const Vector3d& centre() const { return centre_; }
   /// Upper bound of max g . p, exceeding it only by rounding in float; g of any length except 0.
-  double reach(const Vector3d& g) const;
+  double support(const Vector3d& g) const;
   /// The same relative to the centre.
-  float reachAboutCentre(const Vector3f& g) const;
+  float supportAboutCentre(const Vector3f& g) const;
   /// The point with the largest g . p, up to rounding in float.
   ExtremePoint extreme(const Vector3d& g) const;
   /// Both at once; the result may exceed the maximum by twice the rounding.

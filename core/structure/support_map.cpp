@@ -70,7 +70,7 @@ SupportMap::SupportMap(const geometry::Surface& surface, const geometry::Triangl
     const int face = static_cast<int>(row) / kCorners, j = static_cast<int>(row) % kCorners;
     for (int i = 0; i < kCorners; ++i) {
       const Vector3f g = corner(face, along(i), along(j));
-      values_[row * kCorners + static_cast<std::size_t>(i)] = hull_.reachAboutCentre(g);
+      values_[row * kCorners + static_cast<std::size_t>(i)] = hull_.supportAboutCentre(g);
     }
   });
 }
@@ -81,7 +81,7 @@ void SupportMap::setShape(const geometry::Surface& surface) {
 
 double SupportMap::closeUpper(const Vector3d& g) const {
   if (shape_) return std::visit(ShapeSupport{g}, *shape_);
-  return hull_.reach(g);
+  return hull_.support(g);
 }
 
 ExtremePoint SupportMap::extreme(const Vector3d& g) const {

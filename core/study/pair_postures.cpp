@@ -93,10 +93,10 @@ void StudyPosture::addPointGradient(const StudyBody& body, const Vector3d& p_W, 
 }
 
 bool StudyPosture::addGradient(int a, int b, std::span<double> gradient) const {
-  const Vector3d way = result_.witness_b - result_.witness_a;
-  const double length = way.norm();
+  const Vector3d a_to_b = result_.witness_b - result_.witness_a;
+  const double length = a_to_b.norm();
   if (!(length > 1e-12)) return false;
-  const Vector3d n = (result_.distance < 0.0 ? -1.0 : 1.0) / length * way;
+  const Vector3d n = (result_.distance < 0.0 ? -1.0 : 1.0) / length * a_to_b;
   addPointGradient(model_.body(b), result_.witness_b, n, gradient);
   addPointGradient(model_.body(a), result_.witness_a, -n, gradient);
   return true;

@@ -120,7 +120,7 @@ class PairStudy {
         w.pair.samples += static_cast<long>(std::min(kBlock, count - b * kBlock));
         w.pair.hits += block[i].hits;
         w.overlaps += block[i].overlaps;
-        if (!block[i].nearest.q.empty()) keep(std::move(block[i].nearest), w);
+        if (!block[i].nearest.q.empty()) insertNearest(std::move(block[i].nearest), w);
       }
     }
   }
@@ -139,7 +139,7 @@ class PairStudy {
         BlockPair& best = found[i];
         // Farther than the nearest so far and no collision: skips the query.
         const double gap = posture.gap(pair.a, pair.b);
-        if (gap > options_.clearance && gap > std::min(best.nearest.distance, worstKept(work_[open[i]])))
+        if (gap > options_.clearance && gap > std::min(best.nearest.distance, worstStored(work_[open[i]])))
           continue;
         const query::PairResult& r = posture.query(pair.a, pair.b);
         if (r.distance - r.bound <= options_.clearance) ++best.hits;
@@ -151,23 +151,23 @@ class PairStudy {
   }
 
   /// Distances not below this are not kept.
-  double worstKept(const Work& w) const {
+  double worstStored(const Work& w) const {
     const bool full = w.nearest.size() >= static_cast<std::size_t>(std::max(options_.searches, 1));
     return full ? w.nearest.back().distance : kInfinity;
   }
 
-  void keep(Near near, Work& w) const {
+  void insertNearest(Near near, Work& w) const {
     if (near.distance < w.pair.distance) {
       w.pair.distance = near.distance;
       w.pair.bound = near.bound;
       w.pair.posture = near.q;
     }
-    const std::size_t most = static_cast<std::size_t>(std::max(options_.searches, 1));
+    const std::size_t max_count = static_cast<std::size_t>(std::max(options_.searches, 1));
     const auto at = std::upper_bound(w.nearest.begin(), w.nearest.end(), near.distance,
                                      [](double d, const Near& n) { return d < n.distance; });
-    if (at == w.nearest.end() && w.nearest.size() >= most) return;
+    if (at == w.nearest.end() && w.nearest.size() >= max_count) return;
     w.nearest.insert(at, std::move(near));
-    if (w.nearest.size() > most) w.nearest.pop_back();
+    if (w.nearest.size() > max_count) w.nearest.pop_back();
   }
 
   /// Searches counter-examples for the pairs without a collision.
@@ -202,7 +202,8 @@ class PairStudy {
   bool isHit(const Near& n) const { return n.distance - n.bound <= options_.clearance; }
 
   /// Replaces `best` by the posture `q` if the pair is nearer in it.
-  bool take(const StudiedPair& pair, std::vector<double> q, StudyPosture& posture, Near& best) const {
+  bool acceptIfNearer(const StudiedPair& pair, std::vector<double> q, StudyPosture& posture,
+                      Near& best) const {
     posture.set(q);
     const query::PairResult& r = posture.query(pair.a, pair.b);
     if (!(r.distance < best.distance - kGain)) return false;
@@ -231,7 +232,7 @@ class PairStudy {
           if (moved == value) continue;
           value = moved;
           ++queries;
-          if (take(pair, std::move(q), posture, best)) {
+          if (acceptIfNearer(pair, std::move(q), posture, best)) {
             nearer = true;
             break;
           }
@@ -269,7 +270,7 @@ class PairStudy {
           q[i] = clamped(dof, q[i] - step / steepest * gradient[i]);
         }
         ++queries;
-        nearer = take(pair, std::move(q), posture, best);
+        nearer = acceptIfNearer(pair, std::move(q), posture, best);
       }
       if (nearer) step *= 4.0;  // undoes the last halving of the loop
     }

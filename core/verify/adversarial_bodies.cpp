@@ -73,8 +73,8 @@ Feature AdversarialBody::face(std::size_t triangle, double u, double v) const {
 Feature AdversarialBody::edge(std::size_t triangle, int corner, double part) const {
   const auto& t = mesh.triangles[triangle];
   const std::uint32_t i = t[corner], j = t[(corner + 1) % 3];
-  const Vector3d way = mesh.vertices[j] - mesh.vertices[i], out = meanNormal(mesh, triangle, {i, j});
-  return {mesh.vertices[i] + part * way, out, across(out, way)};
+  const Vector3d edge = mesh.vertices[j] - mesh.vertices[i], out = meanNormal(mesh, triangle, {i, j});
+  return {mesh.vertices[i] + part * edge, out, across(out, edge)};
 }
 
 Feature AdversarialBody::corner(std::size_t triangle, int corner) const {

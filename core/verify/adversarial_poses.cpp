@@ -113,9 +113,9 @@ Transform relativePose(const AdversarialBody& a, const AdversarialBody& b, PoseF
       return X;
     case PoseFamily::kFar: {
       X.linear() = random.chance(0.5) ? rightAngles(random) : random.rotation();
-      const double way = a.radius + b.radius + std::pow(10.0, random.between(-0.5, 3.0));
+      const double distance = a.radius + b.radius + std::pow(10.0, random.between(-0.5, 3.0));
       X.translation() =
-          way * (random.chance(0.5) ? Vector3d(rightAngles(random).col(0)) : random.direction());
+          distance * (random.chance(0.5) ? Vector3d(rightAngles(random).col(0)) : random.direction());
       return X;
     }
   }

@@ -29,11 +29,11 @@ BoundJudge::BoundJudge(const AdversarialBody& a, const Transform& X_WA, const Ad
 BoundAnswer BoundJudge::operator()(const query::PairResult& r) const {
   BoundAnswer answer;
   // The negated form treats NaN as a breach.
-  answer.breach = !(r.distance - r.bound <= exact_.most + rounding_);
-  answer.used = r.bound > 0.0 ? (r.distance - exact_.most) / r.bound : (answer.breach ? kInfinity : 0.0);
-  answer.below = std::max(0.0, exact_.least - r.distance - rounding_) / size_;
-  if (std::isfinite(exact_.least))
-    answer.error = std::max({0.0, r.distance - exact_.most, exact_.least - r.distance}) / voxel_;
+  answer.breach = !(r.distance - r.bound <= exact_.upper + rounding_);
+  answer.used = r.bound > 0.0 ? (r.distance - exact_.upper) / r.bound : (answer.breach ? kInfinity : 0.0);
+  answer.below = std::max(0.0, exact_.lower - r.distance - rounding_) / size_;
+  if (std::isfinite(exact_.lower))
+    answer.error = std::max({0.0, r.distance - exact_.upper, exact_.lower - r.distance}) / voxel_;
   return answer;
 }
 

@@ -50,39 +50,39 @@ double distancePointSegment(const Vector3d& p, const Vector3d& a, const Vector3d
 
 double distanceSegments(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
   // The nearest points are an end of one segment, or interior to both on their common normal.
-  double least = std::min({distancePointSegment(a, c, d), distancePointSegment(b, c, d),
-                           distancePointSegment(c, a, b), distancePointSegment(d, a, b)});
+  double smallest = std::min({distancePointSegment(a, c, d), distancePointSegment(b, c, d),
+                              distancePointSegment(c, a, b), distancePointSegment(d, a, b)});
   const Vector3d u = b - a, v = d - c, w = c - a, n = u.cross(v);
   const double n2 = n.squaredNorm();
   if (n2 > kParallel * u.squaredNorm() * v.squaredNorm()) {
     const double s = w.cross(v).dot(n) / n2, t = w.cross(u).dot(n) / n2;
-    if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) least = std::min(least, (w + t * v - s * u).norm());
+    if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) smallest = std::min(smallest, (w + t * v - s * u).norm());
   }
-  return least;
+  return smallest;
 }
 
 double distancePointTriangle(const Vector3d& p, const Triangle& t) {
-  double least = std::min({distancePointSegment(p, t[0], t[1]), distancePointSegment(p, t[1], t[2]),
-                           distancePointSegment(p, t[2], t[0])});
+  double smallest = std::min({distancePointSegment(p, t[0], t[1]), distancePointSegment(p, t[1], t[2]),
+                              distancePointSegment(p, t[2], t[0])});
   const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
   const double n2 = n.squaredNorm();
   if (n2 > 0.0) {
     const Vector3d foot = p - n * (n.dot(p - t[0]) / n2);
     const auto left = [&](int i) { return n.dot((t[(i + 1) % 3] - t[i]).cross(foot - t[i])) >= 0.0; };
-    if (left(0) && left(1) && left(2)) least = std::min(least, (p - foot).norm());
+    if (left(0) && left(1) && left(2)) smallest = std::min(smallest, (p - foot).norm());
   }
-  return least;
+  return smallest;
 }
 
 double distanceTriangles(const Triangle& s, const Triangle& t) {
-  double least = kInfinity;
+  double smallest = kInfinity;
   for (int i = 0; i < 3; ++i) {
     const Vector3d &a = s[i], &b = s[(i + 1) % 3], &c = t[i], &d = t[(i + 1) % 3];
     if (cuts(a, b, t) || cuts(c, d, s)) return 0.0;
-    least = std::min({least, distancePointTriangle(a, t), distancePointTriangle(c, s)});
-    for (int j = 0; j < 3; ++j) least = std::min(least, distanceSegments(a, b, t[j], t[(j + 1) % 3]));
+    smallest = std::min({smallest, distancePointTriangle(a, t), distancePointTriangle(c, s)});
+    for (int j = 0; j < 3; ++j) smallest = std::min(smallest, distanceSegments(a, b, t[j], t[(j + 1) % 3]));
   }
-  return least;
+  return smallest;
 }
 
 TriangleSoup::TriangleSoup(const geometry::TriangleMesh& mesh) {
@@ -127,26 +127,26 @@ TriangleSoup TriangleSoup::moved(const Transform& X) const {
 }
 
 double TriangleSoup::distanceTo(const Vector3d& p) const {
-  double least = kInfinity;
+  double smallest = kInfinity;
   for (std::size_t i = 0; i < size(); ++i) {
-    const double reach = least + balls_[i].radius;
+    const double reach = smallest + balls_[i].radius;
     if ((balls_[i].centre - p).squaredNorm() <= reach * reach)
-      least = std::min(least, distancePointTriangle(p, triangles_[i]));
+      smallest = std::min(smallest, distancePointTriangle(p, triangles_[i]));
   }
-  return least;
+  return smallest;
 }
 
 double TriangleSoup::distanceTo(const TriangleSoup& other) const {
-  double least = kInfinity;
+  double smallest = kInfinity;
   for (std::size_t i = 0; i < size(); ++i) {
     for (std::size_t j = 0; j < other.size(); ++j) {
-      const double reach = (least + balls_[i].radius + other.balls_[j].radius) * kLarger;
+      const double reach = (smallest + balls_[i].radius + other.balls_[j].radius) * kLarger;
       if ((balls_[i].centre - other.balls_[j].centre).squaredNorm() > reach * reach) continue;
-      least = std::min(least, distanceTriangles(triangles_[i], other.triangles_[j]));
-      if (least == 0.0) return 0.0;
+      smallest = std::min(smallest, distanceTriangles(triangles_[i], other.triangles_[j]));
+      if (smallest == 0.0) return 0.0;
     }
   }
-  return least;
+  return smallest;
 }
 
 double TriangleSoup::windingNumber(const Vector3d& p) const {

@@ -29,7 +29,7 @@ struct Outcome {
   std::array<BoundAnswer, kFields.size()> answers;
 };
 
-Outcome askAll(const std::vector<AdversarialBody>& bodies, const AdversarialPose& pose) {
+Outcome queryAll(const std::vector<AdversarialBody>& bodies, const AdversarialPose& pose) {
   const AdversarialBody &a = bodies[pose.a], &b = bodies[pose.b];
   const BoundJudge judge(a, pose.X_WA, b, pose.X_WB);
   Outcome o{pose.family, true, judge.exact().overlapping, judge.exact().swallowed, {}};
@@ -145,7 +145,7 @@ std::vector<CheckResult> checkCertifiedBound(const VerifyOptions& options) {
     if (options.stop()) return;
     const std::size_t end = std::min(options.poses, (chunk + 1) * kChunk);
     for (std::size_t i = chunk * kChunk; i < end; ++i)
-      outcomes[i] = askAll(bodies, adversarialPose(bodies, options.seed, i));
+      outcomes[i] = queryAll(bodies, adversarialPose(bodies, options.seed, i));
     done += end - chunk * kChunk;
     if (options.progress && std::this_thread::get_id() == caller) options.progress(done, options.poses);
   });

@@ -39,16 +39,16 @@ Submerged submerged(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
 
 double pinInHoleForce(double r, double R, double offset, double length) {
   // rho = R at cos(phi) = (R^2 - r^2 - offset^2) / (2 r offset). Simpson's rule over the pressed half.
-  const double most = std::acos(std::min(1.0, (R * R - r * r - offset * offset) / (2.0 * r * offset)));
+  const double max_phi = std::acos(std::min(1.0, (R * R - r * r - offset * offset) / (2.0 * r * offset)));
   constexpr int kIntervals = 2000;  // error below 1e-12 of the force: the integrand is smooth
   double sum = 0.0;
   for (int i = 0; i <= kIntervals; ++i) {
-    const double phi = most * i / kIntervals;
+    const double phi = max_phi * i / kIntervals;
     const double rho = std::sqrt(r * r + offset * offset + 2.0 * r * offset * std::cos(phi));
     const double weight = i == 0 || i == kIntervals ? 1.0 : (i % 2 ? 4.0 : 2.0);
     sum += weight * (rho - R) * std::cos(phi);
   }
-  return 2.0 * length * r * sum * most / (3.0 * kIntervals);
+  return 2.0 * length * r * sum * max_phi / (3.0 * kIntervals);
 }
 
 }  // namespace abstand::verify

@@ -21,7 +21,7 @@ struct Path {
   std::string name, what;
   std::shared_ptr<const geometry::Surface> a, b;
   Transform start;
-  Vector3d way;
+  Vector3d displacement;
 };
 
 std::vector<Path> somePaths() {
@@ -48,10 +48,10 @@ std::vector<Path> somePaths() {
 }
 
 struct Jumps {
-  std::vector<double> way, force;  ///< m, N
-  double largest{0.0};             ///< N, |difference of two forces|
-  double possible{0.0};            ///< N
-  double peak{0.0};                ///< N
+  std::vector<double> displacement, force;  ///< m, N
+  double largest{0.0};                      ///< N, |difference of two forces|
+  double possible{0.0};                     ///< N
+  double peak{0.0};                         ///< N
 };
 
 Jumps follow(const Path& path, structure::FieldKind field, const VerifyOptions& options) {
@@ -60,14 +60,14 @@ Jumps follow(const Path& path, structure::FieldKind field, const VerifyOptions& 
   const auto a = structure::buildHapticStructure("a", path.a, build, options.threads);
   const auto b = structure::buildHapticStructure("b", path.b, build, options.threads);
   const double step = kPartOfVoxel * kPressVoxel;
-  const auto steps = static_cast<std::size_t>(path.way.norm() / step);
+  const auto steps = static_cast<std::size_t>(path.displacement.norm() / step);
   std::vector<Vector3d> forces(steps + 1);
   std::vector<double> areas(steps + 1, 0.0);
   const bool from_a = query::pointsFromA(*a, *b);
   const structure::HapticStructure &P = from_a ? *a : *b, &F = from_a ? *b : *a;
   parallelFor(options.threads, steps + 1, [&](std::size_t i) {
     Transform X_WA = path.start;
-    X_WA.translation() += path.way.normalized() * (step * static_cast<double>(i));
+    X_WA.translation() += path.displacement.normalized() * (step * static_cast<double>(i));
     forces[i] = query(*a, X_WA, *b, Transform::Identity(), {.stiffness = kPressStiffness}).force_a;
     // Area of all points that are below the surface, or get there in one step, within the field's error.
     const Transform X_FP = from_a ? X_WA : Transform(X_WA.inverse());
@@ -77,7 +77,7 @@ Jumps follow(const Path& path, structure::FieldKind field, const VerifyOptions& 
   });
   Jumps jumps;
   for (std::size_t i = 0; i <= steps; ++i) {
-    jumps.way.push_back(step * static_cast<double>(i));
+    jumps.displacement.push_back(step * static_cast<double>(i));
     jumps.force.push_back(forces[i].norm());
     jumps.peak = std::max(jumps.peak, forces[i].norm());
     if (i > 0) jumps.largest = std::max(jumps.largest, (forces[i] - forces[i - 1]).norm());
@@ -107,13 +107,13 @@ std::vector<CheckResult> checkContinuity(const VerifyOptions& options) {
          {structure::FieldKind::kLayered, structure::FieldKind::kFloat, structure::FieldKind::kMixed}) {
       if (options.stop()) break;
       const Jumps jumps = follow(path, field, options);
-      poses += jumps.way.size();
+      poses += jumps.displacement.size();
       const double part = jumps.peak > 0.0 ? jumps.largest / jumps.possible : kNaN;
       if (field != structure::FieldKind::kLayered) parts.push_back(part);
       result.table.rows.push_back({std::string(structure::fieldName(field)), shortNumber(jumps.largest),
                                    shortNumber(jumps.largest / jumps.peak), shortNumber(part),
                                    shortNumber(jumps.peak)});
-      plot.series.push_back({std::string(structure::fieldName(field)), jumps.way, jumps.force});
+      plot.series.push_back({std::string(structure::fieldName(field)), jumps.displacement, jumps.force});
     }
     judge(result, parts, 1.0);
     result.poses = poses;

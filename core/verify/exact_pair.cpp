@@ -35,8 +35,8 @@ ExactDistance exactDistance(const AdversarialBody& P, const AdversarialBody& F, 
   const auto samples = [](const TriangleSoup& soup) { return kMaxSamples + static_cast<int>(soup.size()); };
   const Penetration of_points = penetration(moved, F.soup, tolerance, samples(moved));
   const Penetration of_field = penetration(F.soup.moved(X_PF), P.soup, tolerance, samples(F.soup));
-  return {-std::max({0.0, of_points.most, of_field.most}), -std::max({0.0, of_points.least, of_field.least}),
-          true, swallowed};
+  return {-std::max({0.0, of_points.upper, of_field.upper}),
+          -std::max({0.0, of_points.lower, of_field.lower}), true, swallowed};
 }
 
 }  // namespace abstand::verify

@@ -10,8 +10,8 @@ namespace abstand::verify {
 /// to the distance of the meshes if a body is open. `swallowed`: a component of the field body lies
 /// completely inside the point body, where none of the latter's points detects it.
 struct ExactDistance {
-  double least;
-  double most;
+  double lower;
+  double upper;
   bool overlapping;
   bool swallowed;
 };

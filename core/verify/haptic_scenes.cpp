@@ -28,11 +28,11 @@ HapticScene ballOnBlock() {
                     geometry::makeSurface(geometry::Shape{geometry::Cuboid{{0.16, 0.16, 2.0 * kTop}}}),
                     {},
                     0};
-  const Vector3d way = Vector3d(0.8, 0.6, 0.0), roll = Vector3d(-0.6, 0.8, 0.0);
+  const Vector3d displacement = Vector3d(0.8, 0.6, 0.0), roll = Vector3d(-0.6, 0.8, 0.0);
   for (double s = -0.025; s <= 0.025; s += kStep) {
     ScenePose pose;
     pose.X_WA.linear() = Eigen::AngleAxisd(s / kRadius, roll).toRotationMatrix();
-    pose.X_WA.translation() = s * way + (kTop + kRadius - kDepth) * Vector3d::UnitZ();
+    pose.X_WA.translation() = s * displacement + (kTop + kRadius - kDepth) * Vector3d::UnitZ();
     pose.force_a = capVolume(kRadius, kDepth) * Vector3d::UnitZ();
     scene.path.push_back(pose);
   }

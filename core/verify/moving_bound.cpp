@@ -42,7 +42,7 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
   BodyPath path;
   path.size = random.below(kStepSizes.size());
   const double step = kStepSizes[path.size];
-  const Vector3d way = random.direction() * (random.chance(0.3) ? 0.0 : step);
+  const Vector3d displacement = random.direction() * (random.chance(0.3) ? 0.0 : step);
   const Vector3d axis = random.direction(), about = b.centre + random.inCube(b.radius);
   const double angle = random.chance(0.3) ? 0.0 : step / std::max(b.radius, 1e-3);
   Transform turn = Transform::Identity();
@@ -58,7 +58,7 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
     path.answers[i] = judge(result);
     path.overlapping[i] = judge.exact().overlapping;
     pose.X_WB = pose.X_WB * turn;
-    pose.X_WB.translation() += way + 0.1 * step * random.direction();
+    pose.X_WB.translation() += displacement + 0.1 * step * random.direction();
   }
   path.done = true;
   return path;

@@ -5,11 +5,11 @@
 
 namespace abstand::verify {
 
-/// The deepest point of P's surface in the solid F is between `least` and `most` below F's surface (m).
-/// `least` is attained by a point of P's surface; negative if none was found inside.
+/// The deepest point of P's surface in the solid F is between `lower` and `upper` below F's surface (m).
+/// `lower` is attained by a point of P's surface; negative if none was found inside.
 struct Penetration {
-  double least{-kInfinity};
-  double most{-kInfinity};
+  double lower{-kInfinity};
+  double upper{-kInfinity};
 };
 
 /// Both in the same frame; F closed. Bisects the triangles of P until the enclosure is narrower than

@@ -1,7 +1,8 @@
 # Words that docs/glossary.md has retired do not come back. Run with -DROOT=<project>.
 cmake_minimum_required(VERSION 3.21)
 set(retired kMost[A-Z] kLeast[A-Z] "kMost[^A-Za-z]" "kLeast[^A-Za-z]" PairAgenda PairRest LiveRest ObjectReach PairPast takeStock seekRivals
-  nastyPose nastyBodies SurfacePool SampleCover SurfaceSpread ShellBalance searchOtherWay setReach partReach Crease "[^\"]put_off" "[^a-z_\"]most_[a-z]" "[^a-z_.\"]least_[a-z]")
+  nastyPose nastyBodies SurfacePool SampleCover SurfaceSpread ShellBalance searchOtherWay setReach partReach Crease kPutOff kRested kAskFirst mostMotion seekLine keepLine bringUp catchUp BalancePoint
+  walkWitness hiddenWays lookFromAbove mayRest "[^\"]put_off" "[^a-z_\"]most_[a-z]" "[^a-z_.\"]least_[a-z]")
 string(JOIN "|" pattern ${retired})
 set(read 0)
 foreach(folder core humanmodel tracking ui app tests)

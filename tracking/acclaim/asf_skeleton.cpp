@@ -32,7 +32,7 @@ class AsfParser {
       if (words.empty()) continue;
       if (words[0].front() == ':') section_ = text::lowerCase(words[0]);
       if (section_ == ":documentation" || section_ == ":skin") continue;
-      if (words[0].front() != ':') take(words);
+      if (words[0].front() != ':') readLine(words);
     }
     if (bones_.size() == 1) throw ParseError({file_, lines_.number()}, "found no bone, expected :bonedata");
     if (in_bone_) fail("found the end inside of a bone, expected 'end'");
@@ -68,15 +68,15 @@ class AsfParser {
     return order;
   }
 
-  void take(const Words& words) {
+  void readLine(const Words& words) {
     const std::string key = text::lowerCase(words[0]);
-    if (section_ == ":units") takeUnit(key, words);
-    if (section_ == ":root") takeRoot(key, words);
-    if (section_ == ":bonedata") takeBone(key, words);
-    if (section_ == ":hierarchy") takeChildren(key, words);
+    if (section_ == ":units") readUnit(key, words);
+    if (section_ == ":root") readRoot(key, words);
+    if (section_ == ":bonedata") readBone(key, words);
+    if (section_ == ":hierarchy") readChildren(key, words);
   }
 
-  void takeUnit(const std::string& key, const Words& words) {
+  void readUnit(const std::string& key, const Words& words) {
     if (words.size() < 2) fail("found " + text::inQuotes(words[0]) + " alone, expected its unit");
     if (key == "length") {
       out_.length = number(words[1]);
@@ -86,9 +86,9 @@ class AsfParser {
     if (key == "angle") out_.in_degrees = !text::lowerCase(words[1]).starts_with("rad");
   }
 
-  void takeRoot(const std::string& key, const Words& words) {
+  void readRoot(const std::string& key, const Words& words) {
     AsfBone& root = bones_[0];
-    if (key == "order") takeChannels(words, root, true);
+    if (key == "order") readChannels(words, root, true);
     if (key == "position") out_.position = three(words);
     if (key == "orientation") root_angles_ = angles(words);
     if (key == "axis") {
@@ -97,7 +97,7 @@ class AsfParser {
     }
   }
 
-  void takeChannels(const Words& words, AsfBone& bone, bool is_root) const {
+  void readChannels(const Words& words, AsfBone& bone, bool is_root) const {
     bone.channels.clear();
     for (std::size_t i = 1; i < words.size(); ++i) {
       constexpr std::string_view kNames[]{"tx", "ty", "tz", "rx", "ry", "rz"};
@@ -112,7 +112,7 @@ class AsfParser {
     }
   }
 
-  void takeBone(const std::string& key, const Words& words) {
+  void readBone(const std::string& key, const Words& words) {
     if (key == "begin") {
       if (in_bone_) fail("found begin inside of a bone, expected end first");
       if (bones_.size() == kMaxBones) fail("found more than 10000 bones, expected the skeleton of a person");
@@ -143,11 +143,11 @@ class AsfParser {
       bone.order = orderOf(words.size() > 4 ? words[4] : std::string_view("XYZ"));
       bone.C = fixedAxesRotation(angles(words), bone.order);
     } else if (key == "dof") {
-      takeChannels(words, bone, false);
+      readChannels(words, bone, false);
     }
   }
 
-  void takeChildren(const std::string& key, const Words& words) {
+  void readChildren(const std::string& key, const Words& words) {
     if (key == "begin" || key == "end") return;
     const auto bone = [&](std::string_view name) {
       if (name == "root") return std::size_t{0};

@@ -51,12 +51,12 @@ void addBall(RigPart& part, const Vector3d& along, const Vector3d& middle, doubl
   part.twist = twist;
 }
 
-void addHinge(RigPart& part, int i, const Vector3d& axis, double least, double most) {
+void addHinge(RigPart& part, int i, const Vector3d& axis, double lower, double upper) {
   part.joint = RigJoint::kHinges;
   part.freedoms = i + 1;
   part.axis[static_cast<std::size_t>(i)] = axis;
-  part.least[static_cast<std::size_t>(i)] = least;
-  part.most[static_cast<std::size_t>(i)] = most;
+  part.lower[static_cast<std::size_t>(i)] = lower;
+  part.upper[static_cast<std::size_t>(i)] = upper;
 }
 
 }  // namespace

@@ -46,15 +46,15 @@ enum class RigJoint : std::uint8_t { kFree, kBall, kHinges };
 struct RigPart {
   RigSegment parent{RigSegment::kPelvis};  ///< for the pelvis: itself
   RigJoint joint{RigJoint::kBall};
-  int column{0};                          ///< index of its first dof
-  int freedoms{3};                        ///< number of dof
-  Vector3d p_parent{Vector3d::Zero()};    ///< the joint in the parent's frame
-  std::array<Vector3d, 2> axis{};         ///< of hinges, unit vectors in the parent's frame at angle 0
-  std::array<double, 2> least{}, most{};  ///< limits of hinges
-  Vector3d along{-Vector3d::UnitZ()};     ///< of a ball: axis of the segment, in S ...
-  Vector3d middle{-Vector3d::UnitZ()};    ///< ... centre of its allowed directions, in the parent's frame
-  double cone{kPi};                       ///< ... largest swing angle from the centre
-  double twist{kPi};                      ///< ... largest twist about itself
+  int column{0};                           ///< index of its first dof
+  int freedoms{3};                         ///< number of dof
+  Vector3d p_parent{Vector3d::Zero()};     ///< the joint in the parent's frame
+  std::array<Vector3d, 2> axis{};          ///< of hinges, unit vectors in the parent's frame at angle 0
+  std::array<double, 2> lower{}, upper{};  ///< limits of hinges
+  Vector3d along{-Vector3d::UnitZ()};      ///< of a ball: axis of the segment, in S ...
+  Vector3d middle{-Vector3d::UnitZ()};     ///< ... centre of its allowed directions, in the parent's frame
+  double cone{kPi};                        ///< ... largest swing angle from the centre
+  double twist{kPi};                       ///< ... largest twist about itself
   geometry::Shape shape{geometry::Sphere{0.01}};  ///< visible shape
   Vector3d p_shape{Vector3d::Zero()};             ///< its centre, in S; its axes are those of S
 };

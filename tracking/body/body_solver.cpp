@@ -79,10 +79,10 @@ void BodySolver::addPoint(RigSegment s, const Vector3d& p_W, const Vector3d& goa
   for (int k = 0; k < 3; ++k) addPlane(s, p_W, Vector3d::Unit(k), (p_W - goal)[k], w);
 }
 
-void BodySolver::addFreedom(int column, double wish, double w) {
+void BodySolver::addFreedom(int column, double target, double w) {
   H_(column, column) += w;
-  g_(column) -= w * wish;
-  cost_ += w * wish * wish;
+  g_(column) -= w * target;
+  cost_ += w * target * target;
 }
 
 void BodySolver::addPrior(const RigPose& other, const Vector& w) {
@@ -97,8 +97,8 @@ void BodySolver::addLimits(double w) {
       for (int k = 0; k < part.freedoms; ++k) {
         const auto a = static_cast<std::size_t>(k);
         const double q = pose_.angle[i][a];
-        if (q < part.least[a]) addFreedom(part.column + k, part.least[a] - q, w);
-        if (q > part.most[a]) addFreedom(part.column + k, part.most[a] - q, w);
+        if (q < part.lower[a]) addFreedom(part.column + k, part.lower[a] - q, w);
+        if (q > part.upper[a]) addFreedom(part.column + k, part.upper[a] - q, w);
       }
       continue;
     }
@@ -148,7 +148,7 @@ void BodySolver::assemble() {
   }
 }
 
-double BodySolver::step(double damping, double most) {
+double BodySolver::step(double damping, double max_step) {
   assemble();
   Matrix damped = H_;
   damped.diagonal().array() += damping;
@@ -157,10 +157,10 @@ double BodySolver::step(double damping, double most) {
   Vector d = -llt.solve(g_);
   if (!d.allFinite()) return 0.0;
   const double largest = d.cwiseAbs().maxCoeff();
-  if (largest > most) d *= most / largest;
+  if (largest > max_step) d *= max_step / largest;
   advance(*rig_, d, pose_);
   place(*rig_, pose_, X_WS_);
-  return std::min(largest, most);
+  return std::min(largest, max_step);
 }
 
 Eigen::Matrix<double, 3, kRigDof> BodySolver::jacobian(RigSegment s, const Vector3d& p_W) const {
@@ -186,7 +186,7 @@ void advance(const BodyRig& rig, const BodySolver::Vector& d, RigPose& pose) {
     }
     for (int k = 0; k < part.freedoms; ++k) {
       const auto a = static_cast<std::size_t>(k);
-      pose.angle[i][a] = std::clamp(pose.angle[i][a] + d(part.column + k), part.least[a], part.most[a]);
+      pose.angle[i][a] = std::clamp(pose.angle[i][a] + d(part.column + k), part.lower[a], part.upper[a]);
     }
   }
 }

@@ -29,8 +29,8 @@ class BodySolver {
   void addPlane(RigSegment s, const Vector3d& p_W, const Vector3d& n, double r, double w);
   /// The point at p_W should be at `goal`: three rows.
   void addPoint(RigSegment s, const Vector3d& p_W, const Vector3d& goal, double w);
-  /// A dof should change by `wish` (rad, m), weight w (1/rad^2, 1/m^2).
-  void addFreedom(int column, double wish, double w);
+  /// A dof should change by `target` (rad, m), weight w (1/rad^2, 1/m^2).
+  void addFreedom(int column, double target, double w);
   /// Every dof should become that of `other`; weights w for each dof.
   void addPrior(const RigPose& other, const Vector& w);
   /// Penalty of joints beyond their limits; w (1/rad^2).
@@ -38,7 +38,7 @@ class BodySolver {
 
   /// Levenberg step: (H + damping * I) d = -g, with d scaled so that no dof changes by more than `most` (rad,
   /// m). Hinges end within their limits. Returns the largest change.
-  double step(double damping, double most);
+  double step(double damping, double max_step);
 
   /// Sum of w r^2 over all rows of the last problem, before the step.
   double cost() const { return cost_; }

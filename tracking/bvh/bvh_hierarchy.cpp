@@ -130,7 +130,7 @@ class TreeReader {
 }  // namespace
 
 BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warnings) {
-  in.take("\xEF\xBB\xBF");  // byte order mark of some editors
+  in.consume("\xEF\xBB\xBF");  // byte order mark of some editors
   const auto first = in.word();
   if (text::lowerCase(first) != "hierarchy")
     throw ParseError(in.pos(), found(first) + ", expected HIERARCHY");
@@ -165,14 +165,14 @@ BvhMotionHead parseBvhMotionHead(TextCursor& in, std::vector<FileWarning>& warni
   const auto motion = in.word();
   if (text::lowerCase(motion) != "motion") throw ParseError(in.pos(), found(motion) + ", expected MOTION");
 
-  if (!in.take("frames :")) throw ParseError(in.pos(), found(in.peek()) + ", expected 'Frames:'");
+  if (!in.consume("frames :")) throw ParseError(in.pos(), found(in.peek()) + ", expected 'Frames:'");
   const auto count = in.word();
   const auto r = std::from_chars(count.data(), count.data() + count.size(), head.frames);
   if (r.ec != std::errc{} || r.ptr != count.data() + count.size() || head.frames < 0)
     throw ParseError(in.pos(), found(count) + ", expected the number of frames");
   head.frames_line = in.line();
 
-  if (!in.take("frame time :")) throw ParseError(in.pos(), found(in.peek()) + ", expected 'Frame Time:'");
+  if (!in.consume("frame time :")) throw ParseError(in.pos(), found(in.peek()) + ", expected 'Frame Time:'");
   const auto time = in.word();
   const auto seconds = parseDouble(time);
   if (!seconds) throw ParseError(in.pos(), found(time) + ", expected the seconds between two frames");

@@ -6,8 +6,8 @@ namespace abstand::tracking {
 
 bool looksLikeBvh(std::string_view text) {
   TextCursor in(text, "");
-  in.take("\xEF\xBB\xBF");
-  return in.take("hierarchy");
+  in.consume("\xEF\xBB\xBF");
+  return in.consume("hierarchy");
 }
 
 BvhPoints::BvhPoints(std::string text, std::string file)

@@ -35,7 +35,7 @@ C3dReader::C3dReader(std::string_view bytes, std::string file) : bytes_(bytes, s
   facts_.of_markers = true;
   readHead();
   nameMarkers();
-  lookAtResiduals();
+  checkResiduals();
   describe();
 }
 
@@ -143,7 +143,7 @@ C3dReader::Point C3dReader::point(std::size_t frame, std::size_t i) const {
   return out;
 }
 
-void C3dReader::lookAtResiduals() {
+void C3dReader::checkResiduals() {
   for (std::size_t f = 0; f < frames_; ++f)
     for (std::size_t i = 0; i < points_; ++i)
       if (point(f, i).is_valid) return;

@@ -41,7 +41,7 @@ class C3dReader : public PointReader {
   void describe();
   std::size_t claimedFrames() const;
   Point point(std::size_t frame, std::size_t i) const;
-  void lookAtResiduals();
+  void checkResiduals();
 
   C3dBytes bytes_;
   C3dParameters parameters_;

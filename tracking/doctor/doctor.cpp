@@ -65,9 +65,10 @@ std::vector<Jump> findJumps(const Frames& frames) {
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       const auto joint = static_cast<humanmodel::Joint>(j);
       if (!frames[i].has(joint) || !frames[i - 1].has(joint)) continue;
-      const double dt = frames[i].t - frames[i - 1].t, way = (frames[i][joint] - frames[i - 1][joint]).norm();
-      if (way > kFastestJoint * dt)
-        jumps.push_back({std::string(humanmodel::jointName(joint)), frames[i].t, way / dt});
+      const double dt = frames[i].t - frames[i - 1].t,
+                   displacement = (frames[i][joint] - frames[i - 1][joint]).norm();
+      if (displacement > kFastestJoint * dt)
+        jumps.push_back({std::string(humanmodel::jointName(joint)), frames[i].t, displacement / dt});
     }
   return jumps;
 }

@@ -52,7 +52,7 @@ Vector3d Butterworth::step(const Vector3d& p) {
 }
 
 OneEuro::OneEuro(const Options& options, double rate) : options_(options), dt_(1.0 / rate) {
-  ABSTAND_CHECK(rate > 0.0 && options.least > 0.0 && options.per_speed >= 0.0);
+  ABSTAND_CHECK(rate > 0.0 && options.min_cutoff > 0.0 && options.per_speed >= 0.0);
 }
 
 Vector3d OneEuro::step(const Vector3d& p) {
@@ -64,12 +64,12 @@ Vector3d OneEuro::step(const Vector3d& p) {
   }
   v_ += lowPassShare(kSpeedCutoff, dt_) * ((p - raw_) / dt_ - v_);
   raw_ = p;
-  p_ += lowPassShare(options_.least + options_.per_speed * v_.norm(), dt_) * (p - p_);
+  p_ += lowPassShare(options_.min_cutoff + options_.per_speed * v_.norm(), dt_) * (p - p_);
   return p_;
 }
 
 double OneEuro::delay(double speed) const {
-  return 1.0 / (2.0 * kPi * (options_.least + options_.per_speed * speed));
+  return 1.0 / (2.0 * kPi * (options_.min_cutoff + options_.per_speed * speed));
 }
 
 const char* smoothingName(Smoothing smoothing) {

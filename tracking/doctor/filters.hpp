@@ -31,8 +31,8 @@ class Butterworth {
 class OneEuro {
  public:
   struct Options {
-    double least{1.0};      ///< Hz, cutoff at rest
-    double per_speed{5.0};  ///< Hz per m/s: an arm at 1 m/s has a cutoff of 6 Hz
+    double min_cutoff{1.0};  ///< Hz, cutoff at rest
+    double per_speed{5.0};   ///< Hz per m/s: an arm at 1 m/s has a cutoff of 6 Hz
   };
   OneEuro(const Options& options, double rate);
   Vector3d step(const Vector3d& p);

@@ -9,30 +9,31 @@ namespace abstand::tracking {
 namespace {
 
 /// The measured positions of one joint.
-struct Way {
+struct Trajectory {
   std::vector<double> t;
   std::vector<Vector3d> p;
 };
 
-Way wayOf(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t joint) {
-  Way way;
+Trajectory trajectoryOf(const std::vector<humanmodel::SkeletonFrame>& frames, std::size_t joint) {
+  Trajectory trajectory;
   for (const humanmodel::SkeletonFrame& f : frames) {
-    if (f.state[joint] != humanmodel::JointState::kTracked || (!way.t.empty() && !(f.t > way.t.back())))
+    if (f.state[joint] != humanmodel::JointState::kTracked ||
+        (!trajectory.t.empty() && !(f.t > trajectory.t.back())))
       continue;
-    way.t.push_back(f.t);
-    way.p.push_back(f.p[joint]);
+    trajectory.t.push_back(f.t);
+    trajectory.p.push_back(f.p[joint]);
   }
-  return way;
+  return trajectory;
 }
 
 /// Position at `t` by linear interpolation; nullopt in a gap or outside of the range.
-std::optional<Vector3d> placeAt(const Way& way, double t, double longest_gap) {
-  const auto after = std::lower_bound(way.t.begin(), way.t.end(), t);
-  if (after == way.t.end() || after == way.t.begin()) return std::nullopt;
-  const auto i = static_cast<std::size_t>(after - way.t.begin());
-  const double step = way.t[i] - way.t[i - 1];
+std::optional<Vector3d> positionAt(const Trajectory& trajectory, double t, double longest_gap) {
+  const auto after = std::lower_bound(trajectory.t.begin(), trajectory.t.end(), t);
+  if (after == trajectory.t.end() || after == trajectory.t.begin()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(after - trajectory.t.begin());
+  const double step = trajectory.t[i] - trajectory.t[i - 1];
   if (step > longest_gap) return std::nullopt;
-  return way.p[i - 1] + (t - way.t[i - 1]) / step * (way.p[i] - way.p[i - 1]);
+  return trajectory.p[i - 1] + (t - trajectory.t[i - 1]) / step * (trajectory.p[i] - trajectory.p[i - 1]);
 }
 
 }  // namespace
@@ -44,22 +45,22 @@ std::vector<PredictionTrial> tryPredictions(const Recording& recording, const sa
   std::vector<PredictionTrial> trials(ahead.size());
   std::vector<std::vector<double>> still(ahead.size()), guess(ahead.size());
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const Way way = wayOf(recording.frames, j);
+    const Trajectory trajectory = trajectoryOf(recording.frames, j);
     safety::MotionPrediction prediction(options);
-    for (std::size_t i = 0; i < way.t.size(); ++i) {
+    for (std::size_t i = 0; i < trajectory.t.size(); ++i) {
       Transform X = Transform::Identity();
-      X.translation() = way.p[i];
-      prediction.add(way.t[i], X);
+      X.translation() = trajectory.p[i];
+      prediction.add(trajectory.t[i], X);
       for (std::size_t h = 0; h < ahead.size(); ++h) {
-        const auto place = placeAt(way, way.t[i] + ahead[h], options.longest_gap);
+        const auto place = positionAt(trajectory, trajectory.t[i] + ahead[h], options.longest_gap);
         if (!place) continue;
-        const double off = (*place - way.p[i]).norm();
-        still[h].push_back(off);
+        const double error = (*place - trajectory.p[i]).norm();
+        still[h].push_back(error);
         guess[h].push_back((*place - prediction.at(ahead[h]).translation()).norm());
         const geometry::EnclosingSphere reach =
-            safety::reachAt(way.p[i], prediction.velocity().linear, bounds, ahead[h]);
+            safety::reachAt(trajectory.p[i], prediction.velocity().linear, bounds, ahead[h]);
         trials[h].outside += (*place - reach.centre).norm() > reach.radius ? 1 : 0;
-        trials[h].speed_needed = std::max(trials[h].speed_needed, off / ahead[h]);
+        trials[h].speed_needed = std::max(trials[h].speed_needed, error / ahead[h]);
       }
     }
   }
@@ -75,7 +76,7 @@ std::vector<PredictionTrial> tryPredictions(const Recording& recording, const sa
     if (still[h].empty()) continue;
     trial.still_mean = mean(still[h]);
     trial.guess_mean = mean(guess[h]);
-    trial.guess_most = *std::max_element(guess[h].begin(), guess[h].end());
+    trial.guess_max = *std::max_element(guess[h].begin(), guess[h].end());
     trial.still_p95 = nearestQuantile(std::move(still[h]), 0.95);
     trial.guess_p95 = nearestQuantile(std::move(guess[h]), 0.95);
   }

@@ -13,8 +13,8 @@ namespace abstand::tracking {
 struct PredictionTrial {
   double ahead{0.0};  ///< s
   std::size_t places{0};
-  double still_mean{0.0}, still_p95{0.0};                   ///< m, error of assuming no motion
-  double guess_mean{0.0}, guess_p95{0.0}, guess_most{0.0};  ///< m, error of the prediction
+  double still_mean{0.0}, still_p95{0.0};                  ///< m, error of assuming no motion
+  double guess_mean{0.0}, guess_p95{0.0}, guess_max{0.0};  ///< m, error of the prediction
   std::size_t outside{0};    ///< positions outside of the reachable set of the bounds
   double speed_needed{0.0};  ///< m/s: smallest speed bound that would have contained all of them
 };

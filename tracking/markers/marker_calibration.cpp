@@ -42,7 +42,7 @@ class Calibration {
   }
 
   /// Sets the moments to fit from now on.
-  void take(std::vector<const MarkerPlaces*> moments, double reach) {
+  void addMoments(std::vector<const MarkerPlaces*> moments, double reach) {
     moments_ = std::move(moments);
     poses_.assign(moments_.size(), RigPose{});
     const PoseHold hold = restHold();
@@ -112,12 +112,12 @@ class Calibration {
     return d.cwiseAbs().maxCoeff();
   }
 
-  MarkerBody take() && { return std::move(body_); }
+  MarkerBody release() && { return std::move(body_); }
 
  private:
   PoseHold restHold() const {
     PoseHold hold;
-    hold.to_rest = drawnToRest(body_.rig, body_.markers);
+    hold.to_rest = restWeights(body_.rig, body_.markers);
     return hold;
   }
 
@@ -168,21 +168,21 @@ class Calibration {
 
 }  // namespace
 
-std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers) {
-  std::array<bool, kRigSegments> shown{};
+std::array<bool, kRigSegments> observedSegments(const BodyRig& rig, std::span<const RigMarker> markers) {
+  std::array<bool, kRigSegments> observed{};
   for (const auto& m : markers)
-    for (RigSegment s = m.segment; !shown[index(s)]; s = rig[s].parent) shown[index(s)] = true;
-  return shown;
+    for (RigSegment s = m.segment; !observed[index(s)]; s = rig[s].parent) observed[index(s)] = true;
+  return observed;
 }
 
-BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers) {
+BodySolver::Vector restWeights(const BodyRig& rig, std::span<const RigMarker> markers) {
   constexpr double kSlightly = 0.2, kTrunk = 50.0, kLimb = 1.0;  // 1/rad^2
-  const auto shown = shownBy(rig, markers);
+  const auto observed = observedSegments(rig, markers);
   BodySolver::Vector w = BodySolver::Vector::Zero();
   for (std::size_t i = 1; i < kRigSegments; ++i) {
     const RigPart& part = rig.parts[i];
-    const double alone = segmentAt(i) == kChest ? kTrunk : kLimb;
-    w.segment(part.column, part.freedoms).setConstant(shown[i] ? kSlightly : alone);
+    const double unobserved = segmentAt(i) == kChest ? kTrunk : kLimb;
+    w.segment(part.column, part.freedoms).setConstant(observed[i] ? kSlightly : unobserved);
   }
   return w;
 }
@@ -190,9 +190,9 @@ BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> ma
 MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
                      std::span<const MarkerPlaces> moments) {
   Calibration calibration(base, found);
-  const auto evenly = [&](std::size_t most) {
+  const auto evenly = [&](std::size_t max_count) {
     std::vector<const MarkerPlaces*> picked;
-    const std::size_t count = std::min(most, moments.size());
+    const std::size_t count = std::min(max_count, moments.size());
     for (std::size_t i = 0; i < count; ++i) picked.push_back(&moments[i * moments.size() / count]);
     return picked;
   };
@@ -203,13 +203,13 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
       reach = std::max(kLastReach, kNarrower * reach);
     }
   };
-  calibration.take(evenly(kFirstMoments), kFirstReach);
+  calibration.addMoments(evenly(kFirstMoments), kFirstReach);
   converge(kFirstReach);
   if (moments.size() > kFirstMoments) {
-    calibration.take(evenly(moments.size()), kSecondReach);
+    calibration.addMoments(evenly(moments.size()), kSecondReach);
     converge(kSecondReach);
   }
-  return std::move(calibration).take();
+  return std::move(calibration).release();
 }
 
 }  // namespace abstand::tracking

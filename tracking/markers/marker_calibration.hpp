@@ -30,10 +30,10 @@ MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
                      std::span<const MarkerPlaces> moments);
 
 /// Segments with markers, or with a descendant that has markers.
-std::array<bool, kRigSegments> shownBy(const BodyRig& rig, std::span<const RigMarker> markers);
+std::array<bool, kRigSegments> observedSegments(const BodyRig& rig, std::span<const RigMarker> markers);
 
 /// Weights (1/rad^2) that pull dof of segments without markers, on them or beyond, towards standing: the
 /// trunk stays straight, limbs hang.
-BodySolver::Vector drawnToRest(const BodyRig& rig, std::span<const RigMarker> markers);
+BodySolver::Vector restWeights(const BodyRig& rig, std::span<const RigMarker> markers);
 
 }  // namespace abstand::tracking

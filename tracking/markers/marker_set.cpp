@@ -39,12 +39,12 @@ std::vector<Word> wordsFrom(std::string_view line, std::size_t from) {
   }
 }
 
-double numberIn(const Word& word, double least, double most, SourcePos pos) {
+double numberIn(const Word& word, double min, double max, SourcePos pos) {
   const auto value = parseDouble(word.text);
-  if (value && *value >= least && *value <= most) return *value;
+  if (value && *value >= min && *value <= max) return *value;
   pos.column = word.column;
   throw ParseError(pos, "found " + text::inQuotes(word.text) + ", expected a number from " +
-                            formatDouble(least) + " to " + formatDouble(most));
+                            formatDouble(min) + " to " + formatDouble(max));
 }
 
 std::optional<RigSegment> parseSegment(std::string_view name) {

@@ -32,11 +32,11 @@ int countSeen(const MarkerPlaces& places) {
 
 /// Evenly spaced among the moments with nearly all markers.
 std::vector<MarkerPlaces> completeMoments(std::span<const MarkerPlaces> moments) {
-  int most = 0;
-  for (const auto& m : moments) most = std::max(most, countSeen(m));
+  int max_seen = 0;
+  for (const auto& m : moments) max_seen = std::max(max_seen, countSeen(m));
   std::vector<std::size_t> complete;
   for (std::size_t i = 0; i < moments.size(); ++i)
-    if (countSeen(moments[i]) >= kComplete * most) complete.push_back(i);
+    if (countSeen(moments[i]) >= kComplete * max_seen) complete.push_back(i);
   std::vector<MarkerPlaces> picked;
   const std::size_t count = std::min(kMoments, complete.size());
   for (std::size_t i = 0; i < count; ++i) picked.push_back(moments[complete[i * complete.size() / count]]);
@@ -164,8 +164,8 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
   MarkerSolver solver(rig);
   Ledger ledger(found);
   PoseHold hold;
-  hold.to_rest = drawnToRest(rig, out.body.markers);
-  const auto shown = shownBy(rig, out.body.markers);
+  hold.to_rest = restWeights(rig, out.body.markers);
+  const auto observed = observedSegments(rig, out.body.markers);
   double last_t = 0.0;
   std::size_t wait = 0, next_wait = 1;
   out.frames.resize(moments.size());
@@ -202,12 +202,12 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
     const auto spread = spreadsOf(rig, solver, pose.rms);
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       const humanmodel::JointState state =
-          stateOf(static_cast<humanmodel::Joint>(j), shown[index(rig.carrier[j])], spread);
+          stateOf(static_cast<humanmodel::Joint>(j), observed[index(rig.carrier[j])], spread);
       frame.state[j] = state;
       if (state == humanmodel::JointState::kMissing)
         frame.p[j].setConstant(kNaN);
       else
-        frame.spread[j] = shown[index(rig.carrier[j])] ? spread[j] : kAlone;
+        frame.spread[j] = observed[index(rig.carrier[j])] ? spread[j] : kAlone;
     }
   }
   ledger.write(out.body, out.report);

@@ -169,9 +169,9 @@ class JointDerivation {
 
 }  // namespace
 
-std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t most) {
+std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t max_count) {
   std::vector<std::size_t> indices;
-  const std::size_t n = std::min(count, most);
+  const std::size_t n = std::min(count, max_count);
   for (std::size_t i = 0; i < n; ++i) indices.push_back(i * count / n);
   return indices;
 }

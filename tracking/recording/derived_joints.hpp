@@ -29,7 +29,7 @@ std::vector<std::string> deriveJoints(humanmodel::SkeletonFrame& rest,
                                       std::vector<humanmodel::SkeletonFrame>& frames,
                                       HeadPoint head = HeadPoint::kBase);
 
-/// Evenly spaced indices below `count`, at most `most`, for estimates over a whole recording.
-std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t most = 200);
+/// Evenly spaced indices below `count`, at most `max_count`, for estimates over a whole recording.
+std::vector<std::size_t> sampleIndices(std::size_t count, std::size_t max_count = 200);
 
 }  // namespace abstand::tracking

@@ -43,7 +43,7 @@ std::string_view TextCursor::restOfName() {
   return text_.substr(start, end - start);
 }
 
-bool TextCursor::take(std::string_view expected) {
+bool TextCursor::consume(std::string_view expected) {
   skipSpace();
   std::size_t at = next_;
   for (const char c : expected) {

@@ -21,7 +21,7 @@ class TextCursor {
   std::string_view restOfName();
   /// Consumes `expected` (lower case), ignoring case, after white space. Spaces in it match any white space
   /// or none.
-  bool take(std::string_view expected);
+  bool consume(std::string_view expected);
 
   /// Position of the start of the last word.
   SourcePos pos() const { return {file_, line_, static_cast<int>(word_start_ - line_start_) + 1}; }

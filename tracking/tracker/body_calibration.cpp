@@ -88,7 +88,7 @@ double BodyCalibration::whenTurned(const humanmodel::HumanOptions& body) const {
   return costOf(body, kTurnSteps, turned) / costOf(body, kTurnSteps, as_tracked);
 }
 
-void BodyCalibration::turnRound(const humanmodel::HumanOptions& body) {
+void BodyCalibration::flipFacing(const humanmodel::HumanOptions& body) {
   std::vector<RigPose> turned = turnedPoses(body);
   costOf(body, kTurnSteps, turned);
   for (std::size_t i = 0; i < images_.size(); ++i) images_[i].pose = turned[i];
@@ -115,15 +115,15 @@ humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& st
   std::vector<RigPose> poses = this->poses();
   Sizes best;
   best.fill(1.0);
-  double least = costOf(start, kSteps, poses);
+  double smallest_cost = costOf(start, kSteps, poses);
   const auto attempt = [&](const Sizes& sizes) {
     double unusual = 0.0;
     for (const double f : sizes) unusual += std::pow((f - 1.0) / 0.1, 2);
     try {
       std::vector<RigPose> moved = poses;
       const double cost = costOf(optionsOf(start, sizes), kSteps, moved) * (1.0 + kUnusual * unusual);
-      if (cost >= least) return false;
-      least = cost;
+      if (cost >= smallest_cost) return false;
+      smallest_cost = cost;
       poses = std::move(moved);
       best = sizes;
       return true;

@@ -21,7 +21,7 @@ class BodyCalibration {
   /// without images.
   double whenTurned(const humanmodel::HumanOptions& body) const;
   /// Declares that the person in the images faces the other way.
-  void turnRound(const humanmodel::HumanOptions& body);
+  void flipFacing(const humanmodel::HumanOptions& body);
 
   /// Coordinate search over lengths of trunk, arms and legs, and girths, in steps of a few per cent, each
   /// image refitted, as long as the cost decreases. Keeps the stature of `start` and the parts that it

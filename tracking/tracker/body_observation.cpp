@@ -17,8 +17,8 @@ int squared(std::array<std::int16_t, 2> w) { return w[0] * w[0] + w[1] * w[1]; }
 
 }  // namespace
 
-void BodyObservation::look(const DepthImage& image, const DepthCamera& camera,
-                           std::span<const std::uint8_t> is_person) {
+void BodyObservation::update(const DepthImage& image, const DepthCamera& camera,
+                             std::span<const std::uint8_t> is_person) {
   std::size_t pixels = 0;
   for (const std::uint8_t p : is_person) pixels += p != 0;
   step_ = 1;
@@ -34,7 +34,7 @@ void BodyObservation::look(const DepthImage& image, const DepthCamera& camera,
   X_CW_ = X_WC_.inverse();
   p_WE_ = X_WC_.translation();
   coarsen(image, is_person);
-  spreadPerson();
+  propagateOffsets();
   collectPoints();
 }
 
@@ -85,18 +85,18 @@ void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint
 
 // Vector distance transform (Danielsson 1980), four neighbours in two sweeps of two passes: offset to the
 // nearest cell of the person, with an error below one cell.
-void BodyObservation::spreadPerson() {
-  way_.resize(state_.size());
+void BodyObservation::propagateOffsets() {
+  offset_to_person_.resize(state_.size());
   for (std::size_t c = 0; c < state_.size(); ++c)
-    way_[c] = state_[c] == CellState::kPerson ? std::array<std::int16_t, 2>{0, 0}
-                                              : std::array<std::int16_t, 2>{kFar, kFar};
+    offset_to_person_[c] = state_[c] == CellState::kPerson ? std::array<std::int16_t, 2>{0, 0}
+                                                           : std::array<std::int16_t, 2>{kFar, kFar};
   const auto from = [&](int u, int v, int du, int dv) {
     if (u + du < 0 || u + du >= width_ || v + dv < 0 || v + dv >= height_) return;
-    std::array<std::int16_t, 2> w = way_[cell(u + du, v + dv)];
+    std::array<std::int16_t, 2> w = offset_to_person_[cell(u + du, v + dv)];
     if (w[0] == kFar) return;
     w[0] = static_cast<std::int16_t>(w[0] + du);
     w[1] = static_cast<std::int16_t>(w[1] + dv);
-    std::array<std::int16_t, 2>& mine = way_[cell(u, v)];
+    std::array<std::int16_t, 2>& mine = offset_to_person_[cell(u, v)];
     if (mine[0] == kFar || squared(w) < squared(mine)) mine = w;
   };
   for (int v = 0; v < height_; ++v) {
@@ -140,17 +140,18 @@ void BodyObservation::collectPoints() {
   }
 }
 
-BodyObservation::Look BodyObservation::at(const Vector3d& p_CX) const {
-  Look look;
-  if (p_CX.z() < 1e-3 || state_.empty()) return look;
+BodyObservation::Probe BodyObservation::at(const Vector3d& p_CX) const {
+  Probe probe;
+  if (p_CX.z() < 1e-3 || state_.empty()) return probe;
   const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;
-  if (!(u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5)) return look;
+  if (!(u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5)) return probe;
   const std::size_t c = cell(static_cast<int>(std::lround(u)), static_cast<int>(std::lround(v)));
-  look.state = state_[c];
-  look.z = z_[c];
-  if (look.state == CellState::kEmpty && way_[c][0] != kFar)
-    look.to_person = {way_[c][0] * p_CX.z() / fx_, way_[c][1] * p_CX.z() / fy_, 0.0};
-  return look;
+  probe.state = state_[c];
+  probe.z = z_[c];
+  if (probe.state == CellState::kEmpty && offset_to_person_[c][0] != kFar)
+    probe.to_person = {offset_to_person_[c][0] * p_CX.z() / fx_, offset_to_person_[c][1] * p_CX.z() / fy_,
+                       0.0};
+  return probe;
 }
 
 }  // namespace abstand::tracking

@@ -26,7 +26,7 @@ struct SeenPoints {
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
 };
 
-/// One person in one image. look() allocates nothing after the first image of a size.
+/// One person in one image. update() allocates nothing after the first image of a size.
 class BodyObservation {
  public:
   /// `cells`: largest number of grid cells of the person; determines the grid's step in pixels.
@@ -34,25 +34,25 @@ class BodyObservation {
 
   /// `is_person`: for every pixel of `image`. Pixels without depth (0) are unknown, except if the image
   /// contains only the person, because the background was removed: then they are empty.
-  void look(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
+  void update(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
 
   const SeenPoints& points() const { return points_; }
   const Vector3d& eye() const { return p_WE_; }  ///< position of the camera, world
   const Transform& X_CW() const { return X_CW_; }
 
   /// Observation at the projection of a world point (camera's frame p_CX, z > 0).
-  struct Look {
+  struct Probe {
     CellState state{CellState::kUnknown};
     double z{0.0};  ///< m, measured depth there; 0: none
     /// m, in the image plane at the point's depth, camera's frame: vector to the nearest cell of the person.
     /// Only for an empty cell.
     Vector3d to_person{Vector3d::Zero()};
   };
-  Look at(const Vector3d& p_CX) const;
+  Probe at(const Vector3d& p_CX) const;
 
  private:
   void coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person);
-  void spreadPerson();
+  void propagateOffsets();
   void collectPoints();
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(v * width_ + u); }
 
@@ -63,7 +63,8 @@ class BodyObservation {
   Vector3d p_WE_{Vector3d::Zero()};
   std::vector<CellState> state_;
   std::vector<float> z_;
-  std::vector<std::array<std::int16_t, 2>> way_;  ///< offset in cells to the nearest cell of the person
+  std::vector<std::array<std::int16_t, 2>>
+      offset_to_person_;  ///< offset in cells to the nearest cell of the person
   SeenPoints points_;
 };
 

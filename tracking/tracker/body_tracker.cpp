@@ -49,7 +49,7 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 
 const TrackedBody& BodyTracker::track(double t, const DepthImage& image, const DepthCamera& camera,
                                       std::span<const std::uint8_t> is_person) {
-  seen_.look(image, camera, is_person);
+  seen_.update(image, camera, is_person);
   const double dt = t - last_t_;
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {

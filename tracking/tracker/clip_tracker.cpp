@@ -14,36 +14,36 @@ constexpr double kLearning = 5.0;  // s of the stream used to learn sizes
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-class Walk {
+class ClipPasses {
  public:
-  Walk(DepthStream& stream, const ClipTrackerOptions& options) : stream_{stream}, options_{options} {}
+  ClipPasses(DepthStream& stream, const ClipTrackerOptions& options) : stream_{stream}, options_{options} {}
 
   ClipTrack run() {
     track_.camera = stream_.camera();
-    stand();
+    estimateCameraPose();
     std::map<int, KnownBody> learned;
     const std::vector<double>& times = stream_.times();
     const double end = times.empty() ? 0.0 : times.front() + kLearning;
-    go(end, learned, false);
-    go(kInfinity, learned, true);
+    pass(end, learned, false);
+    pass(kInfinity, learned, true);
     finishTrack(track_);
     return std::move(track_);
   }
 
  private:
-  void stand() {
+  void estimateCameraPose() {
     if (stream_.facts().pose_known) {
       track_.world = "the camera's pose is that of its file";
       return;
     }
     stream_.seek(0);
     DepthFrame frame;
-    CameraStand stand(track_.camera);
-    while (!isInterrupted() && stream_.next(frame) && !stand.see(frame.t, frame.image)) {
+    CameraStand camera_pose(track_.camera);
+    while (!isInterrupted() && stream_.next(frame) && !camera_pose.see(frame.t, frame.image)) {
     }
-    stand.settle();
-    track_.camera.X_WC = stand.X_WC();
-    track_.world = stand.reason();
+    camera_pose.settle();
+    track_.camera.X_WC = camera_pose.X_WC();
+    track_.world = camera_pose.reason();
   }
 
   bool isInterrupted() {
@@ -52,7 +52,7 @@ class Walk {
   }
 
   /// Processes all images before `end`; learns sizes, or tracks with the learned ones.
-  void go(double end, std::map<int, KnownBody>& learned, bool keep) {
+  void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
     stream_.seek(0);
     PeopleFinder finder(track_.camera);
     std::map<int, TrackedPerson> trackers;
@@ -139,7 +139,7 @@ void finishTrack(ClipTrack& track) {
 }
 
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options) {
-  return Walk(stream, options).run();
+  return ClipPasses(stream, options).run();
 }
 
 }  // namespace abstand::tracking

@@ -70,15 +70,15 @@ DepthFit::Violation DepthFit::violation(const BodyObservation& seen, const Sampl
                                         const Vector3d& p_W) const {
   Violation v{Vector3d::Zero(), 0.0};
   const Vector3d p_C = seen.X_CW() * p_W;
-  const BodyObservation::Look look = seen.at(p_C);
-  if (look.state == CellState::kEmpty) {
-    if (look.z > 0.0 && look.z < p_C.z()) return v;  // behind the measured surface: occluded, not refuted
-    const double out = look.to_person.norm();
+  const BodyObservation::Probe probe = seen.at(p_C);
+  if (probe.state == CellState::kEmpty) {
+    if (probe.z > 0.0 && probe.z < p_C.z()) return v;  // behind the measured surface: occluded, not refuted
+    const double out = probe.to_person.norm();
     if (out <= 0.0) return v;
-    v.n = -(seen.X_CW().linear().transpose() * look.to_person) / out;
+    v.n = -(seen.X_CW().linear().transpose() * probe.to_person) / out;
     v.depth = std::min(out, kMaxViolation);
-  } else if (look.state == CellState::kPerson && look.z > 0.0) {
-    const double before = look.z - p_C.z() - kBefore + 0.5 * sample.radius;
+  } else if (probe.state == CellState::kPerson && probe.z > 0.0) {
+    const double before = probe.z - p_C.z() - kBefore + 0.5 * sample.radius;
     if (before <= 0.0) return v;
     v.n = -(p_W - seen.eye()).normalized();
     v.depth = std::min(before, kMaxViolation);
@@ -214,10 +214,10 @@ void DepthFit::visibility(const BodyObservation& seen, const RigPlacement& X_WS,
   for (const Sample& sample : samples_) {
     const std::size_t s = index(sample.segment);
     const Vector3d p_C = seen.X_CW() * (X_WS[s] * sample.p_S);
-    const BodyObservation::Look look = seen.at(p_C);
+    const BodyObservation::Probe probe = seen.at(p_C);
     ++all[s];
     visible[s] +=
-        look.state == CellState::kPerson && std::abs(look.z - (p_C.z() - sample.radius)) < kSeenWithin;
+        probe.state == CellState::kPerson && std::abs(probe.z - (p_C.z() - sample.radius)) < kSeenWithin;
   }
   for (std::size_t s = 0; s < kRigSegments; ++s)
     share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);

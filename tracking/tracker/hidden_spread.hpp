@@ -11,11 +11,11 @@ using SeenSegments = std::uint32_t;
 /// For each canonical joint the shortest path length (m) along the bones from a visible segment; 0 for a
 /// joint of a visible segment, infinite if no segment is visible. Independent of joint angles: wherever the
 /// limb is, the joint is within this distance of the end of the visible segment.
-std::array<double, humanmodel::kJointCount> hiddenWays(const BodyRig& rig, SeenSegments seen);
+std::array<double, humanmodel::kJointCount> hiddenPathLengths(const BodyRig& rig, SeenSegments seen);
 
 /// Converts the time since each segment was last visible into uncertainties. Estimate and truth are both
-/// within hiddenWays() of the visible segment, so at most twice that apart; in addition each part of the
-/// person moves by at most kPersonSpeed since then. Does not allocate or throw.
+/// within hiddenPathLengths() of the visible segment, so at most twice that apart; in addition each part of
+/// the person moves by at most kPersonSpeed since then. Does not allocate or throw.
 class HiddenSpread {
  public:
   explicit HiddenSpread(const BodyRig& rig) : rig_{&rig} { last_seen_.fill(-kInfinity); }

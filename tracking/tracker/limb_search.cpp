@@ -16,8 +16,8 @@ constexpr double kTurnCost = 2e-6;
 constexpr double kLimitCost = 2e-3;
 constexpr std::size_t kPoints = 400;
 
-double uniform(std::mt19937_64& random, double least, double most) {
-  return least + (most - least) * (static_cast<double>(random() >> 11) * 0x1p-53);
+double uniform(std::mt19937_64& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
 }
 Vector3d normal(std::mt19937_64& random, double sigma) {
   Vector3d v;
@@ -59,8 +59,8 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
   R_WS.col(0) = x.normalized();
   R_WS.col(1) = R_WS.col(2).cross(R_WS.col(0));
   pose.R_PS[upper] = Quaterniond(Matrix3d(X_WP.linear().transpose() * R_WS)).normalized();
-  pose.angle[lower][0] = std::clamp(std::acos(std::clamp(f.dot(u), -1.0, 1.0)), rig.parts[lower].least[0],
-                                    rig.parts[lower].most[0]);
+  pose.angle[lower][0] = std::clamp(std::acos(std::clamp(f.dot(u), -1.0, 1.0)), rig.parts[lower].lower[0],
+                                    rig.parts[lower].upper[0]);
 }
 
 double LimbSearch::costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose,
@@ -98,14 +98,14 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
   const Vector3d wrist = X_WS[index(limb.end)].translation();
 
   const double before = costOf(seen, limb, start, start);
-  double least = before * kBetter;
+  double smallest_cost = before * kBetter;
   bool found = false;
   const auto attempt = [&](const Vector3d& goal, double swivel) {
     RigPose other = start;
     reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
     const double cost = costOf(seen, limb, other, start);
-    if (cost >= least) return;
-    least = cost;
+    if (cost >= smallest_cost) return;
+    smallest_cost = cost;
     pose = other;
     found = true;
   };

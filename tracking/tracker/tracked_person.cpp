@@ -69,7 +69,7 @@ void TrackedPerson::settle() {
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    take(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), *body_, facing_));
+    adopt(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), *body_, facing_));
   }
 }
 
@@ -78,12 +78,12 @@ TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const humanmodel::
   if (!facing.given) facing.ratio = images.whenTurned(body);
   if (facing.ratio < Facing::kBackBelow) {
     facing.away = true;
-    images.turnRound(body);
+    images.flipFacing(body);
   }
   return {images.fit(body), facing};
 }
 
-void TrackedPerson::take(const Fit& fit) {
+void TrackedPerson::adopt(const Fit& fit) {
   const bool turn = fit.facing.away != facing_.away;
   facing_ = fit.facing;
   const TrackedBody last = tracker_->body();

@@ -69,7 +69,7 @@ class TrackedPerson {
   /// Compares facing directions unless given.
   static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
   void use(const humanmodel::HumanOptions& body);
-  void take(const Fit& fit);
+  void adopt(const Fit& fit);
 
   Options options_;
   std::vector<VerticalExtent> extents_;

@@ -120,11 +120,11 @@ TEST(PlayTimeClosed, AStallIsCaughtUpAndALongOneGivenUp) {
   PlayPace pace;
   pace.start(0.0);
   pace.advance(0.2, 1.0);
-  pace.forgive(1.0, 0.0);
+  pace.limitLag(1.0, 0.0);
   EXPECT_DOUBLE_EQ(pace.due(), 0.2);
   pace.played(0.2);
   pace.advance(10.0, 1.0);
-  pace.forgive(1.0, 0.0);
+  pace.limitLag(1.0, 0.0);
   EXPECT_EQ(pace.due(), 0.0);
   EXPECT_NEAR(pace.factor(), 0.02, 1e-12);
 }

@@ -69,10 +69,10 @@ TEST(LiveLoop, ASceneTakesResultsInThePlaceOfItsOwn) {
     for (const scene::Object& o : scene.objects()) contacts.push_back(o.contact);
     const bool touches = !scene.touching().empty();
     EXPECT_EQ(touches, t > 1.1) << t;
-    scene.take({query::PairResult{}});
+    scene.setResults({query::PairResult{}});
     EXPECT_TRUE(scene.touching().empty());
     EXPECT_FALSE(scene.objects()[0].colliding);
-    scene.take(results);
+    scene.setResults(results);
     EXPECT_EQ(scene.result(PairId(0)).distance, results[0].distance);
     EXPECT_EQ(!scene.touching().empty(), touches);
     for (std::size_t i = 0; i < contacts.size(); ++i) {

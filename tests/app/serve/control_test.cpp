@@ -113,7 +113,7 @@ class ControlledScene : public ::testing::Test {
     scene_->take(packet_, t);
     scene_->cycle(t);
   }
-  session::PairControl::Outcome obey(const Control& order, double t) { return scene_->obey(order, t); }
+  session::PairControl::Outcome handle(const Control& order, double t) { return scene_->handle(order, t); }
   const StateReport& report() const { return scene_->report(); }
 
   abstand::testing::ScratchFolder folder_;
@@ -126,7 +126,7 @@ TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
   ASSERT_EQ(report().robots[0].state, safety::StopState::kRunning);
   ASSERT_EQ(report().nearest[0].trust, Trust::kFresh);
   for (const ControlOrder order : {ControlOrder::kPause, ControlOrder::kStop}) {
-    EXPECT_EQ(obey({order}, 0.02), session::PairControl::Outcome::kDone);
+    EXPECT_EQ(handle({order}, 0.02), session::PairControl::Outcome::kDone);
     joints(0.5, 0.02);
     EXPECT_EQ(report().not_checked, 1u);
     EXPECT_EQ(report().nearest[0].trust, Trust::kNone);
@@ -134,7 +134,7 @@ TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
     EXPECT_EQ(report().robots[0].state, safety::StopState::kProtectiveStop);
     EXPECT_EQ(report().robots[0].speed_scale, 0.0);
   }
-  EXPECT_EQ(obey({ControlOrder::kRun, 0}, 0.03), session::PairControl::Outcome::kDone);
+  EXPECT_EQ(handle({ControlOrder::kRun, 0}, 0.03), session::PairControl::Outcome::kDone);
   joints(0.5, 0.03);
   EXPECT_EQ(report().not_checked, 0u);
   EXPECT_EQ(report().nearest[0].trust, Trust::kFresh);
@@ -146,14 +146,14 @@ TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
 TEST_F(ControlledScene, APairIsTakenOutAndPutBack) {
   joints(0.5, 0.01);
   const Control remove{ControlOrder::kRemove, kAllGroups, 1, 0}, add{ControlOrder::kAdd, 0, 0, 1};
-  EXPECT_EQ(obey(add, 0.01), session::PairControl::Outcome::kInGroup);
-  EXPECT_EQ(obey({ControlOrder::kRemove, 0, 0, 0}, 0.01), session::PairControl::Outcome::kNoPair);
-  EXPECT_EQ(obey(remove, 0.02), session::PairControl::Outcome::kDone);
-  EXPECT_EQ(obey(remove, 0.02), session::PairControl::Outcome::kNotInGroup);
+  EXPECT_EQ(handle(add, 0.01), session::PairControl::Outcome::kInGroup);
+  EXPECT_EQ(handle({ControlOrder::kRemove, 0, 0, 0}, 0.01), session::PairControl::Outcome::kNoPair);
+  EXPECT_EQ(handle(remove, 0.02), session::PairControl::Outcome::kDone);
+  EXPECT_EQ(handle(remove, 0.02), session::PairControl::Outcome::kNotInGroup);
   joints(0.4, 0.02);
   EXPECT_EQ(scene_->control().withoutGroup(), 1u);
   EXPECT_EQ(report().nearest[0].trust, Trust::kNone);
-  EXPECT_EQ(obey(add, 0.03), session::PairControl::Outcome::kDone);
+  EXPECT_EQ(handle(add, 0.03), session::PairControl::Outcome::kDone);
   joints(0.4, 0.03);
   EXPECT_EQ(report().nearest[0].trust, Trust::kFresh);
   EXPECT_NEAR(report().nearest[0].distance, 0.3, 0.003);
@@ -163,7 +163,7 @@ TEST_F(ControlledScene, TorquesAreTurnedOffAndOn) {
   joints(0.09, 0.01);
   const double torque = report().torque[0];
   ASSERT_GT(torque, 0.0);
-  obey({ControlOrder::kTorquesOff}, 0.02);
+  handle({ControlOrder::kTorquesOff}, 0.02);
   joints(0.09, 0.02);
   EXPECT_EQ(report().torque[0], 0.0);
   EXPECT_GT(report().links[0].force.z(), 0.0) << "the contact is reported all the same";
@@ -171,7 +171,7 @@ TEST_F(ControlledScene, TorquesAreTurnedOffAndOn) {
   std::vector<std::byte> bytes(stateBytes(report()));
   writeState(report(), {}, bytes);
   EXPECT_EQ(load<std::uint32_t>(bytes, 24) & 8u, 8u);
-  obey({ControlOrder::kTorquesOn}, 0.03);
+  handle({ControlOrder::kTorquesOn}, 0.03);
   joints(0.09, 0.03);
   EXPECT_EQ(report().torque[0], torque);
   writeState(report(), {}, bytes);
@@ -180,7 +180,7 @@ TEST_F(ControlledScene, TorquesAreTurnedOffAndOn) {
 
 TEST_F(ControlledScene, TheAnswerSaysWhatTheGroupsDo) {
   joints(0.5, 0.01);
-  const auto outcome = obey({ControlOrder::kPause, 0}, 0.02);
+  const auto outcome = handle({ControlOrder::kPause, 0}, 0.02);
   joints(0.5, 0.02);
   const GroupsReport answer{scene_->control(), true, outcome, 20000};
   std::vector<std::byte> room(1000);
@@ -205,14 +205,14 @@ TEST_F(ControlledScene, TheAnswerSaysWhatTheGroupsDo) {
 
 TEST_F(ControlledScene, OrdersAllocateNothing) {
   joints(0.5, 0.01);
-  obey({ControlOrder::kPause}, 0.02);
+  handle({ControlOrder::kPause}, 0.02);
   joints(0.5, 0.02);
   const abstand::testing::NoAlloc no_alloc;
   double t = 0.03;
   for (const ControlOrder order :
        {ControlOrder::kRun, ControlOrder::kPause, ControlOrder::kRun, ControlOrder::kRemove,
         ControlOrder::kAdd, ControlOrder::kTorquesOff, ControlOrder::kTorquesOn, ControlOrder::kStop}) {
-    obey({order, 0, 0, 1}, t);
+    handle({order, 0, 0, 1}, t);
     joints(0.5, t);
     t += 0.01;
   }

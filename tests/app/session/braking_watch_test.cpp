@@ -33,7 +33,7 @@ struct Watched {
     return people;
   }
   /// Ball at 0 with the velocity `v`, thing `gap` away from it with the velocity `u` towards it.
-  std::optional<safety::StopCause> look(double gap, double v, double u = 0.0) {
+  std::optional<safety::StopCause> check(double gap, double v, double u = 0.0) {
     t += 1.0;
     const double q = 0.0;
     driver.moveTo({&q, 1}, t, scene);
@@ -45,7 +45,7 @@ struct Watched {
       scene.setPose(thing, X, t + dt);
     }
     scene.step();
-    return watch.look(scene, {&q, 1}, {&v, 1});
+    return watch.check(scene, {&q, 1}, {&v, 1});
   }
 
   testing::SlideScene slide;
@@ -76,8 +76,8 @@ TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
         o.distance = 0.02;
         Watched w(o);
         const double needed = o.distance + closedForm(o, v, person);
-        EXPECT_FALSE(w.look(needed + kSampling, v)) << v << " m/s, person " << person;
-        const auto cause = w.look(needed - 1e-4, v);
+        EXPECT_FALSE(w.check(needed + kSampling, v)) << v << " m/s, person " << person;
+        const auto cause = w.check(needed - 1e-4, v);
         ASSERT_TRUE(cause) << v << " m/s, person " << person;
         EXPECT_EQ(cause->reason, safety::StopReason::kBraking);
         EXPECT_EQ(cause->limit, o.distance);
@@ -88,12 +88,12 @@ TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
 TEST(BrakingWatch, WhoStandsOrGoesAwayIsNotStopped) {
   control::BrakingLawOptions o;
   Watched w(o);
-  EXPECT_FALSE(w.look(0.001, 0.0)) << "a standing robot hits nobody";
-  EXPECT_TRUE(w.look(0.001, 0.1));
+  EXPECT_FALSE(w.check(0.001, 0.0)) << "a standing robot hits nobody";
+  EXPECT_TRUE(w.check(0.001, 0.1));
   o.person_speed = 0.0;
   Watched alone(o);
-  EXPECT_FALSE(alone.look(0.01, -1.0)) << "it goes away from a person who stands";
-  EXPECT_TRUE(alone.look(0.01, 1.0));
+  EXPECT_FALSE(alone.check(0.01, -1.0)) << "it goes away from a person who stands";
+  EXPECT_TRUE(alone.check(0.01, 1.0));
 }
 
 TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
@@ -103,13 +103,13 @@ TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
   o.person_speed = 1.0;
   Watched w(o);
   const double v = 0.5, gap = closedForm(o, v, 1.0) + 0.05;
-  EXPECT_FALSE(w.look(gap, v, 0.9));
-  EXPECT_TRUE(w.look(gap, v, 3.0)) << "0.25 s at 3 m/s are 75 cm";
+  EXPECT_FALSE(w.check(gap, v, 0.9));
+  EXPECT_TRUE(w.check(gap, v, 3.0)) << "0.25 s at 3 m/s are 75 cm";
 }
 
 TEST(BrakingWatch, JointsThatAreNotKnownAreACause) {
   Watched w(control::BrakingLawOptions{});
-  const auto cause = w.look(0.3, kNaN);
+  const auto cause = w.check(0.3, kNaN);
   ASSERT_TRUE(cause);
   EXPECT_EQ(cause->value, -kInfinity);
 }
@@ -126,7 +126,7 @@ TEST(BrakingWatch, WithoutACauseNoAdmissiblePersonIsHit) {
   int free = 0;
   for (int k = 0; k < 200; ++k) {
     const double gap = 0.6 * one(random), v = 1.2 * one(random), u = 4.0 * one(random) - 2.0;
-    if (w.look(gap, v, u)) continue;
+    if (w.check(gap, v, u)) continue;
     ++free;
     const double tr = o.path.reaction_time, stop = tr + v / 3.0;
     for (int trial = 0; trial < 200; ++trial) {
@@ -146,10 +146,10 @@ TEST(BrakingWatch, WithoutACauseNoAdmissiblePersonIsHit) {
 
 TEST(BrakingWatch, AllocatesNothing) {
   Watched w(control::BrakingLawOptions{});
-  w.look(0.1, 0.5);
+  w.check(0.1, 0.5);
   const double q = 0.0, v = 0.5;
   testing::NoAlloc guard;
-  EXPECT_TRUE(w.watch.look(w.scene, {&q, 1}, {&v, 1}));
+  EXPECT_TRUE(w.watch.check(w.scene, {&q, 1}, {&v, 1}));
   EXPECT_EQ(guard.count(), 0);
 }
 

@@ -12,14 +12,14 @@ namespace effective_mass_test {
 TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
   EffectiveMass mass(2);
   // Two carts of 2 kg and 6 kg pushed by one force at both: 1 / (1/2 + 1/6).
-  ASSERT_TRUE(mass.take(Eigen::Vector2d(2.0, 6.0).asDiagonal().toDenseMatrix()));
+  ASSERT_TRUE(mass.factorize(Eigen::Vector2d(2.0, 6.0).asDiagonal().toDenseMatrix()));
   const double both[] = {1.0, 1.0}, first[] = {1.0, 0.0}, none[] = {0.0, 0.0};
   EXPECT_NEAR(mass.mass(both), 1.5, 1e-12);
   EXPECT_NEAR(mass.mass(first), 2.0, 1e-12);
   EXPECT_EQ(mass.mass(none), kInfinity);
   // A rod of inertia 0.3 kg m^2 about its joint, felt at 0.5 m: I / l^2.
   EffectiveMass arm(1);
-  ASSERT_TRUE(arm.take(Eigen::MatrixXd::Constant(1, 1, 0.3)));
+  ASSERT_TRUE(arm.factorize(Eigen::MatrixXd::Constant(1, 1, 0.3)));
   const double lever[] = {0.5};
   EXPECT_NEAR(arm.mass(lever), 1.2, 1e-12);
 }
@@ -37,7 +37,7 @@ TEST(EffectiveMass, IsTheInverseQuadraticForm) {
     const Eigen::MatrixXd M = A * A.transpose() + Eigen::MatrixXd::Identity(dof, dof);
     EffectiveMass mass(dof);
     const testing::NoAlloc guard;
-    ASSERT_TRUE(mass.take(M));
+    ASSERT_TRUE(mass.factorize(M));
     const double found = mass.mass({row.data(), static_cast<std::size_t>(dof)});
     EXPECT_EQ(guard.count(), 0);
     EXPECT_NEAR(found * row.dot(M.inverse() * row), 1.0, 1e-9);
@@ -47,12 +47,12 @@ TEST(EffectiveMass, IsTheInverseQuadraticForm) {
 TEST(EffectiveMass, OfWhatIsNoMassMatrixIsNotKnown) {
   EffectiveMass mass(2);
   const double row[] = {1.0, 0.0};
-  EXPECT_FALSE(mass.take(Eigen::MatrixXd(0, 0)));
-  EXPECT_FALSE(mass.take(Eigen::MatrixXd::Identity(3, 3)));
-  EXPECT_FALSE(mass.take(-Eigen::MatrixXd::Identity(2, 2)));
-  EXPECT_FALSE(mass.take(Eigen::MatrixXd::Constant(2, 2, kNaN)));
+  EXPECT_FALSE(mass.factorize(Eigen::MatrixXd(0, 0)));
+  EXPECT_FALSE(mass.factorize(Eigen::MatrixXd::Identity(3, 3)));
+  EXPECT_FALSE(mass.factorize(-Eigen::MatrixXd::Identity(2, 2)));
+  EXPECT_FALSE(mass.factorize(Eigen::MatrixXd::Constant(2, 2, kNaN)));
   EXPECT_TRUE(std::isnan(mass.mass(row)));
-  EXPECT_TRUE(mass.take(Eigen::MatrixXd::Identity(2, 2)));
+  EXPECT_TRUE(mass.factorize(Eigen::MatrixXd::Identity(2, 2)));
 }
 
 }  // namespace effective_mass_test

@@ -51,7 +51,7 @@ TEST_P(JointLimitsIn, HoldWhateverTheMotorsAreToldToDo) {
         world.setJointEffort(
             0, k, efforts[static_cast<std::size_t>(k)] * watch.limits()[static_cast<std::size_t>(k)].effort);
       world.step(kStep);
-      watch.look(kStep * (i + 1), world.q(0), world.qd(0), {}, world.mechanism(0).appliedEfforts());
+      watch.check(kStep * (i + 1), world.q(0), world.qd(0), {}, world.mechanism(0).appliedEfforts());
       for (std::size_t k = 0; k < 7; ++k) most[k] = std::max(most[k], std::abs(world.qd(0)[k]));
     }
     EXPECT_TRUE(watch.kept()) << list(watch.breaches());
@@ -72,7 +72,7 @@ TEST_P(JointLimitsIn, HoldWhileTheHandIsPushed) {
       if (i % 100 == 0) push = 20.0 * randomPose(seed + 10 * static_cast<std::uint64_t>(i)).linear().col(0);
       world.applyWrench({0, 6}, {push, Vector3d::Zero()}, world.pose({0, 6}).translation());
       world.step(kStep);
-      watch.look(kStep * (i + 1), world.q(0), world.qd(0), {}, world.mechanism(0).appliedEfforts());
+      watch.check(kStep * (i + 1), world.q(0), world.qd(0), {}, world.mechanism(0).appliedEfforts());
     }
     EXPECT_TRUE(watch.kept()) << list(watch.breaches());
   }
@@ -88,7 +88,7 @@ TEST_P(JointLimitsIn, YieldToWhatIsStrongerThanTheMotors) {
   for (int i = 0; i < 20; ++i) {
     world.applyWrench({0, 6}, {Vector3d(0, 3000, 0), Vector3d::Zero()}, world.pose({0, 6}).translation());
     world.step(kStep);
-    watch.look(kStep * (i + 1), {}, world.qd(0), {}, world.mechanism(0).appliedEfforts());
+    watch.check(kStep * (i + 1), {}, world.qd(0), {}, world.mechanism(0).appliedEfforts());
   }
   ASSERT_FALSE(watch.kept());
   for (const mechanism::LimitBreach& b : watch.breaches())
@@ -131,7 +131,7 @@ TEST_P(JointLimitsIn, AccelerationsToo) {
       qdd[k] = (world.qd(0)[k] - before[k]) / kStep;
       before[k] = world.qd(0)[k];
     }
-    watch.look(kStep * (i + 1), world.q(0), world.qd(0), qdd, world.mechanism(0).appliedEfforts());
+    watch.check(kStep * (i + 1), world.q(0), world.qd(0), qdd, world.mechanism(0).appliedEfforts());
   }
   EXPECT_TRUE(watch.kept()) << list(watch.breaches());
 }

@@ -117,9 +117,9 @@ TEST(SurfaceParts, HoldEveryTriangleInAHullAndASphere) {
       for (std::size_t k = 0; k < parts.size(); ++k) {
         const kernels::SphereGroup& s = parts.spheres();
         const double to_sphere = g.dot(Vector3d(s.x[k], s.y[k], s.z[k])) + double(s.radius[k]);
-        EXPECT_LE(parts.hull(k).reach(g), to_sphere + kFloat);
-        EXPECT_NEAR(parts.hull(k).reach(g), g.dot(parts.hull(k).extreme(g).point), kFloat);
-        reach = std::max(reach, parts.hull(k).reach(g));
+        EXPECT_LE(parts.hull(k).support(g), to_sphere + kFloat);
+        EXPECT_NEAR(parts.hull(k).support(g), g.dot(parts.hull(k).extreme(g).point), kFloat);
+        reach = std::max(reach, parts.hull(k).support(g));
         in_spheres = std::max(in_spheres, to_sphere);
       }
       EXPECT_GE(reach, farthest(mesh, g));

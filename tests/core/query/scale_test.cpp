@@ -148,7 +148,7 @@ TEST(Scale, AShellOfAMillionPoints) {
   ASSERT_GE(fine.shell.size(), 1'000'000u);
   const ScratchFolder folder;
   store::StructureCache cache(folder.path());
-  cache.keep({}, fine);
+  cache.store({}, fine);
   Exact cube = coarse;
   cube.structure = cache.findStructure({}, "cube", coarse.structure->surface);
   ASSERT_TRUE(cube.structure);

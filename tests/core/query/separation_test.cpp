@@ -80,7 +80,7 @@ TEST(Separation, NoPointMovesFartherThanMostMotion) {
   const geometry::EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
   for (std::uint64_t i = 0; i < 500; ++i) {
     const Transform X_0 = randomPose(i), X_1 = randomPose(i + 5000);
-    const double most = query::mostMotion(sphere, X_0, X_1);
+    const double most = query::maxDisplacement(sphere, X_0, X_1);
     for (std::uint64_t k = 0; k < 20; ++k) {
       const Vector3d p = sphere.centre + sphere.radius * direction(i + 31 * k);
       ASSERT_LE((X_1 * p - X_0 * p).norm(), most + 1e-12);

@@ -20,7 +20,7 @@ TEST(BrakingPath, OfOneJointIsTheClosedForm) {
   ASSERT_TRUE(path.start(q, qd));
   // 0.2 rad in the reaction time, then v^2 / 2a = 0.5 rad within 0.5 s.
   EXPECT_NEAR(path.stopTime(), 0.6, kExact);
-  EXPECT_NEAR(path.way(0), -0.7, kExact);
+  EXPECT_NEAR(path.brakingDistance(0), -0.7, kExact);
   EXPECT_NEAR(path.q(0, 0.1), 0.3, kExact);
   EXPECT_NEAR(path.qd(0, 0.1), -2.0, kExact);
   EXPECT_NEAR(path.qd(0, 0.35), -1.0, kExact);

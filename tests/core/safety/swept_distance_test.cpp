@@ -117,11 +117,11 @@ TEST(SweptDistance, OfNoTimeIsTheSample) {
 
 TEST(LeastBetween, IsTheClosedForm) {
   // Down from 1 and from 0.8 at 1 m/s for 1 s: they meet at 0.4.
-  EXPECT_NEAR(leastBetween(1.0, 0.8, 1.0, 1.0), 0.4, kRounding);
+  EXPECT_NEAR(minBetween(1.0, 0.8, 1.0, 1.0), 0.4, kRounding);
   // An end that is worse than the other one allows is lifted by it.
-  EXPECT_NEAR(leastBetween(1.0, -5.0, 1.0, 1.0), 0.0, kRounding);
-  EXPECT_NEAR(leastBetween(1.0, 0.8, 0.0, 1.0), 1.0, kRounding);
-  EXPECT_EQ(leastBetween(0.7, 0.7, kInfinity, 0.0), 0.7);
+  EXPECT_NEAR(minBetween(1.0, -5.0, 1.0, 1.0), 0.0, kRounding);
+  EXPECT_NEAR(minBetween(1.0, 0.8, 0.0, 1.0), 1.0, kRounding);
+  EXPECT_EQ(minBetween(0.7, 0.7, kInfinity, 0.0), 0.7);
 }
 
 TEST(SweptDistance, AllocatesNothing) {

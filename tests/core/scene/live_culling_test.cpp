@@ -197,7 +197,7 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
       }
       const Pair& pair = scene.pairs()[0];
       const Transform &X_WA = scene.object(pair.a).X_WB, &X_WB = scene.object(pair.b).X_WB;
-      if (rest.mayRest(now[0], now[1], pair.options.margin)) {
+      if (rest.mayCull(now[0], now[1], pair.options.margin)) {
         ++rested;
         rest.carry(X_WA, X_WB, now[0], now[1], result);
         ASSERT_EQ(queried(scene, pair).contacts, 0);
@@ -205,8 +205,8 @@ TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
         result = queried(scene, pair);
         const auto& a = *scene.object(pair.a).spec.structure;
         const auto& b = *scene.object(pair.b).spec.structure;
-        rest.take(result, {X_WA, now[0]}, {X_WB, now[1]}, touchFrom(a, b, pair.options), pair.options.margin,
-                  1.0);
+        rest.update(result, {X_WA, now[0]}, {X_WB, now[1]}, contactDistance(a, b, pair.options),
+                    pair.options.margin, 1.0);
       }
       const double exact = (p[0] - p[1]).norm() - 0.2 - 0.21;
       if (exact > 0.0) {

@@ -28,12 +28,12 @@ Transform turned(double angle, const Vector3d& axis, const Vector3d& shift = Vec
   return X;
 }
 
-TEST(MotionBound, NoPointComesFartherThanTheWay) {
+TEST(MotionBound, NoPointMovesFartherThanTheBound) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     MotionBound reach(kSphere);
     Transform before = testing::randomPose(seed, 2.0);
     reach.moveTo(before);
-    const double begin = reach.way();
+    const double begin = reach.travelled();
     const Transform first = before;
     for (std::uint64_t k = 0; k < 8; ++k) {
       // From tiny turns to half a turn, and matrices that are off a rotation as far as a scene takes them.
@@ -46,7 +46,7 @@ TEST(MotionBound, NoPointComesFartherThanTheWay) {
       for (std::uint64_t i = 0; i < 40; ++i) {
         const Vector3d p = pointOf(kSphere, 1000 * seed + 40 * k + i);
         ASSERT_LE((now * p - before * p).norm(), step) << seed << " " << k;
-        ASSERT_LE((now * p - first * p).norm(), reach.way() - begin + kRounding) << seed << " " << k;
+        ASSERT_LE((now * p - first * p).norm(), reach.travelled() - begin + kRounding) << seed << " " << k;
         ASSERT_LE((now * p - reach.centre()).norm(), reach.radius() + kRounding);
       }
       before = now.matrix().allFinite() ? now : before;
@@ -68,19 +68,19 @@ TEST(MotionBound, IsSharp) {
   EXPECT_LT(reach.moveTo(Transform::Identity()), kRounding) << "standing still";
 }
 
-TEST(MotionBound, TheWayNeverFallsShortInALongSum) {
+TEST(MotionBound, TheBoundNeverFallsShortInALongSum) {
   // 1e-9 m a step is far below the resolution of plain sums when the way is long.
   MotionBound reach({Vector3d::Zero(), 0.1});
   reach.moveTo(turned(0.0, Vector3d::UnitX(), {1e6, 0, 0}));
   reach.moveTo(Transform::Identity());
-  const double begin = reach.way();
+  const double begin = reach.travelled();
   Transform X = Transform::Identity();
   constexpr int kSteps = 100000;
   for (int i = 1; i <= kSteps; ++i) {
     X.translation().x() = 1e-9 * i;
     reach.moveTo(X);
   }
-  EXPECT_GE(reach.way() - begin, 1e-9 * kSteps);
+  EXPECT_GE(reach.travelled() - begin, 1e-9 * kSteps);
 }
 
 TEST(MotionBound, GapIsNeverAboveADistanceOfPoints) {

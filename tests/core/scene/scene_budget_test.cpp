@@ -93,7 +93,7 @@ TEST(SceneBudget, WhatWasPutOffIsCaughtUpWhenAllStandStill) {
   }
   for (int i = 0; i < 6; ++i) scene.step();
   scene.step();
-  EXPECT_TRUE(scene.renewed().empty());
+  EXPECT_TRUE(scene.updated().empty());
   for (const Pair& p : scene.pairs()) EXPECT_TRUE(sameBits(p.result, queried(scene, p)));
 }
 

@@ -109,7 +109,7 @@ TEST_F(PausedPairs, StayPausedWhenResultsAreTaken) {
   query::PairResult other;
   other.distance = 7.0;
   const std::vector<double> times{2.0, 2.5};
-  scene_.take({other, other}, times);
+  scene_.setResults({other, other}, times);
   EXPECT_EQ(scene_.result(ab_).distance, before);
   EXPECT_EQ(scene_.result(bc_).distance, 7.0);
   EXPECT_EQ(scene_.ageOf(ab_, 3.0), 2.0);

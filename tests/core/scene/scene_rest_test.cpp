@@ -85,7 +85,7 @@ TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
       ASSERT_EQ(p.result.force_a, Vector3d(0, 0, 0));
       ASSERT_LE(p.result.distance - p.result.bound, exact.distance + kOnSurface) << frame;
       ASSERT_LE(exact.distance - exact.bound, p.result.distance + kOnSurface) << frame;
-      if (p.outcome == PairOutcome::kRested) {
+      if (p.outcome == PairOutcome::kCulled) {
         ASSERT_LE(p.result.bound, last.bound + 2.0 * culling.rest * last.distance + kOnSurface) << frame;
       }
     }
@@ -185,7 +185,7 @@ TEST_F(Approach, JitterUsesUpTheRestAndStandingStillDoesNot) {
   EXPECT_GT(checks, 5);
   EXPECT_LT(checks, 20);
   scene_.step();
-  EXPECT_TRUE(scene_.renewed().empty());
+  EXPECT_TRUE(scene_.updated().empty());
 }
 
 TEST_F(Approach, WhatIsOutsideAskedForIsRefused) {

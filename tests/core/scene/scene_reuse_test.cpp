@@ -51,9 +51,9 @@ TEST(SceneReuse, OnlyPairsOfWhatMovedAreQueried) {
     scene.setThreads(threads);
     scatter(scene, 0);
     scene.step();
-    EXPECT_EQ(scene.renewed().size(), 66u);
+    EXPECT_EQ(scene.updated().size(), 66u);
     scene.step();
-    EXPECT_EQ(scene.renewed().size(), 0u) << "nothing moved";
+    EXPECT_EQ(scene.updated().size(), 0u) << "nothing moved";
     expectAllQueried(scene);
 
     std::size_t touched = 0;
@@ -64,7 +64,7 @@ TEST(SceneReuse, OnlyPairsOfWhatMovedAreQueried) {
       scene.setPose(second, testing::randomPose(frame + 5000), 0.01 * frame);
       scene.setPose(still, scene.object(still).X_WB, 0.01 * frame);
       scene.step();
-      ASSERT_EQ(scene.renewed().size(), first == second ? 11u : 21u);
+      ASSERT_EQ(scene.updated().size(), first == second ? 11u : 21u);
       expectAllQueried(scene);
       expectTotals(scene);
       touched += scene.touching().size();
@@ -80,7 +80,7 @@ TEST(SceneReuse, MarginsForceLawAndNewPairsAreTakenUp) {
   scene.setMargin(ObjectId(2), 0.3);
   scene.setMargin(ObjectId(2), 0.2);
   scene.step();
-  EXPECT_EQ(scene.renewed().size(), 5u);
+  EXPECT_EQ(scene.updated().size(), 5u);
   expectAllQueried(scene);
   scene.setForceLaw(query::ForceLaw::kThesis, 100.0);
   scene.step();
@@ -89,7 +89,7 @@ TEST(SceneReuse, MarginsForceLawAndNewPairsAreTakenUp) {
   scene.setPose(late, at(0.1), 0.0);
   scene.addPair(ObjectId(3), late);
   scene.step();
-  EXPECT_EQ(scene.renewed().size(), 1u);
+  EXPECT_EQ(scene.updated().size(), 1u);
   expectAllQueried(scene);
   expectTotals(scene);
 }
@@ -100,10 +100,10 @@ TEST(SceneReuse, ARefusedPoseMovesNothing) {
   scene.step();
   EXPECT_FALSE(scene.setPose(ObjectId(1), at(kNaN), 1.0));
   scene.step();
-  EXPECT_TRUE(scene.renewed().empty());
+  EXPECT_TRUE(scene.updated().empty());
 }
 
-TEST(SceneReuse, ASnapshotTakesWhatWasRenewedSince) {
+TEST(SceneReuse, ASnapshotCopiesWhatWasUpdatedSince) {
   Scene scene = crowd(10);
   view::SceneSnapshot often, rare;
   for (std::uint32_t frame = 0; frame < 60; ++frame) {

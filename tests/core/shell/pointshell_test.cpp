@@ -103,7 +103,7 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
     double farthest = 0.0;
     const geometry::TriangleMesh mesh = geometry::tessellate(body.shape, 1e-5);
     const SubTriangles pool(mesh, 0.2 * kSpacing, kInfinity, PitchField(mesh, kSpacing));
-    pool.walk([&](std::uint32_t, const SubTriangles::View& piece) {
+    pool.forEach([&](std::uint32_t, const SubTriangles::View& piece) {
       const Vector3d p = geometry::distanceTo(body.shape, piece.centroid()).nearest;
       farthest = std::max(farthest, nearest.distance(p, index));
     });

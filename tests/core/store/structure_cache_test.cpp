@@ -235,7 +235,7 @@ TEST(StructureCache, IsSharedByProcesses) {
       StructureCache cache(k.folder.path());
       bool good = true;
       for (int i = 0; i < 50; ++i) {
-        if (c < 2) cache.keep(k.key, *k.made);
+        if (c < 2) cache.store(k.key, *k.made);
         const auto found = cache.findStructure(k.key, "ball", nullptr);
         good = good && found && bytesOf(*found) == bytes;
       }
@@ -259,13 +259,13 @@ TEST(StructureCache, DropsWhatWasNotUsedForLongest) {
   const auto keyOf = [](int i) { return ContentKey{std::uint64_t(i), 0}; };
   const auto then = fs::file_time_type::clock::now() - std::chrono::hours(10);
   for (int i = 0; i < 3; ++i) {
-    cache.keep(keyOf(i), *k.made);
+    cache.store(keyOf(i), *k.made);
     fs::last_write_time(cache.structureFile(keyOf(i)), then + std::chrono::hours(i));
   }
   EXPECT_EQ(filesIn(folder.path()), 3u);
   EXPECT_TRUE(cache.findStructure(keyOf(0), "", ball())) << "now it was used last";
   spit(folder.path() / "a stranger", std::string(10 * one, 'x'));
-  cache.keep(keyOf(3), *k.made);
+  cache.store(keyOf(3), *k.made);
   EXPECT_EQ(filesIn(folder.path()), 4u);
   EXPECT_FALSE(exists(cache.structureFile(keyOf(1))));
   EXPECT_TRUE(exists(cache.structureFile(keyOf(0))) && exists(cache.structureFile(keyOf(2))) &&
@@ -279,7 +279,7 @@ TEST(StructureCache, SweepsUpAfterKilledProcesses) {
   spit(old, "half");
   spit(fresh, "half");
   fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(48));
-  k.cache.keep(k.key, *k.made);
+  k.cache.store(k.key, *k.made);
   EXPECT_FALSE(exists(old));
   EXPECT_TRUE(exists(fresh)) << "somebody may be writing it";
 }

@@ -122,9 +122,9 @@ TEST(Penetration, OfABoxPressedIntoABox) {
     SCOPED_TRACE(depth);
     X.translation() = Vector3d(0.2, 0.1, 1.0 + 0.25 - depth);
     const Penetration p = penetration(TriangleSoup(boxMesh({0.5, 0.5, 0.5})).moved(X), wall, 0.02, 100'000);
-    EXPECT_LE(p.least, depth + kExact);
-    EXPECT_GE(p.most, depth - kExact);
-    EXPECT_LE(p.most - p.least, 0.02);
+    EXPECT_LE(p.lower, depth + kExact);
+    EXPECT_GE(p.upper, depth - kExact);
+    EXPECT_LE(p.upper - p.lower, 0.02);
   }
 }
 
@@ -134,14 +134,14 @@ TEST(Penetration, OfACornerIsEnclosed) {
   Transform X = fromXyzRpy({0.1, 0.2, 0}, {kPi / 4, std::atan(std::sqrt(0.5)), 0.3});
   X.translation().z() = 1.0 + 0.5 * std::sqrt(3.0) - 0.2;
   const Penetration p = penetration(TriangleSoup(boxMesh({1, 1, 1})).moved(X), wall, 0.001, 5000);
-  EXPECT_LE(p.least, 0.2 + kExact);
-  EXPECT_GE(p.most, 0.2 - kExact);
-  EXPECT_LE(p.most - p.least, 0.001);
+  EXPECT_LE(p.lower, 0.2 + kExact);
+  EXPECT_GE(p.upper, 0.2 - kExact);
+  EXPECT_LE(p.upper - p.lower, 0.001);
 }
 
 TEST(Penetration, IsNegativeWhereNothingIsInside) {
   const TriangleSoup a(boxMesh({1, 1, 1})), b(boxMesh({1, 1, 1}, {3, 0, 0}));
-  EXPECT_LT(penetration(a, b, 0.01, 1000).most, 0.0);
+  EXPECT_LT(penetration(a, b, 0.01, 1000).upper, 0.0);
 }
 
 }  // namespace oracle_test

@@ -22,7 +22,7 @@ inline tracking::RigPose randomRigPose(const tracking::BodyRig& rig, std::uint64
     if (part.joint != tracking::RigJoint::kHinges) continue;
     for (int k = 0; k < part.freedoms; ++k) {
       const auto a = static_cast<std::size_t>(k);
-      d(part.column + k) = wildness * uniform(std::max(part.least[a], -0.2), 0.7 * part.most[a]);
+      d(part.column + k) = wildness * uniform(std::max(part.lower[a], -0.2), 0.7 * part.upper[a]);
     }
   }
   tracking::advance(rig, d, pose);

@@ -134,7 +134,7 @@ TEST(Filters, StartAnewBehindAGap) {
 
 // A cubic in time comes back exactly from a Hermite curve whose end velocities are exact; ours are one-sided
 // differences, so a straight walk is exact and the bone's length rules elsewhere.
-TEST(GapFill, KeepsTheWayAndTheLengthOfLimbs) {
+TEST(GapFill, KeepsTheTrajectoryAndTheLengthOfLimbs) {
   Recording r = walker(50);
   // The forearm turns about the elbow at 2 rad/s.
   constexpr double kLength = 0.25;

@@ -178,7 +178,7 @@ TEST(MarkerSolver, AllocatesNothing) {
     markers.push_back({f.segment, growth(f.segment, m.sizes).cwiseProduct(f.p_S)});
   MarkerSolver solver(m.body);
   PoseHold hold;
-  hold.to_rest = drawnToRest(m.body, markers);
+  hold.to_rest = restWeights(m.body, markers);
   MarkerPose found = solver.search(markers, m.moments[0], hold);
   EXPECT_LT(found.rms, 0.003);
   testing::NoAlloc guard;

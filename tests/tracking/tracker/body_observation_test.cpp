@@ -42,7 +42,7 @@ TEST(BodyObservation, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   const Transform X_CW = camera.X_WC.inverse();
   ASSERT_EQ(seen.points().count, 15u * 23u);
   for (std::size_t i = 0; i < seen.points().count; ++i) {
@@ -57,32 +57,32 @@ TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
   const DepthCamera camera = cameraOf(640, 480);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen(1000);
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   EXPECT_LE(seen.points().count, 1200u);
   EXPECT_GT(seen.points().count, 500u);
   for (std::size_t i = 0; i < seen.points().count; ++i)
     EXPECT_NEAR((camera.X_WC.inverse() * seen.points().point(i)).z(), 1.8, 1e-5);
 }
 
-TEST(BodyObservation, EmptyCellsKnowTheWayToThePerson) {
+TEST(BodyObservation, EmptyCellsKnowTheOffsetToThePerson) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   constexpr double kZ = 1.8;
   for (int v = 0; v < 48; v += 5) {
     for (int u = 0; u < 64; u += 3) {
-      const BodyObservation::Look look = seen.at(camera.at(u, v, kZ));
+      const BodyObservation::Probe probe = seen.at(camera.at(u, v, kZ));
       const bool in = p.is_person[static_cast<std::size_t>(v * 64 + u)] != 0;
-      EXPECT_EQ(look.state, in ? CellState::kPerson : CellState::kEmpty);
-      EXPECT_NEAR(look.z, in ? 1.8 : 3.0, 1e-5);
+      EXPECT_EQ(probe.state, in ? CellState::kPerson : CellState::kEmpty);
+      EXPECT_NEAR(probe.z, in ? 1.8 : 3.0, 1e-5);
       if (in) continue;
       double nearest = kInfinity;
       for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x)
           if (p.is_person[static_cast<std::size_t>(y * 64 + x)] != 0)
             nearest = std::min(nearest, std::hypot(x - u, y - v));
-      EXPECT_NEAR(look.to_person.norm(), nearest * kZ / camera.fx,
+      EXPECT_NEAR(probe.to_person.norm(), nearest * kZ / camera.fx,
                   1.0 * kZ / camera.fx);  // off by a cell at most
     }
   }
@@ -93,10 +93,10 @@ TEST(BodyObservation, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
   Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
   p.image.at(2, 2) = 0.0f;
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   EXPECT_EQ(seen.at(camera.at(2, 2, 1.0)).state, CellState::kUnknown);
   p = picture(camera, 1.8f, 0.0f);
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   EXPECT_EQ(seen.at(camera.at(2, 2, 1.0)).state, CellState::kEmpty);
   EXPECT_EQ(seen.at(camera.at(-5, 2, 1.0)).state, CellState::kUnknown);
   EXPECT_EQ(seen.at({0.0, 0.0, -1.0}).state, CellState::kUnknown);
@@ -106,9 +106,9 @@ TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   testing::NoAlloc guard;
-  seen.look(p.image, camera, p.is_person);
+  seen.update(p.image, camera, p.is_person);
   EXPECT_EQ(guard.count(), 0);
 }
 

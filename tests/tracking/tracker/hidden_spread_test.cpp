@@ -35,14 +35,14 @@ humanmodel::SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, c
 }
 
 TEST(HiddenWays, AreZeroForWhatIsSeenAndInfiniteWithoutAnything) {
-  for (const double way : hiddenWays(rig(), without({}))) EXPECT_EQ(way, 0.0);
-  for (const double way : hiddenWays(rig(), 0)) EXPECT_EQ(way, kInfinity);
+  for (const double way : hiddenPathLengths(rig(), without({}))) EXPECT_EQ(way, 0.0);
+  for (const double way : hiddenPathLengths(rig(), 0)) EXPECT_EQ(way, kInfinity);
 }
 
 TEST(HiddenWays, AddUpTheBonesFromTheLastSeenSegment) {
   using enum humanmodel::Joint;
-  const auto ways =
-      hiddenWays(rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
+  const auto ways = hiddenPathLengths(
+      rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
   const auto way = [&](humanmodel::Joint j) { return ways[static_cast<std::size_t>(j)]; };
   const double forearm = rig().p_joint[static_cast<std::size_t>(kWristLeft)].norm();
   const double hand = rig().p_joint[static_cast<std::size_t>(kHandLeft)].norm();
@@ -69,7 +69,7 @@ TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
       {kForearmLeft, 1u << index(kForearmLeft)},
       {kHead, 1u << index(kHead)}};
   for (const Case& c : cases) {
-    const auto ways = hiddenWays(rig(), c.seen);
+    const auto ways = hiddenPathLengths(rig(), c.seen);
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       RigPlacement held_at;
       place(rig(), testing::randomRigPose(rig(), 2 * seed, 1.0), held_at);
@@ -97,7 +97,7 @@ TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
   hidden.see(0.0, without({}));
   for (const double s : hidden.spread()) EXPECT_EQ(s, 0.0);
   const SeenSegments seen = without({kUpperArmLeft, kForearmLeft, kHandLeft});
-  const double space = 2.0 * hiddenWays(rig(), seen)[wrist];
+  const double space = 2.0 * hiddenPathLengths(rig(), seen)[wrist];
   double last = 0.0;
   for (int i = 1; i <= 60; ++i) {
     const double t = i / 30.0;
@@ -124,8 +124,8 @@ TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
   hidden.see(0.0, seen);
   EXPECT_EQ(guard.count(), 0);
   const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
-  EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), 2.0 * hiddenWays(rig(), seen)[ankle],
-              kRounding);
+  EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]),
+              2.0 * hiddenPathLengths(rig(), seen)[ankle], kRounding);
 }
 
 }  // namespace hidden_spread_test

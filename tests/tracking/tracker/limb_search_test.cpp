@@ -25,15 +25,15 @@ TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
       place(rig, pose, X_WS);
       const double miss = (X_WS[index(limb.end)].translation() - goal).norm();
       // The bend ends where the hinge does: 155 degrees.
-      const double folded = std::sqrt(a * a + b * b + 2.0 * a * b * std::cos(rig[limb.lower].most[0]));
+      const double folded = std::sqrt(a * a + b * b + 2.0 * a * b * std::cos(rig[limb.lower].upper[0]));
       if (away < a + b - 2e-3 && away > folded + 0.02) {
         ++tried;
         EXPECT_LT(miss, 1e-6) << segmentName(limb.upper) << " seed " << seed;
       } else if (away >= a + b) {
         EXPECT_NEAR(miss, away - (a + b), 2e-3);  // stretched out as far as the law of cosines is kept safe
       }
-      EXPECT_GE(pose.angle[index(limb.lower)][0], rig[limb.lower].least[0]);
-      EXPECT_LE(pose.angle[index(limb.lower)][0], rig[limb.lower].most[0]);
+      EXPECT_GE(pose.angle[index(limb.lower)][0], rig[limb.lower].lower[0]);
+      EXPECT_LE(pose.angle[index(limb.lower)][0], rig[limb.lower].upper[0]);
     }
   }
   EXPECT_GT(tried, 200);

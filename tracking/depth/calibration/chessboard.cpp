@@ -31,11 +31,11 @@ Matrix3d turnOf(const cv::Mat& m) {
 }
 
 /// Largest angle (rad) between the normals of two boards.
-double mostLean(const std::vector<cv::Mat>& turns) {
-  double least = 1.0;
+double maxTilt(const std::vector<cv::Mat>& turns) {
+  double smallest = 1.0;
   for (const cv::Mat& a : turns)
-    for (const cv::Mat& b : turns) least = std::min(least, turnOf(a).col(2).dot(turnOf(b).col(2)));
-  return std::acos(std::clamp(least, -1.0, 1.0));
+    for (const cv::Mat& b : turns) smallest = std::min(smallest, turnOf(a).col(2).dot(turnOf(b).col(2)));
+  return std::acos(std::clamp(smallest, -1.0, 1.0));
 }
 
 std::vector<cv::Point3f> cornersOf(const Chessboard& board) {
@@ -198,7 +198,7 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
   }
   // Parallel boards do not determine the focal length. The negated form also rejects NaN.
   if (!(std::isfinite(fit.rms) && fit.focal_spread <= kMaxFocalSpread &&
-        mostLean(turns) >= unit::deg(kMinLean)))
+        maxTilt(turns) >= unit::deg(kMinLean)))
     throw UsageError(
         "--intrinsics: found boards that leave the focal length open, expected some that lean to different "
         "sides by 20 degrees and more");

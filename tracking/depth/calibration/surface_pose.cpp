@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMinPoints = 150.0;
 constexpr double kMinExplained = 0.5;
-constexpr double kMinHeld = 1e-3;           // smallest constraint of a dof, as a share of all rows
+constexpr double kMinConstraint = 1e-3;     // smallest constraint of a dof, as a share of all rows
 constexpr std::size_t kMaxPixels = 100000;  // evaluated in all views together
 constexpr std::size_t kEvery = 5;           // uses every kEvery-th point until the best start is known
 constexpr double kAgree = 0.6;              // smallest cosine between the normals of image and surface
@@ -46,10 +46,10 @@ std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const 
       for (int u = beside; u + beside < image.width; u += step) {
         const Vector3d p = at(u, v), left = at(u - beside, v), right = at(u + beside, v);
         const Vector3d above = at(u, v - beside), below = at(u, v + beside);
-        const double most = 0.015 + 0.01 * p.z() * p.z();
+        const double max_step = 0.015 + 0.01 * p.z() * p.z();
         bool smooth = p.z() > 0.0;
         for (const Vector3d* q : {&left, &right, &above, &below})
-          smooth = smooth && q->z() > 0.0 && std::abs(q->z() - p.z()) < most;
+          smooth = smooth && q->z() > 0.0 && std::abs(q->z() - p.z()) < max_step;
         if (!smooth) continue;
         const Vector3d n = (below - above).cross(right - left);
         const double cosine = -n.dot(p) / (n.norm() * p.norm());
@@ -176,7 +176,7 @@ class Fit {
 
 /// Smallest constraint of any dof, as a share of the rows: rotations count by the displacement of a point at
 /// a typical distance from the centre.
-double leastHeld(const Fit::Sum& sum) {
+double weakestConstraint(const Fit::Sum& sum) {
   Matrix6d H = sum.JTJ / sum.weights;
   const double turns = H.bottomRightCorner<3, 3>().trace();
   const double scale = turns > 0.0 ? 1.0 / std::sqrt(turns) : 0.0;
@@ -200,12 +200,12 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
   SurfaceSearch search(camera, bodies, views, seed);
   const Fit fit(camera, bodies, views);
   SurfaceFit best;
-  double least = kInfinity;
+  double smallest_cost = kInfinity;
   for (const Transform& start : search.search(kStarts)) {
     const Transform end = fit.from(start, true);
     const double cost = search.cost(end, kLastTolerance);
-    if (cost >= least) continue;
-    least = cost;
+    if (cost >= smallest_cost) continue;
+    smallest_cost = cost;
     best.X_WC = end;
   }
   best.X_WC = fit.from(best.X_WC, false);
@@ -223,7 +223,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
         "--links: found %.0f %% of what would be seen of the robot, expected half or more: its joints are "
         "elsewhere, or the camera's start is more than 0.1 m or 10 degrees off",
         100.0 * best.explained);
-  if (!(leastHeld(sum) >= kMinHeld))
+  if (!(weakestConstraint(sum) >= kMinConstraint))
     throw UsageError(
         "--links: found surfaces that leave a freedom of the camera open, as a ball does, expected links "
         "that "

@@ -21,7 +21,7 @@ struct Candidate {
 };
 
 /// Uniformly distributed offset in a box: translated and rotated about the camera's own axes.
-Transform beside(const Transform& X_WC, double reach, double turn, Random& random) {
+Transform perturbed(const Transform& X_WC, double reach, double turn, Random& random) {
   const Vector3d move = random.inCube(reach), angles = random.inCube(turn);
   return X_WC * fromXyzRpy(move, angles);
 }
@@ -39,7 +39,7 @@ SurfaceSearch::SurfaceSearch(const DepthCamera& camera, std::span<const geometry
 }
 
 template <class Visit>
-void SurfaceSearch::look(const Transform& X_WC, const Visit& visit) const {
+void SurfaceSearch::forEachVisible(const Transform& X_WC, const Visit& visit) const {
   const Transform X_CW = X_WC.inverse();
   const Vector3d eye = X_WC.translation();
   for (const Point& point : points_) {
@@ -60,7 +60,7 @@ void SurfaceSearch::look(const Transform& X_WC, const Visit& visit) const {
 
 double SurfaceSearch::cost(const Transform& X_WC, double tolerance) const {
   double sum = 0.0, count = 0.0;
-  look(X_WC, [&](double behind, double) {
+  forEachVisible(X_WC, [&](double behind, double) {
     count += 1.0;
     if (std::isnan(behind) || behind < -tolerance)
       sum += kNotSeen;
@@ -72,7 +72,7 @@ double SurfaceSearch::cost(const Transform& X_WC, double tolerance) const {
 
 double SurfaceSearch::explained(const Transform& X_WC) const {
   double there = 0.0, count = 0.0;
-  look(X_WC, [&](double behind, double z) {
+  forEachVisible(X_WC, [&](double behind, double z) {
     const double tolerance = 0.03 + 0.006 * z * z;  // two steps of a Kinect's disparity, and its edge effects
     if (!(behind > -tolerance)) return;
     count += 1.0;
@@ -81,12 +81,12 @@ double SurfaceSearch::explained(const Transform& X_WC) const {
   return count > 0.0 ? there / count : 0.0;
 }
 
-std::vector<Transform> SurfaceSearch::search(std::size_t most) {
+std::vector<Transform> SurfaceSearch::search(std::size_t max_count) {
   const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
   Random random(seed_, 1);
   std::vector<Candidate> found{{cost(camera_.X_WC, kFirstTolerance), camera_.X_WC}};
   for (std::size_t i = 0; i < kCoarse; ++i) {
-    const Transform X = beside(camera_.X_WC, kReach, kTurn, random);
+    const Transform X = perturbed(camera_.X_WC, kReach, kTurn, random);
     found.push_back({cost(X, kFirstTolerance), X});
   }
   std::stable_sort(found.begin(), found.end(), cheaper);
@@ -98,14 +98,14 @@ std::vector<Transform> SurfaceSearch::search(std::size_t most) {
       const double smaller = 0.3 * std::pow(0.7, round);
       best.cost = cost(best.X_WC, tolerance);
       for (int i = 0; i < kTries; ++i) {
-        const Transform X = beside(best.X_WC, smaller * kReach, smaller * kTurn, random);
+        const Transform X = perturbed(best.X_WC, smaller * kReach, smaller * kTurn, random);
         const double c = cost(X, tolerance);
         if (c < best.cost) best = {c, X};
       }
     }
   std::stable_sort(found.begin(), found.end(), cheaper);
   std::vector<Transform> poses;
-  for (std::size_t i = 0; i < std::min(most, found.size()); ++i) poses.push_back(found[i].X_WC);
+  for (std::size_t i = 0; i < std::min(max_count, found.size()); ++i) poses.push_back(found[i].X_WC);
   return poses;
 }
 

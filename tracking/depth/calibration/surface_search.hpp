@@ -22,9 +22,9 @@ class SurfaceSearch {
   SurfaceSearch(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
                 std::span<const SurfaceView> views, std::uint64_t seed);
 
-  /// Up to `most` poses with the lowest cost, best first, from some thousands around camera.X_WC: within
+  /// Up to `max_count` poses with the lowest cost, best first, from some thousands around camera.X_WC: within
   /// kReach (m) and kTurn (rad) along and about each axis, then in decreasing ranges around the best ones.
-  std::vector<Transform> search(std::size_t most);
+  std::vector<Transform> search(std::size_t max_count);
   /// Mean cost, 0 to 1, over the points that face the camera; `tolerance` in m.
   double cost(const Transform& X_WC, double tolerance) const;
   /// Share of matching points among those that face the camera at measured pixels and are not occluded.
@@ -40,7 +40,7 @@ class SurfaceSearch {
   /// Calls visit(behind, z) for each point that faces the camera: distance (m) of the measured surface behind
   /// it, NaN without measurement or outside of the image, and its depth.
   template <class Visit>
-  void look(const Transform& X_WC, const Visit& visit) const;
+  void forEachVisible(const Transform& X_WC, const Visit& visit) const;
 
   DepthCamera camera_;
   std::span<const SurfaceView> views_;

@@ -45,11 +45,11 @@ FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& fi
     at = 0;
     fail("found no PGM, expected P5, a depth frame of libfreenect's record");
   }
-  const auto number = [&](const char* what, int most) {
+  const auto number = [&](const char* what, int max) {
     const std::string_view text = word();
     const auto n = parseInt(text);
-    if (!n || *n < 1 || *n > most)
-      fail("found " + text::inQuotes(text) + ", expected " + what + " from 1 to " + std::to_string(most));
+    if (!n || *n < 1 || *n > max)
+      fail("found " + text::inQuotes(text) + ", expected " + what + " from 1 to " + std::to_string(max));
     return n.value_or(0);
   };
   FreenectHeader header;

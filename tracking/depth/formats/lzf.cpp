@@ -5,16 +5,16 @@
 
 namespace abstand::tracking {
 
-bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
+bool unpackLzf(std::string_view packed, std::size_t max_size, std::string& out) {
   // A byte of input expands to at most 88 bytes (three bytes to 264).
   out.clear();
-  out.reserve(std::min(most, 88 * packed.size()));
+  out.reserve(std::min(max_size, 88 * packed.size()));
   std::size_t at = 0;
   while (at < packed.size()) {
     const auto control = static_cast<unsigned char>(packed[at++]);
     if (control < 32) {
       const std::size_t count = control + std::size_t{1};
-      if (packed.size() - at < count || most - out.size() < count) return false;
+      if (packed.size() - at < count || max_size - out.size() < count) return false;
       out.append(packed, at, count);
       at += count;
       continue;
@@ -26,7 +26,7 @@ bool unpackLzf(std::string_view packed, std::size_t most, std::string& out) {
     const std::size_t distance =
         (static_cast<std::size_t>(control & 31) << 8 | static_cast<unsigned char>(packed[at++])) + 1;
     count += 2;
-    if (distance > out.size() || most - out.size() < count) return false;
+    if (distance > out.size() || max_size - out.size() < count) return false;
     // Source and destination may overlap.
     for (std::size_t i = 0; i < count; ++i) out.push_back(out[out.size() - distance]);
   }

@@ -57,7 +57,7 @@ class Reader {
   }
 
   /// Reads `size` bytes; false if the file ends before.
-  bool take(std::size_t size) {
+  bool readBytes(std::size_t size) {
     bytes_.resize(size);
     in_.read(bytes_.data(), static_cast<std::streamsize>(size));
     return static_cast<std::size_t>(in_.gcount()) == size;
@@ -65,7 +65,8 @@ class Reader {
 
   void readHeader() {
     constexpr std::size_t kHeader = 24;
-    if (!take(kHeader) || bytes_.substr(0, 4) != "NI10") fail("found no OpenNI recording, expected NI10");
+    if (!readBytes(kHeader) || bytes_.substr(0, 4) != "NI10")
+      fail("found no OpenNI recording, expected NI10");
     const std::string_view b = bytes_;
     const std::uint64_t major = lowFirst(b.substr(4, 1)), minor = lowFirst(b.substr(5, 1));
     const std::uint64_t third = lowFirst(b.substr(6, 2)), fourth = lowFirst(b.substr(8, 4));
@@ -81,7 +82,7 @@ class Reader {
   bool readRecord() {
     in_.clear();
     in_.seekg(static_cast<std::streamoff>(at_));
-    if (!take(header_)) return false;
+    if (!readBytes(header_)) return false;
     const std::string head = bytes_;
     const auto word = [&](std::size_t i) {
       return static_cast<std::uint32_t>(lowFirst(std::string_view(head).substr(4 * i, 4)));
@@ -91,7 +92,7 @@ class Reader {
     if (fields < header_ || fields - header_ > kMaxOniFields || data > kMaxData)
       fail("found a record of " + std::to_string(fields) + " and " + std::to_string(data) +
            " bytes, expected smaller ones");
-    if (!take(fields - header_)) return false;
+    if (!readBytes(fields - header_)) return false;
     switch (type) {
       case kAdded4:
       case kAdded5:

@@ -51,12 +51,12 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
   Lines lines(bytes);
   std::string_view line;
   const auto fail = [&](const std::string& message) { throw ParseError({file, lines.number()}, message); };
-  const auto number = [&](std::string_view text, int least, int most) {
+  const auto number = [&](std::string_view text, int min, int max) {
     const auto n = parseInt(text);
-    if (!n || *n < least || *n > most)
-      fail("found " + text::inQuotes(text) + ", expected a number from " + std::to_string(least) + " to " +
-           std::to_string(most));
-    return static_cast<std::size_t>(n.value_or(least));
+    if (!n || *n < min || *n > max)
+      fail("found " + text::inQuotes(text) + ", expected a number from " + std::to_string(min) + " to " +
+           std::to_string(max));
+    return static_cast<std::size_t>(n.value_or(min));
   };
   std::size_t points = 0;
   bool has_points = false;

@@ -36,7 +36,7 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
   chooseCamera(source, given, kKinectWidth, kKinectHeight, kKinectSource);
   straight_.emplace(source.camera, options.mirror);
   noteStraightening(source.facts, source.camera, options.mirror);
-  driver_ = std::make_unique<FreenectCamera>([this](const std::uint16_t* numbers) { keep(numbers); });
+  driver_ = std::make_unique<FreenectCamera>([this](const std::uint16_t* numbers) { storeImage(numbers); });
   facts_ = source.facts;
   facts_.notes.emplace_back(driver_->isRaw()
                                 ? "disparities of 11 bits, made into depths by the line of README.md"
@@ -55,7 +55,7 @@ LiveDepth::~LiveDepth() {
 }
 
 /// Called on the driver's thread. No allocation, no lock, no throw.
-void LiveDepth::keep(const std::uint16_t* numbers) {
+void LiveDepth::storeImage(const std::uint16_t* numbers) {
   last_ = Clock::now();
   if (came_ == 0) first_ = last_;
   Image& image = images_.back();

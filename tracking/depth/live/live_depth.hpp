@@ -50,7 +50,7 @@ class LiveDepth {
     LiveFrame live;
   };
 
-  void keep(const std::uint16_t* numbers);
+  void storeImage(const std::uint16_t* numbers);
   void watch();
   void end(const std::string& why);
 

@@ -55,7 +55,7 @@ class FloorModel : public LevelPlane {
   }
 
  private:
-  int below(int most) { return static_cast<int>(random_.below(static_cast<std::size_t>(most))); }
+  int below(int limit) { return static_cast<int>(random_.below(static_cast<std::size_t>(limit))); }
   pcl::index_t near(int column, int row, int reach) {
     const int dc = below(2 * reach + 1) - reach, dr = below(2 * reach + 1) - reach;
     return grid_.indexOf(std::clamp(column + dc, 0, grid_.columns - 1),

@@ -64,11 +64,11 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
     }
   if (points_.size() < 50) return std::nullopt;
   const auto total = static_cast<double>(points_.size());
-  const auto least = static_cast<std::size_t>(kMinShare * total);
+  const auto min_count = static_cast<std::size_t>(kMinShare * total);
   const auto count_floor = [&](const FloorPlane& plane) -> std::size_t {
     if (plane.height < kMinHeight) return 0;
     const Count count = countOn(points_, plane);
-    return count.on <= least || static_cast<double>(count.below) > kMaxBelow * total ? 0 : count.on;
+    return count.on <= min_count || static_cast<double>(count.below) > kMaxBelow * total ? 0 : count.on;
   };
   std::optional<FloorPlane> best =
       consensusPlane(grid_, {unit::deg(kTilt), kCertainty, kTries, seed}, count_floor);

@@ -32,10 +32,10 @@ constexpr double kYoung = 1.0;  // s
 constexpr double kSplit = 0.4;  // m: new persons are at least this far from others
 constexpr std::size_t kMinPixels = 30;
 
-constexpr float kMaxWaver = 0.3f;  // m; surfaces that vary more are not static
+constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
 
 /// m; largest variation of a Kinect's depth of a static surface (steps of 2.9 mm z^2, twice).
-float waver(float z) { return 0.03f + 0.006f * z * z; }
+float depthNoise(float z) { return 0.03f + 0.006f * z * z; }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixels, -1);
   background_.resize(pixels);
-  still_.resize(pixels);
+  unassigned_.resize(pixels);
   people_.label.assign(pixels, 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
@@ -64,22 +64,22 @@ void PeopleFinder::findFloor(double t, const DepthImage& image) {
 
 /// True within four mean deviations (somewhat more than three standard deviations), or within the camera's
 /// own variation.
-bool PeopleFinder::keeps(const Still& still, float z) {
-  return still.z > 0.0f &&
-         std::abs(z - still.z) < std::max(waver(z), std::min(4.0f * still.wavers, kMaxWaver));
+bool PeopleFinder::isStable(const StablePixel& surface, float z) {
+  return surface.z > 0.0f &&
+         std::abs(z - surface.z) < std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
 }
 
 void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
   constexpr float kNew = 0.1f;  // weight of the newest depth in the means
-  Still& still = still_[pixel];
-  if (!keeps(still, z)) {
-    still = {z, 0.5f * waver(z), 0.0f};
+  StablePixel& surface = unassigned_[pixel];
+  if (!isStable(surface, z)) {
+    surface = {z, 0.5f * depthNoise(z), 0.0f};
     return;
   }
-  still.wavers += kNew * (std::abs(z - still.z) - still.wavers);
-  still.z += kNew * (z - still.z);
-  still.lasts += dt;
-  if (still.lasts >= static_cast<float>(options_.learn_after)) background_[pixel] = still;
+  surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
+  surface.z += kNew * (z - surface.z);
+  surface.duration += dt;
+  if (surface.duration >= static_cast<float>(options_.learn_after)) background_[pixel] = surface;
 }
 
 /// Without a floor: a level plane through the lowest one percent of the points.
@@ -104,7 +104,7 @@ void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
   plane_ = {-Vector3d::UnitY(), -(kLowest + kBin * static_cast<double>(bin))};
 }
 
-void PeopleFinder::lookFromAbove(const DepthImage& image, const DepthImage* known) {
+void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* known) {
   plan_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
@@ -120,13 +120,13 @@ void PeopleFinder::lookFromAbove(const DepthImage& image, const DepthImage* know
     for (int u = 0; u < image.width; ++u, ++i) {
       cell_of_[i] = -1;
       const float z = image.z[i];
-      if (!(z > nearest && z < farthest) || keeps(background_[i], z)) continue;
+      if (!(z > nearest && z < farthest) || isStable(background_[i], z)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
       const float x = x_[static_cast<std::size_t>(u)];
       const float rise = U.x() * x + up_row;  // slope of the ray
       const float h = z * rise + height;
       // A variation along the ray is scaled by its slope in height.
-      const float sole = has_floor ? 0.02f + waver(z) * std::abs(rise) : 0.0f;
+      const float sole = has_floor ? 0.02f + depthNoise(z) * std::abs(rise) : 0.0f;
       if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
       const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
                                         static_cast<double>(z * (A.x() * x + ahead_row)));
@@ -211,10 +211,10 @@ void PeopleFinder::dropHeadsWithoutBody() {
           head.body += static_cast<double>(plan_.cell(i).area[slab]);
       });
     }
-    const auto least = std::min_element(heads_.begin(), heads_.end(),
-                                        [](const Head& a, const Head& b) { return a.body < b.body; });
-    if (least->body >= kMinBody) return;
-    heads_.erase(least);
+    const auto smallest = std::min_element(heads_.begin(), heads_.end(),
+                                           [](const Head& a, const Head& b) { return a.body < b.body; });
+    if (smallest->body >= kMinBody) return;
+    heads_.erase(smallest);
   }
 }
 
@@ -230,7 +230,7 @@ void PeopleFinder::follow(double t) {
     track.suspect = t - track.born < kYoung || (place - track.place).norm() > kJump;
     track.place = place;
     track.seen = t;
-    if (has_head) track.headed = t;
+    if (has_head) track.head_seen = t;
     track.here = true;
     track.matched = has_head;
   };
@@ -253,7 +253,7 @@ void PeopleFinder::follow(double t) {
   }
   // Persons without a visible head stay with the surface at their last position.
   for (Track& track : tracks_) {
-    if (track.matched || t - track.headed > options_.without_head) continue;
+    if (track.matched || t - track.head_seen > options_.without_head) continue;
     const Place place = middleOfBody(predicted(track));
     bool is_free = true;
     for (const Track& other : tracks_)
@@ -272,7 +272,7 @@ void PeopleFinder::follow(double t) {
     Track track;
     track.id = next_id_++;
     track.place = place;
-    track.born = track.seen = track.headed = t;
+    track.born = track.seen = track.head_seen = t;
     track.here = track.matched = track.suspect = true;
     tracks_.push_back(track);
   }
@@ -280,7 +280,7 @@ void PeopleFinder::follow(double t) {
 
 /// Assigns each cell to the nearest person whose trunk is in the same component, or within whose reach a
 /// disconnected part lies.
-void PeopleFinder::own() {
+void PeopleFinder::assignCells() {
   for (std::size_t k = 0; k < plan_.components(); ++k) {
     const auto cells = plan_.component(k);
     double whole = 0.0, standing = 0.0;
@@ -339,7 +339,7 @@ bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const
   const auto compare = [&](std::size_t inside, std::size_t outside) {
     if (people_.label[inside] != label || people_.label[outside] != 0) return;
     const float z = image.z[inside], behind = background_[outside].z;
-    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * waver(z) ? even : steps);
+    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * depthNoise(z) ? even : steps);
   };
   for (std::size_t i = 0; i + width < image.z.size(); ++i) {
     compare(i, i + 1);
@@ -357,7 +357,7 @@ void PeopleFinder::dropUncovered(const DepthImage& image) {
     for (std::size_t i = 0; i < image.z.size(); ++i) {
       if (people_.label[i] != label) continue;
       people_.label[i] = 0;
-      background_[i] = {image.z[i], 0.5f * waver(image.z[i]), 0.0f};
+      background_[i] = {image.z[i], 0.5f * depthNoise(image.z[i]), 0.0f};
     }
     tracks_[k].here = false;
     tracks_[k].seen = -kInfinity;  // removed with the next image
@@ -384,7 +384,7 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
         if (z > 0.0f) learn(i, z, dt);
         continue;
       }
-      still_[i] = {};
+      unassigned_[i] = {};
       Sum& sum = sums[people_.label[i] - std::size_t{1}];
       const Vector3d p_C(static_cast<double>(z * x_[static_cast<std::size_t>(u)]),
                          static_cast<double>(z * y_[static_cast<std::size_t>(v)]), static_cast<double>(z));
@@ -419,10 +419,10 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   people_.persons.clear();
   findFloor(t, image);
   if (!people_.floor) estimateFloorFromScene(image);
-  lookFromAbove(image, known);
+  projectToPlan(image, known);
   findHeads();
   follow(t);
-  own();
+  assignCells();
   label(image);
   dropUncovered(image);
   describe(t, image);

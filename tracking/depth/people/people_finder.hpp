@@ -61,7 +61,7 @@ class PeopleFinder {
   struct Track {
     int id{-1};
     Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
-    double born{0.0}, seen{0.0}, headed{0.0};          ///< s, first seen, last seen, last seen with a head
+    double born{0.0}, seen{0.0}, head_seen{0.0};       ///< s, first seen, last seen, last seen with a head
     bool here{false};                                  ///< seen in this image
     bool matched{false};                               ///< matched to a head of this image
     bool suspect{false};  ///< younger than a second, or at a place where it was not
@@ -74,25 +74,25 @@ class PeopleFinder {
   };
 
   /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), and duration (s).
-  struct Still {
-    float z{0.0f}, wavers{0.0f}, lasts{0.0f};
+  struct StablePixel {
+    float z{0.0f}, deviation{0.0f}, duration{0.0f};
   };
 
   void findFloor(double t, const DepthImage& image);
   void estimateFloorFromScene(const DepthImage& image);
-  void lookFromAbove(const DepthImage& image, const DepthImage* known);
+  void projectToPlan(const DepthImage& image, const DepthImage* known);
   void findHeads();
   bool isHead(int cell) const;
   void dropHeadsWithoutBody();
   Place middleOfBody(Place place) const;
   double bodyArea(const Place& place, double radius) const;
   void follow(double t);
-  void own();
+  void assignCells();
   void label(const DepthImage& image);
   bool isUncovered(std::size_t track, const DepthImage& image) const;
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
-  static bool keeps(const Still& still, float z);
+  static bool isStable(const StablePixel& surface, float z);
   void learn(std::size_t pixel, float z, float dt);
 
   DepthCamera camera_;
@@ -102,10 +102,10 @@ class PeopleFinder {
   bool floor_given_{false};
   double next_floor_{-kInfinity};  ///< s, time of the next search
   PlanView plan_;
-  std::vector<int> cell_of_;       ///< of each pixel; -1: ignored
-  std::vector<Still> still_;       ///< current unassigned surface
-  std::vector<Still> background_;  ///< learned; z 0: not learned
-  std::vector<float> x_, y_;       ///< of the rays with z = 1
+  std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
+  std::vector<StablePixel> unassigned_;  ///< current unassigned surface
+  std::vector<StablePixel> background_;  ///< learned; z 0: not learned
+  std::vector<float> x_, y_;             ///< of the rays with z = 1
   std::vector<Head> heads_;
   std::vector<Track> tracks_;
   PeopleImage people_;

@@ -51,9 +51,9 @@ void DepthRender::fill(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
   const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
   // The negated form also rejects NaN.
   if (!(std::abs(area) > 0.0)) return;
-  const auto first = [](double least, int) { return static_cast<int>(std::ceil(std::max(0.0, least))); };
-  const auto last = [](double most, int size) {
-    return static_cast<int>(std::floor(std::min(most, size - 1.0)));
+  const auto first = [](double lower, int) { return static_cast<int>(std::ceil(std::max(0.0, lower))); };
+  const auto last = [](double upper, int size) {
+    return static_cast<int>(std::floor(std::min(upper, size - 1.0)));
   };
   for (int y = first(v.minCoeff(), 0); y <= last(v.maxCoeff(), image_.height); ++y) {
     for (int x = first(u.minCoeff(), 0); x <= last(u.maxCoeff(), image_.width); ++x) {

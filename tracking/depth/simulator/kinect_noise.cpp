@@ -33,7 +33,7 @@ class Projector {
         before_(static_cast<int>(std::ceil(std::abs(shift_) / noise.nearest)) + 1),
         nearest_(static_cast<std::size_t>(camera.width + 2 * before_)) {}
 
-  void look(const DepthImage& image, int row) {
+  void project(const DepthImage& image, int row) {
     std::fill(nearest_.begin(), nearest_.end(), std::numeric_limits<float>::infinity());
     for (int u = 0; u < image.width; ++u) {
       const float z = image.at(u, row);
@@ -90,7 +90,7 @@ DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, cons
   DepthImage lit(ideal.width, ideal.height), seen(ideal.width, ideal.height);
   Projector projector(camera, noise);
   for (int v = 0; v < ideal.height; ++v) {
-    projector.look(ideal, v);
+    projector.project(ideal, v);
     for (int u = 0; u < ideal.width; ++u) {
       const float z = ideal.at(u, v);
       if (z > 0.0f && projector.lights(u, z) && facing(ideal, camera, u, v) >= noise.grazing)

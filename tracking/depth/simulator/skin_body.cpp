@@ -250,7 +250,7 @@ void SkinBody::addArm(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
                          [&](double x) { return smoothCurve(kForearm, x) * forearm_ + clothing_; }, none)});
   if (apart(wrist, hand)) {
     // The palm of a standing person faces the thigh; the thumb points forward.
-    const Vector3d way = f[hand] - f[wrist], axis = way.normalized();
+    const Vector3d bone = f[hand] - f[wrist], axis = bone.normalized();
     const Vector3d v = squareTo(axis, front), u = v.cross(axis);
     std::vector<LoftSection> sections;
     constexpr int kHandRings = 14;
@@ -258,7 +258,7 @@ void SkinBody::addArm(const humanmodel::SkeletonFrame& f, bool is_left, Parts& p
       const double along = -std::cos(kPi * i / kHandRings);
       const double round = std::pow(std::sin(kPi * i / kHandRings), 0.6);
       // From slightly before the wrist to slightly beyond the end.
-      const Vector3d centre = f[wrist] + (0.5 + 0.56 * along) * way;
+      const Vector3d centre = f[wrist] + (0.5 + 0.56 * along) * bone;
       sections.push_back({centre, u, v, kHandDepth * forearm_ * round, kHandBreadth * forearm_ * round, 2.4});
     }
     parts.push_back({is_left ? "hand_left" : "hand_right", loft(sections)});
