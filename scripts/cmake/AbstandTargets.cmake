@@ -77,10 +77,13 @@ endfunction()
 # Programs that start threads, for the thread sanitizer: built by this target, and their labels end with `_threads`.
 add_custom_target(threaded_tests)
 
-# abstand_test(NAME [THREADS] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest. With a sanitizer the
-# whole program is, as its start takes longer than most of its cases.
+# abstand_test(NAME [THREADS] [SHARDS count] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest. With a
+# sanitizer the whole program is, as its start takes longer than most of its cases, or each of its shards.
 function(abstand_test name)
-  cmake_parse_arguments(T "THREADS" "" "SOURCES;LIBS;LABELS" ${ARGN})
+  cmake_parse_arguments(T "THREADS" "SHARDS" "SOURCES;LIBS;LABELS" ${ARGN})
+  if(NOT T_SHARDS)
+    set(T_SHARDS 1)
+  endif()
   if(NOT T_LABELS)
     set(T_LABELS unit)
   endif()
@@ -92,9 +95,13 @@ function(abstand_test name)
   target_precompile_headers(${name} REUSE_FROM abstand_test_support)
   target_link_libraries(${name} PRIVATE ${T_LIBS} abstand_test_support GTest::gtest GTest::gmock abstand_flags)
   if(ABSTAND_SANITIZE)
-    list(LENGTH T_SOURCES files)
-    add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS ${T_LABELS} COST ${files} TIMEOUT 1800)
+    foreach(shard RANGE 1 ${T_SHARDS})
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${name}_${shard} COMMAND ${name})
+      # The long ones first, so that no core waits at the end.
+      set_tests_properties(${name}_${shard} PROPERTIES LABELS ${T_LABELS} COST ${T_SHARDS} TIMEOUT 1800
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${T_SHARDS};GTEST_SHARD_INDEX=${index}")
+    endforeach()
   else()
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS ${T_LABELS} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")

@@ -48,7 +48,8 @@ TEST_F(SpeedsOfTune, WritesNoSpeedProfileWhereTheRobotWouldHaveToStand) {
                        out("slow"));
   EXPECT_EQ(a.code, 1) << a.err;
   EXPECT_NE(a.err.find("the robot would have to stand"), std::string::npos) << a.err;
-  EXPECT_EQ(std::count(a.err.begin(), a.err.end(), '\n'), 1) << a.err;
+  // Beside it at most the progress of a build that takes long.
+  EXPECT_EQ(a.err.find("warning: "), a.err.rfind("warning: ")) << a.err;
   const json j = json::parse(a.out, nullptr, false);
   EXPECT_FALSE(j["proof"][0]["proven"]);
   EXPECT_EQ(j["proof"][0]["iterations"], 0);
