@@ -265,6 +265,7 @@ void MainWindow::pull() {
   news_ = true;
   viewport_->refresh(snapshot_);
   playback_->onSnapshot(snapshot_);
+  Q_EMIT momentShown();
 }
 
 void MainWindow::refreshSlow() {

@@ -83,12 +83,16 @@ class MainWindow : public QMainWindow {
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
   BookmarkPanel& bookmarkPanel() const { return *bookmark_panel_; }
+  /// What is shown.
+  const view::SceneSnapshot& moment() const { return snapshot_; }
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers it.
   void openFile(const QString& path);
 
  Q_SIGNALS:
+  /// moment() is another one, and the 3D view has it.
+  void momentShown();
   void openSceneRequested(const QString& path);
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.

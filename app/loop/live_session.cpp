@@ -1,5 +1,7 @@
 #include "app/loop/live_session.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -304,6 +306,7 @@ void LiveSession::playClosed(Timing& timing) {
 }
 
 void LiveSession::loop(Timing& timing) {
+  ::pthread_setname_np(::pthread_self(), "loop");
   double next = clock_->now();  // s, start of the next round
   int unseen = 0;               // rounds since the last snapshot
   while (!stop_) {

@@ -96,11 +96,14 @@ void Viewport::Impl::drawFrame() {
   double bounds[6];
   all.GetBounds(bounds);
   if (all.IsValid()) renderer->ResetCameraClippingRange(bounds);
+  QElapsedTimer took;
+  took.start();
   fillOverlay();
   window->Render();
   overlay->update();
   since_frame.restart();
   ++frames;
+  Q_EMIT owner.drawn(1e-9 * static_cast<double>(took.nsecsElapsed()));
 }
 
 void Viewport::Impl::resize() {

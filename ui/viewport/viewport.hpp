@@ -52,6 +52,8 @@ class Viewport : public QWidget {
  Q_SIGNALS:
   /// The user has moved the camera.
   void cameraMoved();
+  /// A picture is drawn; it took so long (s) on this thread.
+  void drawn(double seconds);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
