@@ -17,12 +17,12 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kFeatureAngle = 35.0;          // degrees; sharper edges are drawn sharp
-constexpr vtkIdType kWholeBelow = 1000;         // triangles
-constexpr vtkIdType kCoarseShadowAbove = 3000;  // triangles
-constexpr int kShadowCells = 24;                // along the longest side
-constexpr double kOutline = 0.006;              // m
-constexpr double kOutlineShare = 0.06;          // of the object's size, for small ones
+constexpr double kFeatureAngle = 35.0;         // degrees; sharper edges are drawn sharp
+constexpr vtkIdType kWholeBelow = 1000;        // triangles
+constexpr vtkIdType kCoarseShadowAbove = 500;  // triangles
+constexpr int kShadowCells = 24;               // along the longest side
+constexpr double kOutline = 0.006;             // m
+constexpr double kOutlineShare = 0.06;         // of the object's size, for small ones
 
 vtkSmartPointer<vtkPolyData> toPolyData(const geometry::TriangleMesh& mesh) {
   vtkNew<vtkPoints> points;
