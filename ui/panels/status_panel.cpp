@@ -83,7 +83,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
-  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last half second"));
+  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last one and a half seconds"));
   opening_->setObjectName(QStringLiteral("opening"));
   opening_bar_->setAccessibleName(tr("Progress of opening"));
   opening_bar_->setMaximumWidth(kBarWidth);
@@ -111,12 +111,12 @@ StatusPanel::StatusPanel(QStatusBar* bar)
 }
 
 void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+  shown_step_ = snapshot.step;
   const auto pair = static_cast<std::size_t>(snapshot.nearest_pair);
   if (snapshot.nearest_pair >= 0 && pair < snapshot.pairs.size() && pair < outline.pairs.size()) {
     const query::PairResult& result = snapshot.pairs[pair].result;
     const bool alarm = result.contacts > 0 || result.distance < 0.0;
     nearest_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + nearestText(outline, snapshot));
-    nearest_->setToolTip(nearestLines(outline, snapshot));
     colourText(nearest_, alarm);
   } else {
     nearest_->clear();
@@ -127,6 +127,10 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   if (not_checked > 0) left_out = tr("⚠ %1 pairs not checked. %2").arg(not_checked).arg(left_out);
   left_out_->setText(left_out);
   colourText(left_out_, not_checked > 0);
+}
+
+void StatusPanel::refreshFigures(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+  nearest_->setToolTip(nearestLines(outline, snapshot));
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
   cycle_->setText(
       tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));

@@ -148,7 +148,7 @@ QString StripChart::valuesText() const {
   QStringList parts;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const Trace& trace = *traces_[i];
-    const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+    const double value = trace.valueAtPlayhead() * text_.factor;
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
     parts << QStringLiteral("<span style='white-space:nowrap'><span style='color:%1'>%2</span> %3 %4</span>")
                  .arg(trace.colour.name(), mark, names_[i].toHtmlEscaped(),
@@ -167,9 +167,20 @@ void StripChart::setWindow(double left, double right) {
 
 void StripChart::setPlayhead(double t) {
   if (t == traces_[0]->playhead) return;
-  for (Trace* trace : traces_) trace->playhead = t;
+  for (Trace* trace : traces_) {
+    trace->playhead = t;
+    trace->now.reset();
+  }
   dirty_ = true;
 }
+
+void StripChart::setNow(double value, std::size_t line) {
+  if (traces_[line]->now == value) return;
+  traces_[line]->now = value;
+  dirty_ = true;
+}
+
+double StripChart::shownNow(std::size_t line) const { return traces_[line]->valueAtPlayhead(); }
 
 void StripChart::setBand(double high, const QString& text) {
   const double scaled = high * text_.factor;
@@ -185,8 +196,7 @@ void StripChart::refresh() {
   dirty_ = false;
   shown_revision_ = now;
   fitValues();
-  const Trace& trace = *traces_[0];
-  const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+  const double value = shownNow() * text_.factor;
   if (names_.size() > 1) values_->setText(valuesText());
   value_->setText(QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit));
   plot_->replot();

@@ -47,6 +47,10 @@ class StripChart : public QWidget {
   void setQuantity(const QString& quantity, const QString& unit);
   void setWindow(double left, double right);
   void setPlayhead(double t);
+  /// Value at the playhead, in the unit of the series, until the playhead moves.
+  void setNow(double value, std::size_t line = 0);
+  /// NaN: unknown.
+  double shownNow(std::size_t line = 0) const;
   /// In the unit of the series; 0 for no band.
   void setBand(double high, const QString& text);
   /// Draws when something has changed since the last call.

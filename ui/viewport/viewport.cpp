@@ -20,7 +20,7 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kSoftwareIntervalMs = 25;  // from the start of a picture to that of the next
+constexpr int kSoftwareIntervalMs = 30;  // from the start of a picture to that of the next
 constexpr int kHardwareIntervalMs = 16;
 constexpr int kRestMs = 110;  // without a change, until a picture in full quality
 constexpr int kHardwareSamples = 4;
@@ -82,17 +82,25 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
 
 Viewport::Impl::~Impl() = default;
 
-void Viewport::Impl::refresh() {
-  if (!outline || !gl) return;
+bool Viewport::Impl::update() {
+  if (!outline || !gl) return false;
   bool changed = objects.refresh(snapshot, selection, options);
   changed |= arrows.refresh(*outline, snapshot, options);
-  if (changed) askForFrame();
+  return changed;
+}
+
+void Viewport::Impl::refresh() {
+  if (update()) askForFrame();
+}
+
+void Viewport::Impl::noteChange() {
+  // A change alone is drawn in full quality at once; when more follow, they are many.
+  if (since_frame.elapsed() < kRestMs || snapshot.playing) rest_timer.start();
 }
 
 void Viewport::Impl::askForFrame() {
   if (!gl) return;
-  // A change alone is drawn in full quality at once; when more follow, they are many.
-  if (since_frame.elapsed() < kRestMs || snapshot.playing) rest_timer.start();
+  noteChange();
   if (!frame_timer.isActive())
     frame_timer.start(std::max<int>(0, min_interval_ms - static_cast<int>(since_frame.elapsed())));
 }
@@ -209,9 +217,22 @@ void Viewport::close() {
 }
 
 void Viewport::refresh(const view::SceneSnapshot& snapshot) {
-  impl_->snapshot = snapshot;
-  impl_->refresh();
+  Impl& my = *impl_;
+  my.snapshot = snapshot;
+  const bool changed = my.update();
+  if (!my.gl || !isVisible()) return;
+  if (changed) {
+    my.noteChange();
+    my.drawFrame(my.cheap_when_moving && my.rest_timer.isActive());
+  } else {
+    my.fillOverlay();
+    my.overlay->update();
+  }
 }
+
+long Viewport::shownStep() const { return impl_->shown_step; }
+
+int Viewport::interval() const { return impl_->min_interval_ms; }
 
 const ViewOptions& Viewport::options() const { return impl_->options; }
 

@@ -25,7 +25,12 @@ class Viewport : public QWidget {
   /// Builds all actors and looks at the scene. The outline must live until the next open() or close().
   void open(const view::SceneOutline& outline, const view::SceneSnapshot& first);
   void close();
+  /// Draws at once what looks different.
   void refresh(const view::SceneSnapshot& snapshot);
+  /// SceneSnapshot::step of what is drawn.
+  long shownStep() const;
+  /// ms from the start of a picture to that of the next that this kind of OpenGL can keep up with.
+  int interval() const;
 
   const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);

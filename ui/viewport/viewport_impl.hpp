@@ -21,8 +21,12 @@ struct Viewport::Impl {
   Impl(Viewport& owner, Selection& selection);
   ~Impl();
 
-  /// Takes over the last snapshot and asks for a frame when something looks different.
+  /// Takes over the last snapshot; true when something looks different.
+  bool update();
+  /// The same, and asks for a frame.
   void refresh();
+  /// Decides whether what follows is one of many.
+  void noteChange();
   /// Soon, and not more often than this kind of OpenGL can.
   void askForFrame();
   /// In full quality, unless the picture is one of many: then floor and background stay from the one before
@@ -58,6 +62,7 @@ struct Viewport::Impl {
   CameraView backdrop_camera;     // of the canvas's backdrop
   CameraView drawn_camera;        // of the last picture
   long frames{0};
+  long shown_step{-1};
   QPoint press, last_mouse;
 
  private:
