@@ -246,7 +246,7 @@ void MainWindow::setSession(SessionPort* session) {
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
 
   if (session_) {
-    viewport_->open(outline, snapshot_);
+    viewport_->open(outline, snapshot_, session_->meshes());
     attachDocument();
     news_ = true;
     showMoment();

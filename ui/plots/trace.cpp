@@ -52,7 +52,8 @@ void Trace::drawSeries(QPainter& painter, const QwtScaleMap& x, const QwtScaleMa
                        const QRectF& canvas) const {
   series->decimate(x.invTransform(canvas.left()), x.invTransform(canvas.right()),
                    static_cast<int>(canvas.width()), points_);
-  painter.setPen(QPen(colour, 1.6, style, Qt::RoundCap, Qt::RoundJoin));
+  // Up to this width Qt draws lines without making polygons of them first.
+  painter.setPen(QPen(colour, 1.0, style));
   painter.setRenderHint(QPainter::Antialiasing, points_.size() < 4000);
   const auto flush = [&] {
     if (line_.size() == 1)

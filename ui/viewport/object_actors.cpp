@@ -16,8 +16,7 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
-constexpr double kMinMist = 2e-3;               // m; less is not seen
+constexpr double kMinMist = 2e-3;  // m; less is not seen
 constexpr double kMistOpacity = 0.16;
 constexpr float kHollowLine = 2.0F;  // px
 
@@ -43,7 +42,7 @@ bool show(vtkActor* actor, bool visible) {
 
 }  // namespace
 
-void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
+void ObjectActors::open(const view::SceneOutline& outline, const PreparedMeshes& meshes, Theme theme) {
   for (const Item& item : items_) {
     renderer_->RemoveActor(item.body);
     renderer_->RemoveActor(item.outline);
@@ -52,19 +51,14 @@ void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
   items_.assign(outline.objects.size(), {});
   infos_ = outline.objects;
   theme_ = theme;
-  std::size_t triangles = 0;
-  for (const geometry::TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
-  const double keep = triangles > kTriangleBudget
-                          ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles)
-                          : 1.0;
-
   std::vector<vtkSmartPointer<vtkPolyData>> shadows(items_.size());
+  const MeshData nothing{vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New(),
+                         vtkSmartPointer<vtkPolyData>::New()};
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
     item.human = infos_[i].human;
     item.pose = vtkSmartPointer<vtkMatrix4x4>::New();
-    static const geometry::TriangleMesh kNothing;
-    const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
+    const MeshData& data = i < meshes.objects.size() ? meshes.objects[i] : nothing;
     if (i < outline.meshes.size() && !outline.meshes[i].vertices.empty()) {
       geometry::Bounds box;
       for (const Vector3d& v : outline.meshes[i].vertices) box.add(v);

@@ -15,6 +15,7 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/viewport/prepared_meshes.hpp"
 #include "ui/viewport/shadows.hpp"
 
 namespace abstand::ui {
@@ -29,7 +30,7 @@ class ObjectActors {
   /// Bodies and outlines into `renderer`, shadows into `back`.
   ObjectActors(vtkRenderer* renderer, vtkRenderer* back) : renderer_{renderer}, shadows_{back} {}
 
-  void open(const view::SceneOutline& outline, Theme theme);
+  void open(const view::SceneOutline& outline, const PreparedMeshes& meshes, Theme theme);
   void setTheme(Theme theme);
   /// True when something looks different now.
   bool refresh(const view::SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "ui/model/selection.hpp"
+#include "ui/viewport/mesh_data.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/viewport/plain_pass.hpp"
 #include "ui/viewport/viewport_impl.hpp"
@@ -187,13 +188,14 @@ Viewport::~Viewport() {
   if (impl_->gl) impl_->gl->removeEventFilter(this);
 }
 
-void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot& first) {
+void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot& first,
+                    const std::shared_ptr<const PreparedMeshes>& meshes) {
   Impl& my = *impl_;
   my.outline = &outline;
   my.snapshot = first;
   my.overlay->content().message.clear();
   if (!my.gl) return;
-  my.objects.open(outline, themeOf(palette()));
+  my.objects.open(outline, meshes ? *meshes : *prepareMeshes(outline.meshes), themeOf(palette()));
   my.arrows.open(outline);
   // Poses first, then the floor below them, then the shadows upon it.
   my.objects.refresh(my.snapshot, my.selection, my.options);
@@ -211,7 +213,7 @@ void Viewport::close() {
   my.snapshot = {};
   my.fillOverlay();
   if (!my.gl) return;
-  my.objects.open({}, themeOf(palette()));
+  my.objects.open({}, {}, themeOf(palette()));
   my.arrows.open({});
   my.askForFrame();
 }
@@ -306,6 +308,13 @@ QImage Viewport::picture() {
   QImage image = my.gl->image();
   my.overlay->render(&image, QPoint(), QRegion(), QWidget::DrawChildren);
   return image;
+}
+
+const Overlay& Viewport::overlay() const { return *impl_->overlay; }
+
+QPointF Viewport::project(const Vector3d& p_W) const {
+  impl_->camera.update();
+  return impl_->camera.project(p_W);
 }
 
 long Viewport::framesDrawn() const { return impl_->frames; }
