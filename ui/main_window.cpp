@@ -288,20 +288,19 @@ void MainWindow::showMoment() {
   if (whole_plot_) sample.min_distance = nearestPersonRobot(outline, snapshot_);
   plots_->setMoment(snapshot_.step, sample);
   plots_->refresh();
+  if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
+    statusBar()->showMessage(
+        tr("Robots were restarted on their planned motion at %1").arg(secondsWithUnit(snapshot_.loop_start)),
+        kMessageMs);
   Q_EMIT momentShown();
 }
 
 void MainWindow::refreshSlow() {
   if (!session_) return;
   review_->pull();
-  const view::SceneOutline& outline = session_->outline();
   if (std::exchange(news_, false)) {
     pairs_->sortAgain();
-    status_->refreshFigures(outline, snapshot_);
-    if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
-      statusBar()->showMessage(tr("Robots were restarted on their planned motion at %1")
-                                   .arg(secondsWithUnit(snapshot_.loop_start)),
-                               kMessageMs);
+    status_->refreshFigures(snapshot_);
     if (whole_plot_) plots_->setMargin(review_->commonMargin().value_or(0.0));
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
     if (!whole_plot_)

@@ -117,6 +117,7 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
     const query::PairResult& result = snapshot.pairs[pair].result;
     const bool alarm = result.contacts > 0 || result.distance < 0.0;
     nearest_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + nearestText(outline, snapshot));
+    nearest_->setToolTip(nearestLines(outline, snapshot));
     colourText(nearest_, alarm);
   } else {
     nearest_->clear();
@@ -127,11 +128,10 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   if (not_checked > 0) left_out = tr("⚠ %1 pairs not checked. %2").arg(not_checked).arg(left_out);
   left_out_->setText(left_out);
   colourText(left_out_, not_checked > 0);
+  left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
 }
 
-void StatusPanel::refreshFigures(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
-  nearest_->setToolTip(nearestLines(outline, snapshot));
-  left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
+void StatusPanel::refreshFigures(const view::SceneSnapshot& snapshot) {
   cycle_->setText(
       tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
   overruns_->setText(tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));

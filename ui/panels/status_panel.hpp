@@ -32,8 +32,8 @@ class StatusPanel : public QObject {
   explicit StatusPanel(QStatusBar* bar);
   /// What holds at the shown moment.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
-  /// Figures of the loop over a while, and tips; at most ten times a second.
-  void refreshFigures(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+  /// Figures of the loop over a while; at most ten times a second.
+  void refreshFigures(const view::SceneSnapshot& snapshot);
   /// SceneSnapshot::step of the last refresh().
   long shownStep() const { return shown_step_; }
   void clear();
