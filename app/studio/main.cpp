@@ -120,6 +120,10 @@ bool parse(const QStringList& arguments, Arguments& args) {
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
+  if (args.probe_s > 0.0 && args.file.isEmpty() && args.recording.isEmpty()) {
+    fail(kWrongUsage, "abstand-studio: error: --probe: found nothing to play, expected a FILE");
+    return false;
+  }
   if (parser.positionalArguments().size() > 1) {
     fail(kWrongUsage, "abstand-studio: error: found several files, expected one");
     return false;
@@ -237,7 +241,7 @@ int main(int argc, char** argv) {
     QObject::connect(
         &studio, &Studio::failed, &window,
         [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); }, Qt::QueuedConnection);
-    if (args.file.isEmpty() && args.recording.isEmpty() && !probe) takePicture(window, args);
+    if (args.file.isEmpty() && args.recording.isEmpty()) takePicture(window, args);
   } else {
     window.keepAutosaves(ui::Autosave::standardFolder());
   }

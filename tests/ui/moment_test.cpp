@@ -132,5 +132,32 @@ TEST_F(MomentTest, AtRestThePictureIsThatOfFullQuality) {
   EXPECT_EQ(window.viewport().framesDrawn(), frames + 2) << "only the pictures that were asked for";
 }
 
+/// Share of the pixels that differ much in any colour.
+double differing(const QImage& a, const QImage& b) {
+  long n = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QColor p(a.pixel(x, y)), q(b.pixel(x, y));
+      n += std::max({std::abs(p.red() - q.red()), std::abs(p.green() - q.green()),
+                     std::abs(p.blue() - q.blue())}) > 40;
+    }
+  return static_cast<double>(n) / (static_cast<double>(a.width()) * a.height());
+}
+
+TEST_F(MomentTest, WhatIsDrawnCheaplyDiffersFromFullQualityAtEdgesOnly) {
+  constexpr double kEdges = 0.02;
+  for (const bool camera : {false, true}) {
+    for (const double t : {0.1, 0.2, 0.3, 0.4}) {
+      session.seek(t);
+      if (camera) window.viewport().orbit(3.0, 0.0);
+      window.pull();
+    }
+    const QImage cheap = window.viewport().grab().toImage();
+    const QImage full = window.viewport().picture();
+    ASSERT_EQ(cheap.size(), full.size());
+    EXPECT_LT(differing(cheap, full), kEdges) << "the camera moves: " << camera;
+  }
+}
+
 }  // namespace
 }  // namespace abstand::ui
