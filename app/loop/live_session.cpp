@@ -1,6 +1,6 @@
 #include "app/loop/live_session.hpp"
 
-#include <pthread.h>
+#include <sys/prctl.h>
 
 #include <algorithm>
 #include <cmath>
@@ -306,7 +306,7 @@ void LiveSession::playClosed(Timing& timing) {
 }
 
 void LiveSession::loop(Timing& timing) {
-  ::pthread_setname_np(::pthread_self(), "loop");
+  ::prctl(PR_SET_NAME, "loop");
   double next = clock_->now();  // s, start of the next round
   int unseen = 0;               // rounds since the last snapshot
   while (!stop_) {
