@@ -16,6 +16,8 @@
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
 #include "ui/menus.hpp"
+#include "ui/model/moment_sample.hpp"
+#include "ui/model/nearest_classes.hpp"
 #include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
@@ -48,7 +50,6 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kPullMs = 16;
 constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 constexpr int kPlotWidth = 280;  // px, at least
@@ -112,7 +113,8 @@ MainWindow::MainWindow(QWidget* parent)
   document_->open(first, QString(), false);
 
   pull_timer_ = new QTimer(this);
-  pull_timer_->setInterval(kPullMs);
+  pull_timer_->setTimerType(Qt::PreciseTimer);
+  pull_timer_->setInterval(viewport_->interval());
   connect(pull_timer_, &QTimer::timeout, this, &MainWindow::pull);
   slow_timer_ = new QTimer(this);
   slow_timer_->setInterval(kSlowMs);
@@ -159,6 +161,10 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QString::fromLatin1(name));
   dock->setWidget(content);
+  // What was hidden may show an older moment.
+  connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (visible) showMoment();
+  });
   actions_->adopt(dock->toggleViewAction(), ActionGroup::kPanels, tip, QKeySequence(key));
   return dock;
 }
@@ -240,9 +246,10 @@ void MainWindow::setSession(SessionPort* session) {
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
 
   if (session_) {
-    viewport_->open(outline, snapshot_);
+    viewport_->open(outline, snapshot_, session_->meshes());
     attachDocument();
     news_ = true;
+    showMoment();
     refreshSlow();
     pull_timer_->start();
     slow_timer_->start();
@@ -263,25 +270,37 @@ void MainWindow::pull() {
   if (!session_->takeSnapshot(snapshot_)) return;
   history_->add(snapshot_);
   news_ = true;
-  viewport_->refresh(snapshot_);
   playback_->onSnapshot(snapshot_);
+  showMoment();
+}
+
+void MainWindow::showMoment() {
+  if (!session_) return;
+  const view::SceneOutline& outline = session_->outline();
+  viewport_->refresh(snapshot_);
+  pairs_->refresh(snapshot_);
+  tree_model_->refresh(outline, snapshot_);
+  status_->refresh(outline, snapshot_);
+  timeline_->refresh(snapshot_);
+  if (robots_->isVisible()) robots_->refresh(outline, snapshot_);
+  if (groups_->isVisible()) groups_->refresh(snapshot_);
+  view::PlotSample sample = momentSample(snapshot_, plots_->joint());
+  if (whole_plot_) sample.min_distance = nearestPersonRobot(outline, snapshot_);
+  plots_->setMoment(snapshot_.step, sample);
+  plots_->refresh();
+  if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
+    statusBar()->showMessage(
+        tr("Robots were restarted on their planned motion at %1").arg(secondsWithUnit(snapshot_.loop_start)),
+        kMessageMs);
+  Q_EMIT momentShown();
 }
 
 void MainWindow::refreshSlow() {
   if (!session_) return;
   review_->pull();
-  const view::SceneOutline& outline = session_->outline();
   if (std::exchange(news_, false)) {
-    pairs_->refresh(snapshot_);
-    tree_model_->refresh(outline, snapshot_);
-    status_->refresh(outline, snapshot_);
-    robots_->refresh(outline, snapshot_);
-    timeline_->refresh(snapshot_);
-    groups_->refresh(snapshot_);
-    if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
-      statusBar()->showMessage(tr("Robots were restarted on their planned motion at %1")
-                                   .arg(secondsWithUnit(snapshot_.loop_start)),
-                               kMessageMs);
+    pairs_->sortAgain();
+    status_->refreshFigures(snapshot_);
     if (whole_plot_) plots_->setMargin(review_->commonMargin().value_or(0.0));
     const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
     if (!whole_plot_)
@@ -291,6 +310,14 @@ void MainWindow::refreshSlow() {
   }
   timeline_->strip()->refresh();
   plots_->refresh();
+}
+
+std::vector<std::pair<const char*, long>> MainWindow::shownSteps() const {
+  return {{"3D view", viewport_->shownStep()},
+          {"scene tree", tree_model_->shownStep()},
+          {"pairs", pairs_->shownStep()},
+          {"plots", plots_->shownStep()},
+          {"status", status_->shownStep()}};
 }
 
 void MainWindow::showProblem(const QString& title, const QString& text) {

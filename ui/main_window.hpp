@@ -41,9 +41,10 @@ class Viewport;
 struct LeftOver;
 struct Opening;
 
-/// Pulls snapshots from a session about 60 times a second and hands them on: the viewport at once, tables and
-/// plots at most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication, and the
-/// names of organisation and program for its settings.
+/// Takes a snapshot from the session for each picture, and shows this one in all parts of the window before
+/// it takes the next. What is no matter of the moment (order of the table, figures of the loop, the analysis)
+/// is refreshed at most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication,
+/// and the names of organisation and program for its settings.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -83,12 +84,18 @@ class MainWindow : public QMainWindow {
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
   BookmarkPanel& bookmarkPanel() const { return *bookmark_panel_; }
+  /// What is shown.
+  const view::SceneSnapshot& moment() const { return snapshot_; }
+  /// SceneSnapshot::step that each part of the window shows.
+  std::vector<std::pair<const char*, long>> shownSteps() const;
 
  public Q_SLOTS:
   /// Asks for the file by its kind, and remembers it.
   void openFile(const QString& path);
 
  Q_SIGNALS:
+  /// All parts of the window show moment().
+  void momentShown();
   void openSceneRequested(const QString& path);
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
@@ -134,6 +141,7 @@ class MainWindow : public QMainWindow {
   void showRecent();
   void showStart();
   void applyOptions();
+  void showMoment();
   void refreshSlow();
   void goToEvent(bool next);
   void saveScreenshot();

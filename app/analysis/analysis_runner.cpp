@@ -1,5 +1,6 @@
 #include "app/analysis/analysis_runner.hpp"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -49,6 +50,7 @@ std::shared_ptr<AnalysisFeed> AnalysisRunner::start(AnalysisRequest request) {
   stop();
   Job job{std::make_shared<AnalysisFeed>(), std::make_shared<std::atomic<bool>>(false), {}};
   job.thread = std::jthread([feed = job.feed, ended = job.ended, request = std::move(request)] {
+    ::prctl(PR_SET_NAME, "analysis");
     ::setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread alone
     runAnalysis(request, *feed);
     *ended = true;

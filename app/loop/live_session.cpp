@@ -1,5 +1,7 @@
 #include "app/loop/live_session.hpp"
 
+#include <sys/prctl.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -304,6 +306,7 @@ void LiveSession::playClosed(Timing& timing) {
 }
 
 void LiveSession::loop(Timing& timing) {
+  ::prctl(PR_SET_NAME, "loop");
   double next = clock_->now();    // s, start of the next round
   int rounds_since_snapshot = 0;  // rounds since the last snapshot
   while (!stop_) {

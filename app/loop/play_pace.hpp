@@ -1,6 +1,9 @@
 // Relates scene time to wall time while playing.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "core/math/transform.hpp"
 
 namespace abstand::loop {
@@ -10,14 +13,16 @@ namespace abstand::loop {
 /// factor() shows it. One thread; wall times (s) never decrease.
 class PlayPace {
  public:
-  static constexpr double kMaxLag = 0.25;       ///< s of wall time
-  static constexpr double kFactorWindow = 0.5;  ///< s of wall time over which factor() is measured
+  static constexpr double kMaxLag = 0.25;  ///< s of wall time
+  /// factor() is measured over so many of these parts of wall time (s), so that it neither jumps nor lags.
+  static constexpr std::size_t kParts = 6;
+  static constexpr double kPart = 0.25;
 
   /// Starts playing: nothing is due at `wall`.
   void start(double wall) {
     last_ = mark_ = wall;
     due_ = played_ = 0.0;
-    factor_ = kNaN;
+    parts_ = 0;
   }
   /// After a jump of the scene time: discards what was due.
   void drop() { due_ = 0.0; }
@@ -25,8 +30,8 @@ class PlayPace {
   void advance(double wall, double speed) {
     due_ += speed * (wall - last_);
     last_ = wall;
-    if (wall - mark_ < kFactorWindow) return;
-    factor_ = played_ / (wall - mark_);
+    if (wall - mark_ < kPart) return;
+    last_parts_[parts_++ % kParts] = {played_, wall - mark_};
     mark_ = wall;
     played_ = 0.0;
   }
@@ -40,12 +45,24 @@ class PlayPace {
     due_ -= dt;
     played_ += dt;
   }
-  /// Scene time played over wall time, over the last window; NaN before the first window has passed.
-  double factor() const { return factor_; }
+  /// Scene time played over wall time, over the last parts; NaN before the first has passed.
+  double factor() const {
+    if (parts_ == 0) return kNaN;
+    Part sum;
+    for (std::size_t i = 0; i < std::min(parts_, kParts); ++i) {
+      sum.played += last_parts_[i].played;
+      sum.wall += last_parts_[i].wall;
+    }
+    return sum.played / sum.wall;
+  }
 
  private:
+  struct Part {
+    double played{0.0}, wall{0.0};
+  };
   double last_{0.0}, mark_{0.0}, due_{0.0}, played_{0.0};
-  double factor_{kNaN};
+  std::array<Part, kParts> last_parts_;
+  std::size_t parts_{0};  // that have passed
 };
 
 }  // namespace abstand::loop

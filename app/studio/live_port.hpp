@@ -26,12 +26,17 @@ class LivePort final : public ui::SessionPort {
  public:
   /// `analysis`: null for none.
   LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes,
-           std::unique_ptr<FeedPort> analysis = nullptr)
-      : live_(std::move(live)), notes_(std::move(notes)), analysis_(std::move(analysis)) {}
+           std::unique_ptr<FeedPort> analysis = nullptr,
+           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr)
+      : live_(std::move(live)),
+        notes_(std::move(notes)),
+        analysis_(std::move(analysis)),
+        meshes_(std::move(meshes)) {}
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
   ui::AnalysisPort* analysis() override { return analysis_.get(); }
+  std::shared_ptr<const ui::PreparedMeshes> meshes() const override { return meshes_; }
   bool takeSnapshot(view::SceneSnapshot& out) override {
     flush();
     return live_->takeSnapshot(out);
@@ -59,6 +64,7 @@ class LivePort final : public ui::SessionPort {
   std::unique_ptr<loop::LiveSession> live_;
   std::vector<scene::SceneNote> notes_;
   std::unique_ptr<FeedPort> analysis_;
+  std::shared_ptr<const ui::PreparedMeshes> meshes_;
   std::deque<loop::Command> waiting_;
 };
 

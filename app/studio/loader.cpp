@@ -92,6 +92,7 @@ void Loader::start(const ui::Work& work, double t) {
       loaded->analysis = analysis::requestFor(*session, optionsOf(work));
       if (job->cancelled) throw UsageError("abandoned");
       loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
+      loaded->meshes = ui::prepareMeshes(loaded->live->outline().meshes);
     } catch (const std::exception& e) {
       loaded->problem = QString::fromUtf8(e.what());
     }

@@ -14,6 +14,7 @@
 #include "core/scene/scene_note.hpp"
 #include "ui/document/work.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/viewport/prepared_meshes.hpp"
 
 namespace abstand::studio {
 
@@ -21,6 +22,7 @@ namespace abstand::studio {
 struct Loaded {
   std::unique_ptr<loop::LiveSession> live;  ///< null where it failed
   std::vector<scene::SceneNote> notes;
+  std::shared_ptr<const ui::PreparedMeshes> meshes;
   std::optional<analysis::AnalysisRequest> analysis;  ///< of a scene with people beside robots
   QString problem;                                    ///< why it failed
 };

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QFile>
+#include <QJsonDocument>
 #include <QSettings>
 #include <QTextStream>
 #include <QTimer>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "app/cli/version.hpp"
+#include "app/studio/probe.hpp"
 #include "app/studio/studio.hpp"
 #include "core/base/error.hpp"
 #include "core/base/input_log.hpp"
@@ -48,6 +50,7 @@ struct Arguments {
   QSize size{kDefaultSize};
   double at{0.0};
   double play_s{0.0};
+  double probe_s{0.0};
 };
 
 /// False, with a sentence on stderr, for wrong usage.
@@ -76,6 +79,11 @@ bool parse(const QStringList& arguments, Arguments& args) {
                     "FILE.png"});
   parser.addOption({"size", QCoreApplication::translate("main", "size of the window"), "WxH"});
   parser.addOption({"play", QCoreApplication::translate("main", "play this long first"), "SECONDS"});
+  parser.addOption(
+      {"probe",
+       QCoreApplication::translate(
+           "main", "play this long, print frame rate, stalls and processor time as JSON, and end"),
+       "SECONDS"});
   if (!parser.parse(arguments)) {
     fail(kWrongUsage, "abstand-studio: error: " + parser.errorText());
     return false;
@@ -92,7 +100,7 @@ bool parse(const QStringList& arguments, Arguments& args) {
                             .arg(option, parser.value(option)));
     return v && *v >= 0.0;
   };
-  if (!number("at", args.at) || !number("play", args.play_s)) return false;
+  if (!number("at", args.at) || !number("play", args.play_s) || !number("probe", args.probe_s)) return false;
   if (parser.isSet("size")) {
     const QStringList wh = parser.value("size").split('x');
     if (wh.size() == 2) args.size = QSize(wh[0].toInt(), wh[1].toInt());
@@ -112,6 +120,10 @@ bool parse(const QStringList& arguments, Arguments& args) {
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
+  if (args.probe_s > 0.0 && args.file.isEmpty() && args.recording.isEmpty()) {
+    fail(kWrongUsage, "abstand-studio: error: --probe: found nothing to play, expected a FILE");
+    return false;
+  }
   if (parser.positionalArguments().size() > 1) {
     fail(kWrongUsage, "abstand-studio: error: found several files, expected one");
     return false;
@@ -202,7 +214,10 @@ int main(int argc, char** argv) {
     keepInputLog();
     const auto place = [&args] { placeOfOutput(QFile::encodeName(args.screenshot).toStdString()); };
     if (const int code = written(place)) return code;
-    // A picture must not depend on stored window settings.
+  }
+  const bool unattended = !args.screenshot.isEmpty() || args.probe_s > 0.0;
+  if (unattended) {
+    // Neither a picture nor a figure may depend on stored window settings.
     QCoreApplication::setApplicationName("abstand-studio-picture");
     QSettings().clear();
   }
@@ -211,10 +226,17 @@ int main(int argc, char** argv) {
   window.resize(args.size);
   window.show();
   window.actions()[ui::ActionId::kReact]->setChecked(args.react);
-  window.projects().setDialogs(args.screenshot.isEmpty());
+  window.projects().setDialogs(!unattended);
   Studio studio(window, args.packages);
-  if (!args.screenshot.isEmpty()) {
-    QObject::connect(&studio, &Studio::ready, &window, [&] { takePicture(window, args); });
+  if (unattended) {
+    auto* probe = args.probe_s > 0.0 ? new studio::Probe(window, args.probe_s, &window) : nullptr;
+    QObject::connect(&studio, &Studio::ready, &window, [&args, &window, probe] {
+      if (!probe) return takePicture(window, args);
+      probe->start([](const QJsonObject& figures) {
+        QTextStream(stdout) << QJsonDocument(figures).toJson();
+        QApplication::exit(0);
+      });
+    });
     // Later, when the event loop runs and can be ended.
     QObject::connect(
         &studio, &Studio::failed, &window,

@@ -157,7 +157,8 @@ void Studio::take(Loaded& loaded) {
   analyses_.stop();
   std::unique_ptr<FeedPort> feed;
   if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
-  port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed));
+  port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
+                                     std::move(loaded.meshes));
   const ui::Work& wanted = request->project.work;
   shown_ = wanted;
   if (is_new)

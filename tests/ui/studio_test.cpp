@@ -3,6 +3,8 @@
 #include <sys/wait.h>
 
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QString>
 
 #include "core/base/text_file.hpp"
@@ -36,6 +38,20 @@ struct StudioProgram : ::testing::Test {
   fs::path in(const std::string& name) const { return folder.path() / name; }
   testing::ScratchFolder folder;
 };
+
+TEST_F(StudioProgram, TheProbePrintsItsFigures) {
+  const Answer good = run("scene.yaml --size 500x400 --probe 0.5 >probe.json");
+  ASSERT_EQ(good.code, 0) << good.err;
+  const QJsonObject figures =
+      QJsonDocument::fromJson(QByteArray::fromStdString(readFile(in("probe.json")))).object();
+  EXPECT_TRUE(figures.contains("pictures_per_second")) << "nothing moves in this scene";
+  EXPECT_GT(figures["processor_ms_per_picture"].toObject()["gui"].toDouble(), 0.0);
+  EXPECT_GT(figures["processor_ms_per_picture"].toObject()["loop"].toDouble(), 0.0);
+  EXPECT_TRUE(figures.contains("cycle_us"));
+  EXPECT_TRUE(figures["stalls_playing"].toObject().contains("above_50_ms"));
+  EXPECT_GT(figures["resident_mb"].toObject()["end"].toDouble(), 0.0);
+  EXPECT_EQ(run("--probe 1").code, 2);
+}
 
 TEST_F(StudioProgram, APictureIsAnOutputLikeOthers) {
   fs::create_symlink("target.png", in("link.png"));

@@ -67,6 +67,17 @@ std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
   return found;
 }
 
+double nearestPersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+  double least = kNaN;
+  for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
+    const auto [a, b] = outline.pairs[i];
+    if (classOf(sideOf(outline.objects[static_cast<std::size_t>(a)]),
+                sideOf(outline.objects[static_cast<std::size_t>(b)])) == 0)
+      least = std::fmin(least, snapshot.pairs[i].result.distance);
+  }
+  return least;
+}
+
 QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   const auto classes = nearestOfClasses(outline, snapshot);
   const int nearest = snapshot.nearest_pair;

@@ -20,6 +20,9 @@ struct NearestOfClass {
 std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
                                              const view::SceneSnapshot& snapshot);
 
+/// m; of the pairs of a person and a robot, NaN without one.
+double nearestPersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+
 /// "⚠ Person – robot: operator/hand_left – arm/link7, 12.3 mm; person – thing 40.1 mm"; the nearest of all
 /// where no class has one; empty without pairs.
 QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);

@@ -31,8 +31,10 @@ void PairTableModel::refresh(const view::SceneSnapshot& snapshot) {
     levels_[i] = pairLevel(snapshot, values_[i], pairs_[i]);
     uncertainty_[i] = poseUncertainty(snapshot, pairs_[i]);
   }
-  Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  shown_step_ = snapshot.step;
 }
+
+void PairTableModel::announce(int row) { Q_EMIT dataChanged(index(row, 0), index(row, kColumns - 1)); }
 
 int PairTableModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(pairs_.size());
@@ -200,7 +202,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
 
 PairFilter::PairFilter(QObject* parent) : QSortFilterProxyModel(parent) {
   setSortRole(PairTableModel::kSortRole);
-  setDynamicSortFilter(true);
+  setDynamicSortFilter(false);
 }
 
 void PairFilter::setText(const QString& text) {
@@ -212,6 +214,17 @@ void PairFilter::setObjects(std::vector<int> objects) {
   if (objects == objects_) return;
   objects_ = std::move(objects);
   invalidateFilter();
+}
+
+void PairFilter::sortAgain() {
+  const int column = sortColumn();
+  if (column < 0) return;
+  const auto before = [&](int a, int b) {
+    const QModelIndex first = mapToSource(index(a, column)), second = mapToSource(index(b, column));
+    return sortOrder() == Qt::AscendingOrder ? lessThan(first, second) : lessThan(second, first);
+  };
+  for (int row = 1; row < rowCount(); ++row)
+    if (before(row, row - 1)) return sort(column, sortOrder());
 }
 
 bool PairFilter::filterAcceptsRow(int row, const QModelIndex&) const {

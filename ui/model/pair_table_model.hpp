@@ -10,7 +10,8 @@
 namespace abstand::ui {
 
 /// One row a pair, in scene order, all rows from open() on; refresh() only changes values, so views keep
-/// selection and scroll position. The caller limits the rate. GUI thread only.
+/// selection and scroll position. It announces nothing: announce() those rows that can be seen. GUI thread
+/// only.
 class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -23,6 +24,10 @@ class PairTableModel : public QAbstractTableModel {
 
   void open(const view::SceneOutline& outline);
   void refresh(const view::SceneSnapshot& snapshot);
+  /// The values of this row have changed.
+  void announce(int row);
+  /// SceneSnapshot::step of the last refresh.
+  long shownStep() const { return shown_step_; }
 
   std::pair<int, int> objectsOf(int pair) const { return pairs_[static_cast<std::size_t>(pair)]; }
   QString nameOf(int object) const { return names_[static_cast<std::size_t>(object)]; }
@@ -39,11 +44,13 @@ class PairTableModel : public QAbstractTableModel {
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<view::PairSnapshot> values_;
-  std::vector<PairLevel> levels_;    // by pair
+  std::vector<PairLevel> levels_;  // by pair
+  long shown_step_{-1};
   std::vector<double> uncertainty_;  // by pair, m: of both poses
 };
 
-/// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects.
+/// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects. Rows
+/// whose values change keep their places until sortAgain().
 class PairFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -52,6 +59,8 @@ class PairFilter : public QSortFilterProxyModel {
   void setText(const QString& text);
   /// Sorted object indices; empty: all pairs.
   void setObjects(std::vector<int> objects);
+  /// Sorts where the rows are out of order.
+  void sortAgain();
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;

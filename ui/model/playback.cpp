@@ -9,7 +9,7 @@ namespace abstand::ui {
 
 namespace {
 
-// Snapshots are taken about 60 times a second: a session that has not obeyed after half a second will not.
+// Snapshots are taken 30 to 60 times a second: a session that has not obeyed after a second will not.
 constexpr int kPatience = 30;
 
 constexpr std::array<double, 9> kSpeeds{0.05, 0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};

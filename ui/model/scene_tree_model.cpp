@@ -47,6 +47,7 @@ void SceneTreeModel::open(const view::SceneOutline& outline) {
 
 void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   if (snapshot.objects.size() != rows_.size()) return;
+  shown_step_ = snapshot.step;
   std::fill(nearest_.begin(), nearest_.end(), kNaN);
   touching_.assign(rows_.size(), false);
   for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {

@@ -20,6 +20,8 @@ class SceneTreeModel : public QAbstractItemModel {
   void open(const view::SceneOutline& outline);
   /// Takes over contact marks and distances; tells the views only about what changed.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+  /// SceneSnapshot::step of the last refresh.
+  long shownStep() const { return shown_step_; }
   void setTheme(Theme theme);
   void setVisible(int object, bool visible);
 
@@ -61,6 +63,7 @@ class SceneTreeModel : public QAbstractItemModel {
   std::vector<Row> rows_;  // by object
   std::vector<double> nearest_;
   std::vector<bool> touching_;
+  long shown_step_{-1};
   Theme theme_{Theme::kLight};
 };
 

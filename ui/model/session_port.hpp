@@ -1,6 +1,7 @@
 // What the window needs from a running session: values to show, and commands.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/scene/scene_note.hpp"
@@ -8,6 +9,8 @@
 #include "ui/model/analysis_port.hpp"
 
 namespace abstand::ui {
+
+struct PreparedMeshes;
 
 /// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's
 /// own thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are
@@ -20,6 +23,8 @@ class SessionPort {
   virtual const view::SceneOutline& outline() const = 0;
   /// What to know of the scene before believing it; constant likewise.
   virtual const std::vector<scene::SceneNote>& notes() const = 0;
+  /// Of outline().meshes, where they were prepared while the session was opened; else null.
+  virtual std::shared_ptr<const PreparedMeshes> meshes() const { return nullptr; }
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
   virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.

@@ -79,9 +79,11 @@ int LaneView::laneAt(int y) const {
 }
 
 void LaneView::setTime(double t) {
-  if (t == time_) return;
+  const int before = xOf(time_);
   time_ = t;
-  viewport()->update();
+  const int now = xOf(t);
+  if (now == before) return;
+  for (const int x : {before, now}) viewport()->update(x - 3, 0, 6, viewport()->height());
 }
 
 void LaneView::renew() {

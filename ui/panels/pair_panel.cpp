@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/model/selection.hpp"
 
@@ -92,7 +93,15 @@ void PairPanel::open(const view::SceneOutline& outline) {
   showCount();
 }
 
-void PairPanel::refresh(const view::SceneSnapshot& snapshot) { model_->refresh(snapshot); }
+void PairPanel::refresh(const view::SceneSnapshot& snapshot) {
+  model_->refresh(snapshot);
+  if (!isVisible()) return;
+  const int height = table_->viewport()->height();
+  for (int row = std::max(0, table_->rowAt(0)); row < filter_->rowCount(); ++row) {
+    if (table_->rowViewportPosition(row) >= height) break;
+    model_->announce(filter_->mapToSource(filter_->index(row, 0)).row());
+  }
+}
 
 void PairPanel::chooseCurrent() {
   if (choosing_) return;

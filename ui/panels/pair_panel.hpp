@@ -23,7 +23,10 @@ class PairPanel : public QWidget {
   explicit PairPanel(Selection& selection, QWidget* parent = nullptr);
 
   void open(const view::SceneOutline& outline);
+  /// Rows keep their places until sortAgain().
   void refresh(const view::SceneSnapshot& snapshot);
+  void sortAgain() { filter_->sortAgain(); }
+  long shownStep() const { return model_->shownStep(); }
   QTableView* table() const { return table_; }
   QLineEdit* filterBox() const { return filter_box_; }
 

@@ -83,7 +83,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
-  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last half second"));
+  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last one and a half seconds"));
   opening_->setObjectName(QStringLiteral("opening"));
   opening_bar_->setAccessibleName(tr("Progress of opening"));
   opening_bar_->setMaximumWidth(kBarWidth);
@@ -111,6 +111,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
 }
 
 void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+  shown_step_ = snapshot.step;
   const auto pair = static_cast<std::size_t>(snapshot.nearest_pair);
   if (snapshot.nearest_pair >= 0 && pair < snapshot.pairs.size() && pair < outline.pairs.size()) {
     const query::PairResult& result = snapshot.pairs[pair].result;
@@ -128,6 +129,9 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   left_out_->setText(left_out);
   colourText(left_out_, not_checked > 0);
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
+}
+
+void StatusPanel::refreshFigures(const view::SceneSnapshot& snapshot) {
   cycle_->setText(
       tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
   overruns_->setText(tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));

@@ -30,7 +30,12 @@ struct Opening {
 class StatusPanel : public QObject {
  public:
   explicit StatusPanel(QStatusBar* bar);
+  /// What holds at the shown moment.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+  /// Figures of the loop over a while; at most ten times a second.
+  void refreshFigures(const view::SceneSnapshot& snapshot);
+  /// SceneSnapshot::step of the last refresh().
+  long shownStep() const { return shown_step_; }
   void clear();
   /// Ends the opening; shown with its progress.
   QToolButton* cancelButton() const { return cancel_; }
@@ -43,6 +48,7 @@ class StatusPanel : public QObject {
  private:
   void showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
+  long shown_step_{-1};
   QLabel* nearest_;
   QLabel* opening_;
   QProgressBar* opening_bar_;

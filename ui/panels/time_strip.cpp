@@ -20,8 +20,9 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kMarkHeight = 9;   // px above the band
-constexpr int kTickHeight = 16;  // px below
+constexpr int kMarkHeight = 9;      // px above the band
+constexpr int kPlayheadReach = 10;  // px on either side of it
+constexpr int kTickHeight = 16;     // px below
 
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double niceStep(double least) {
@@ -59,9 +60,11 @@ void TimeStrip::setSeries(const FrameSeries* distance, const FrameSeries* force,
 }
 
 void TimeStrip::setTime(double t) {
-  if (t == time_) return;
+  const int before = xOf(time_);
   time_ = t;
-  update();
+  const int now = xOf(t);
+  if (now == before) return;
+  for (const int x : {before, now}) update(x - kPlayheadReach, 0, 2 * kPlayheadReach, height());
 }
 
 void TimeStrip::setBookmarks(std::vector<double> times) {

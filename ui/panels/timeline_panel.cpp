@@ -167,9 +167,11 @@ void TimelinePanel::showTime() {
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
   // Room for the longest text, so that what stands beside it keeps its place.
   const int widest = time_->fontMetrics().horizontalAdvance(secondsWithUnit(playback_.end()));
-  time_->setMinimumWidth(widest + 4);
+  // Of fixed size, so that a new text does not lay out the whole window anew.
+  time_->setFixedSize(widest + 4, time_->fontMetrics().height() + 4);
   const QString count = QString::number(playback_.frameCount());
-  frame_->setMinimumWidth(frame_->fontMetrics().horizontalAdvance(tr("frame %1 / %2").arg(count, count)) + 4);
+  const int room = frame_->fontMetrics().horizontalAdvance(tr("frame %1 / %2").arg(count, count));
+  frame_->setFixedSize(room + 4, frame_->fontMetrics().height() + 4);
 }
 
 void TimelinePanel::showSpeed(double factor) { speed_->setEditText(speedText(factor)); }

@@ -119,6 +119,16 @@ void PlotPanel::setTime(double t) {
   if (follow_) followTime();
 }
 
+void PlotPanel::setMoment(long step, const view::PlotSample& sample) {
+  shown_step_ = step;
+  setTime(sample.t);
+  charts_[0]->setNow(sample.min_distance);
+  charts_[1]->setNow(sample.peak_force);
+  for (std::size_t k = 0; k < view::kTorqueParts; ++k) charts_[2]->setNow(sample.peak_torque[k], k);
+}
+
+int PlotPanel::joint() const { return joint_->currentData().toInt(); }
+
 void PlotPanel::setDistanceName(const QString& name) { charts_[0]->setQuantity(name, tr("mm")); }
 
 void PlotPanel::setMargin(double metres) {

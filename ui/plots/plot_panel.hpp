@@ -28,6 +28,12 @@ class PlotPanel : public QWidget {
   /// Joints that can be chosen; the largest of all is chosen.
   void setJoints(const std::vector<view::SceneOutline::JointInfo>& joints);
   void setTime(double t);
+  /// The figures at the time of one snapshot; they stand at the playhead until the time changes.
+  void setMoment(long step, const view::PlotSample& sample);
+  /// SceneSnapshot::step of setMoment().
+  long shownStep() const { return shown_step_; }
+  /// Index of the joint whose torques are shown, -1: the largest of all.
+  int joint() const;
   /// Of the distance chart.
   void setDistanceName(const QString& name);
   /// Shown as a band in the distance chart, m; 0: none.
@@ -54,6 +60,7 @@ class PlotPanel : public QWidget {
   std::vector<bool> prismatic_;  ///< of each joint
   double start_{0.0}, end_{0.0}, time_{0.0};
   bool follow_{true};
+  long shown_step_{-1};
 };
 
 }  // namespace abstand::ui

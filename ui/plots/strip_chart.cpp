@@ -28,6 +28,7 @@ namespace {
 constexpr double kShortestWindow = 0.05;  // s
 constexpr double kZoomStep = 0.8;         // a notch of the wheel
 constexpr int kTimeLabelOverhang = 14;    // px
+constexpr int kSpareWidth = 24;           // px, so that the room of a value seldom changes
 constexpr double kValueAxisWidth = 44.0;  // px; the same for all charts, so that their times line up
 
 }  // namespace
@@ -38,7 +39,8 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
       plot_{new QwtPlot(this)},
       title_{new QLabel(this)},
       value_{new QLabel(this)},
-      values_{new QLabel(this)},
+      values_box_{new QWidget(this)},
+      values_{new QLabel(values_box_)},
       traces_{new Trace},
       grid_{new QwtPlotGrid} {
   auto* layout = new QVBoxLayout(this);
@@ -51,15 +53,15 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
   title_->setFont(font);
   value_->setFont(font);
   value_->setAlignment(Qt::AlignRight);
-  head->addWidget(title_);
-  head->addStretch();
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  head->addWidget(title_, 1);
   head->addWidget(value_);
   layout->addLayout(head);
   values_->setContentsMargins(6, 0, 8, 0);
   values_->setTextFormat(Qt::RichText);
   values_->setWordWrap(true);
-  values_->hide();
-  layout->addWidget(values_);
+  values_box_->hide();
+  layout->addWidget(values_box_);
   layout->addWidget(plot_, 1);
 
   traces_[0]->factor = text_.factor;
@@ -126,9 +128,26 @@ void StripChart::setLines(const std::vector<Line>& lines) {
     traces_[i]->style = lines[i].style;
     names_.push_back(lines[i].name);
   }
-  values_->setVisible(names_.size() > 1);
+  values_box_->setVisible(names_.size() > 1);
+  placeValues();
   value_->setVisible(names_.size() <= 1);
   dirty_ = true;
+}
+
+/// Room for the widest values.
+void StripChart::placeValues() {
+  const QMargins edges = values_->contentsMargins();
+  const int width = std::max(1, this->width() - edges.left() - edges.right());
+  const int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ reaction -8888.8   "));
+  const int rows = std::max(1, static_cast<int>(names_.size()) / std::max(1, width / item) +
+                                   (static_cast<int>(names_.size()) % std::max(1, width / item) > 0));
+  values_box_->setFixedHeight(rows * values_->fontMetrics().lineSpacing() + 2);
+  values_->setGeometry(0, 0, this->width(), values_box_->height());
+}
+
+void StripChart::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeValues();
 }
 
 void StripChart::setSeries(const FrameSeries* series, std::size_t line) {
@@ -148,7 +167,7 @@ QString StripChart::valuesText() const {
   QStringList parts;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const Trace& trace = *traces_[i];
-    const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+    const double value = trace.valueAtPlayhead() * text_.factor;
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
     parts << QStringLiteral("<span style='white-space:nowrap'><span style='color:%1'>%2</span> %3 %4</span>")
                  .arg(trace.colour.name(), mark, names_[i].toHtmlEscaped(),
@@ -167,9 +186,20 @@ void StripChart::setWindow(double left, double right) {
 
 void StripChart::setPlayhead(double t) {
   if (t == traces_[0]->playhead) return;
-  for (Trace* trace : traces_) trace->playhead = t;
+  for (Trace* trace : traces_) {
+    trace->playhead = t;
+    trace->now.reset();
+  }
   dirty_ = true;
 }
+
+void StripChart::setNow(double value, std::size_t line) {
+  if (traces_[line]->now == value) return;
+  traces_[line]->now = value;
+  dirty_ = true;
+}
+
+double StripChart::shownNow(std::size_t line) const { return traces_[line]->valueAtPlayhead(); }
 
 void StripChart::setBand(double high, const QString& text) {
   const double scaled = high * text_.factor;
@@ -185,10 +215,13 @@ void StripChart::refresh() {
   dirty_ = false;
   shown_revision_ = now;
   fitValues();
-  const Trace& trace = *traces_[0];
-  const double value = trace.series ? trace.series->at(trace.playhead) * text_.factor : std::nan("");
+  const double value = shownNow() * text_.factor;
   if (names_.size() > 1) values_->setText(valuesText());
-  value_->setText(QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit));
+  const QString text = QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit);
+  const int room = value_->fontMetrics().horizontalAdvance(text) + 4;
+  if (room > value_->minimumWidth() || room < value_->minimumWidth() - kSpareWidth)
+    value_->setFixedSize(room + kSpareWidth / 2, value_->fontMetrics().height() + 2);
+  value_->setText(text);
   plot_->replot();
 }
 

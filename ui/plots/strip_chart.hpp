@@ -47,6 +47,10 @@ class StripChart : public QWidget {
   void setQuantity(const QString& quantity, const QString& unit);
   void setWindow(double left, double right);
   void setPlayhead(double t);
+  /// Value at the playhead, in the unit of the series, until the playhead moves.
+  void setNow(double value, std::size_t line = 0);
+  /// NaN: unknown.
+  double shownNow(std::size_t line = 0) const;
   /// In the unit of the series; 0 for no band.
   void setBand(double high, const QString& text);
   /// Draws when something has changed since the last call.
@@ -59,17 +63,21 @@ class StripChart : public QWidget {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fitValues();
   QString valuesText() const;
+  void placeValues();
   long revision() const;
   void applyPalette();
   double timeAt(int x) const;
 
   Text text_;
   QwtPlot* plot_;
-  QLabel *title_, *value_, *values_;
+  QLabel *title_, *value_;
+  QWidget* values_box_;  // of fixed height, so that new values do not lay out the whole window anew
+  QLabel* values_;
   std::vector<Trace*> traces_;  // owned by the plot; at least one
   std::vector<QString> names_;  // of the lines, when there are several
   QwtPlotGrid* grid_;           // owned by the plot

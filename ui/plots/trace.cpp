@@ -18,6 +18,11 @@ Trace::Trace() {
   setItemAttribute(QwtPlotItem::Legend, false);
 }
 
+double Trace::valueAtPlayhead() const {
+  if (now) return *now;
+  return series ? series->at(playhead) : std::nan("");
+}
+
 void Trace::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
   if (first) drawBand(*painter, y, canvas);
   if (series) drawSeries(*painter, x, y, canvas);
@@ -47,7 +52,8 @@ void Trace::drawSeries(QPainter& painter, const QwtScaleMap& x, const QwtScaleMa
                        const QRectF& canvas) const {
   series->decimate(x.invTransform(canvas.left()), x.invTransform(canvas.right()),
                    static_cast<int>(canvas.width()), points_);
-  painter.setPen(QPen(colour, 1.6, style, Qt::RoundCap, Qt::RoundJoin));
+  // Up to this width Qt draws lines without making polygons of them first.
+  painter.setPen(QPen(colour, 1.0, style));
   painter.setRenderHint(QPainter::Antialiasing, points_.size() < 4000);
   const auto flush = [&] {
     if (line_.size() == 1)
@@ -74,7 +80,7 @@ void Trace::drawPlayhead(QPainter& painter, const QwtScaleMap& x, const QwtScale
   ink.setAlpha(150);
   painter.setPen(QPen(ink, 1.0));
   if (first) painter.drawLine(QPointF(px, canvas.top()), QPointF(px, canvas.bottom()));
-  const double value = series ? series->at(playhead) : std::nan("");
+  const double value = valueAtPlayhead();
   if (std::isnan(value)) return;
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(colour);

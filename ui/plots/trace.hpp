@@ -5,6 +5,7 @@
 #include <qwt_plot_item.h>
 
 #include <QColor>
+#include <optional>
 #include <vector>
 
 #include "ui/model/frame_series.hpp"
@@ -21,8 +22,10 @@ class Trace : public QwtPlotItem {
   double factor{1.0};  ///< from the series's unit to the axis's
   QColor colour;
   Qt::PenStyle style{Qt::SolidLine};
-  bool first{true};       ///< of its chart: draws what belongs to no series
-  double playhead{0.0};   ///< s
+  bool first{true};           ///< of its chart: draws what belongs to no series
+  double playhead{0.0};       ///< s
+  std::optional<double> now;  ///< value at the playhead where it is known better than by the series
+  double valueAtPlayhead() const;
   double band_high{0.0};  ///< axis unit; a band from 0 up to here, none when 0
   QString band_text;
 

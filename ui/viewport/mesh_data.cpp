@@ -17,9 +17,10 @@ namespace abstand::ui {
 
 namespace {
 
+constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
 constexpr double kFeatureAngle = 35.0;          // degrees; sharper edges are drawn sharp
 constexpr vtkIdType kWholeBelow = 1000;         // triangles
-constexpr vtkIdType kCoarseShadowAbove = 3000;  // triangles
+constexpr vtkIdType kCoarseShadowAbove = 500;   // triangles
 constexpr int kShadowCells = 24;                // along the longest side
 constexpr double kOutline = 0.006;              // m
 constexpr double kOutlineShare = 0.06;          // of the object's size, for small ones
@@ -68,8 +69,7 @@ vtkSmartPointer<vtkPolyData> blownUp(vtkPolyData* clean) {
   return hull;
 }
 
-}  // namespace
-
+/// `keep`: share of the triangles to keep, 1 for all; small meshes are kept whole.
 MeshData makeMeshData(const geometry::TriangleMesh& mesh, double keep) {
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(toPolyData(mesh));
@@ -95,6 +95,19 @@ MeshData makeMeshData(const geometry::TriangleMesh& mesh, double keep) {
     data.shadow = coarse->GetOutput();
   }
   return data;
+}
+
+}  // namespace
+
+std::shared_ptr<const PreparedMeshes> prepareMeshes(const std::vector<geometry::TriangleMesh>& meshes) {
+  std::size_t triangles = 0;
+  for (const geometry::TriangleMesh& mesh : meshes) triangles += mesh.triangles.size();
+  const double keep = triangles > kTriangleBudget
+                          ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles)
+                          : 1.0;
+  auto prepared = std::make_shared<PreparedMeshes>();
+  for (const geometry::TriangleMesh& mesh : meshes) prepared->objects.push_back(makeMeshData(mesh, keep));
+  return prepared;
 }
 
 }  // namespace abstand::ui

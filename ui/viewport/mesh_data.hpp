@@ -4,7 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include "core/geometry/triangle_mesh.hpp"
+#include "ui/viewport/prepared_meshes.hpp"
 
 namespace abstand::ui {
 
@@ -15,7 +15,8 @@ struct MeshData {
   vtkSmartPointer<vtkPolyData> shadow;   ///< coarser
 };
 
-/// `keep`: share of the triangles to keep, 1 for all; small meshes are kept whole.
-MeshData makeMeshData(const geometry::TriangleMesh& mesh, double keep);
+struct PreparedMeshes {
+  std::vector<MeshData> objects;
+};
 
 }  // namespace abstand::ui

@@ -16,14 +16,9 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr std::size_t kTriangleBudget = 60000;  // more cost too much where the processor draws
-constexpr double kShadowLift = 0.002;           // m above the floor
-constexpr double kShadowThickness = 1e-3;       // of the object's height; a flat matrix could not be inverted
-constexpr double kMinMist = 2e-3;               // m; less is not seen
+constexpr double kMinMist = 2e-3;  // m; less is not seen
 constexpr double kMistOpacity = 0.16;
 constexpr float kHollowLine = 2.0F;  // px
-// Where the key light comes from, per metre of height.
-constexpr double kLightX = -0.12, kLightY = -0.40;
 
 void setColour(vtkProperty* property, const QColor& c) {
   property->SetColor(c.redF(), c.greenF(), c.blueF());
@@ -47,29 +42,23 @@ bool show(vtkActor* actor, bool visible) {
 
 }  // namespace
 
-void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
+void ObjectActors::open(const view::SceneOutline& outline, const PreparedMeshes& meshes, Theme theme) {
   for (const Item& item : items_) {
     renderer_->RemoveActor(item.body);
     renderer_->RemoveActor(item.outline);
     renderer_->RemoveActor(item.mist);
-    back_->RemoveActor(item.shadow);
   }
   items_.assign(outline.objects.size(), {});
   infos_ = outline.objects;
   theme_ = theme;
-  std::size_t triangles = 0;
-  for (const geometry::TriangleMesh& mesh : outline.meshes) triangles += mesh.triangles.size();
-  const double keep = triangles > kTriangleBudget
-                          ? static_cast<double>(kTriangleBudget) / static_cast<double>(triangles)
-                          : 1.0;
-
+  std::vector<vtkSmartPointer<vtkPolyData>> shadows(items_.size());
+  const MeshData nothing{vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkPolyData>::New(),
+                         vtkSmartPointer<vtkPolyData>::New()};
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
     item.human = infos_[i].human;
     item.pose = vtkSmartPointer<vtkMatrix4x4>::New();
-    item.shadow_pose = vtkSmartPointer<vtkMatrix4x4>::New();
-    static const geometry::TriangleMesh kNothing;
-    const MeshData data = makeMeshData(i < outline.meshes.size() ? outline.meshes[i] : kNothing, keep);
+    const MeshData& data = i < meshes.objects.size() ? meshes.objects[i] : nothing;
     if (i < outline.meshes.size() && !outline.meshes[i].vertices.empty()) {
       geometry::Bounds box;
       for (const Vector3d& v : outline.meshes[i].vertices) box.add(v);
@@ -82,8 +71,7 @@ void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
     item.mist->GetProperty()->SetOpacity(kMistOpacity);
     item.mist->GetProperty()->BackfaceCullingOn();
     item.mist->VisibilityOff();
-    item.shadow = addActor(back_, data.shadow, item.shadow_pose);
-    item.shadow->GetProperty()->LightingOff();
+    shadows[i] = data.shadow;
     item.outline = addActor(renderer_, data.hull, item.pose);
     item.outline->GetProperty()->LightingOff();
     item.outline->GetProperty()->FrontfaceCullingOn();
@@ -97,6 +85,7 @@ void ObjectActors::open(const view::SceneOutline& outline, Theme theme) {
     look->SetSpecularPower(18.0);
     look->BackfaceCullingOn();
   }
+  shadows_.open(shadows);
   setTheme(theme);
 }
 
@@ -117,6 +106,7 @@ void ObjectActors::setTheme(Theme theme) {
   view::SceneOutline names;
   names.objects = infos_;
   const SceneColours colours = sceneColours(theme);
+  shadows_.setColour(colours.shadow);
   for (const Group& group : groupsOf(names)) {
     for (std::size_t k = 0; k < group.objects.size(); ++k) {
       Item& item = items_[static_cast<std::size_t>(group.objects[k])];
@@ -127,7 +117,6 @@ void ObjectActors::setTheme(Theme theme) {
       if (group.kind == GroupKind::kMechanism && k % 2 == 1) item.colour = item.colour.darker(109);
       setColour(item.body->GetProperty(), item.colour);
       setColour(item.mist->GetProperty(), item.colour);
-      setColour(item.shadow->GetProperty(), colours.shadow);
     }
   }
 }
@@ -137,36 +126,15 @@ bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const Selection&
   bool changed = false;
   const std::size_t n = std::min(items_.size(), snapshot.objects.size());
   for (std::size_t i = 0; i < n; ++i) {
-    if (place(items_[i], snapshot.objects[i].X_WB)) {
-      castShadow(items_[i]);
-      changed = true;
-    }
+    changed |= place(items_[i], snapshot.objects[i].X_WB);
+    changed |=
+        shadows_.set(i, snapshot.objects[i].X_WB, items_[i].visible && options.floor && options.shadows);
     changed |= paint(items_[i], snapshot.objects[i], selection.contains(static_cast<int>(i)), options);
   }
   return changed;
 }
 
 bool ObjectActors::place(Item& item, const Transform& X_WB) { return assign(item.pose, X_WB.matrix()); }
-
-void ObjectActors::setFloorHeight(double z) {
-  floor_ = z;
-  for (Item& item : items_) castShadow(item);
-}
-
-void ObjectActors::castShadow(Item& item) const {
-  // Slanting projection onto the floor along the key light.
-  Eigen::Matrix4d flat = Eigen::Matrix4d::Identity();
-  flat(0, 2) = -kLightX;
-  flat(1, 2) = -kLightY;
-  flat(0, 3) = kLightX * floor_;
-  flat(1, 3) = kLightY * floor_;
-  flat(2, 2) = kShadowThickness;
-  flat(2, 3) = floor_ * (1.0 - kShadowThickness) + kShadowLift;
-  Eigen::Matrix4d X_WB;
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) X_WB(r, c) = item.pose->GetElement(r, c);
-  assign(item.shadow_pose, flat * X_WB);
-}
 
 bool ObjectActors::veil(Item& item, const view::ObjectSnapshot& now, bool hollow) {
   const bool misty =
@@ -205,7 +173,6 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chose
   changed |= veil(item, now, hollow);
   // What is hidden shows itself as an outline when it touches something.
   changed |= show(item.outline, marked && !hollow && (item.visible || now.colliding));
-  changed |= show(item.shadow, item.visible && options.floor && options.shadows);
   return changed;
 }
 

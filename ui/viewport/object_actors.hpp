@@ -15,6 +15,8 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/viewport/prepared_meshes.hpp"
+#include "ui/viewport/shadows.hpp"
 
 namespace abstand::ui {
 
@@ -26,16 +28,15 @@ class Selection;
 class ObjectActors {
  public:
   /// Bodies and outlines into `renderer`, shadows into `back`.
-  ObjectActors(vtkRenderer* renderer, vtkRenderer* back) : renderer_{renderer}, back_{back} {}
+  ObjectActors(vtkRenderer* renderer, vtkRenderer* back) : renderer_{renderer}, shadows_{back} {}
 
-  void open(const view::SceneOutline& outline, Theme theme);
+  void open(const view::SceneOutline& outline, const PreparedMeshes& meshes, Theme theme);
   void setTheme(Theme theme);
   /// True when something looks different now.
   bool refresh(const view::SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);
   void setVisible(int object, bool visible);
   bool isVisible(int object) const { return items_[static_cast<std::size_t>(object)].visible; }
-  /// m; shadows lie there.
-  void setFloorHeight(double z);
+  Shadows& shadows() { return shadows_; }
 
   /// World box of what is visible, of the chosen objects where there are any.
   geometry::Bounds bounds(const std::vector<int>& only = {}) const;
@@ -45,8 +46,8 @@ class ObjectActors {
 
  private:
   struct Item {
-    vtkSmartPointer<vtkActor> body, outline, shadow, mist;
-    vtkSmartPointer<vtkMatrix4x4> pose, shadow_pose, mist_pose;
+    vtkSmartPointer<vtkActor> body, outline, mist;
+    vtkSmartPointer<vtkMatrix4x4> pose, mist_pose;
     Vector3d centre{Vector3d::Zero()}, half{Vector3d::Ones()};  ///< m, of the body's box
     QColor colour;
     bool human{false};
@@ -55,16 +56,14 @@ class ObjectActors {
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
   static bool place(Item& item, const Transform& X_WB);
-  void castShadow(Item& item) const;
   bool veil(Item& item, const view::ObjectSnapshot& now, bool hollow);
   bool paint(Item& item, const view::ObjectSnapshot& now, bool chosen, const ViewOptions& options);
 
   vtkRenderer* renderer_;
-  vtkRenderer* back_;
+  Shadows shadows_;
   std::vector<Item> items_;
   std::vector<view::SceneOutline::ObjectInfo> infos_;
   Theme theme_{Theme::kLight};
-  double floor_{0.0};
 };
 
 }  // namespace abstand::ui

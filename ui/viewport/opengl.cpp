@@ -8,6 +8,8 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
+#include <QThread>
+#include <algorithm>
 
 namespace abstand::ui {
 
@@ -16,6 +18,10 @@ void prepareOpenGl(bool exact_pixels) {
       (qEnvironmentVariable("XDG_SESSION_TYPE") == QLatin1String("wayland") ||
        !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")))
     qputenv("QT_QPA_PLATFORM", "xcb");
+  // Mesa would draw with as many threads as there are cores, and wait for each of them: where the loop and
+  // others want a core too, half as many are quicker.
+  if (qEnvironmentVariableIsEmpty("LP_NUM_THREADS"))
+    qputenv("LP_NUM_THREADS", QByteArray::number(std::max(1, QThread::idealThreadCount() / 2)));
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);

@@ -16,6 +16,7 @@ constexpr double kAxisLength = 30.0;  // px
 constexpr double kMargin = 14.0;      // px from the edges
 constexpr int kMarkWidth = 34;        // px, of the legend's arrows
 constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
+constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label covers
 constexpr double kValueDrop = 30.0;  // px from a point down to a value
 
 void arrow(QPainter& p, QPointF from, QPointF to, double head) {
@@ -104,15 +105,21 @@ void Overlay::paintEvent(QPaintEvent*) {
   paintLegend(painter);
 }
 
-void Overlay::paintLabels(QPainter& painter) const {
-  const SceneColours colours = sceneColours(themeOf(palette()));
-  std::vector<QRectF> taken;
+QFont Overlay::labelFont() const {
   QFont font = this->font();
   font.setWeight(QFont::DemiBold);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font, const_cast<Overlay*>(this));
-  // Lower points first, so that the lines up to the labels cross each other less; all lines below all labels.
-  std::vector<std::pair<const OverlayLabel*, QRectF>> placed;
+  return font;
+}
+
+std::vector<PlacedLabel> Overlay::placeLabels() const {
+  // Labels keep off the ends of the lines: there is what they speak of.
+  std::vector<QRectF> taken;
+  for (const OverlaySegment& segment : content_.segments)
+    for (const QPointF& end : {segment.a, segment.b})
+      taken.emplace_back(end - QPointF(kPointRoom, kPointRoom), end + QPointF(kPointRoom, kPointRoom));
+  const QFontMetricsF metrics(labelFont(), const_cast<Overlay*>(this));
+  // Lower points first, so that the lines up to the labels cross each other less.
+  std::vector<PlacedLabel> placed;
   std::vector<const OverlayLabel*> order;
   for (const OverlayLabel& label : content_.labels) order.push_back(&label);
   std::stable_sort(order.begin(), order.end(),
@@ -135,19 +142,29 @@ void Overlay::paintLabels(QPainter& painter) const {
       box.translate(0, step);
     }
     taken.push_back(box);
-    placed.emplace_back(&label, box);
+    placed.push_back({label, box});
+  }
+  return placed;
+}
+
+void Overlay::paintLabels(QPainter& painter) const {
+  const SceneColours colours = sceneColours(themeOf(palette()));
+  painter.setFont(labelFont());
+  const std::vector<PlacedLabel> placed = placeLabels();
+  // All lines below all labels.
+  for (const auto& [label, box] : placed) {
     painter.setPen(QPen(edgeColour(label.style), 1.2));
     painter.drawLine(label.at, QPointF(std::clamp(label.at.x(), box.left(), box.right()),
                                        box.center().y() > label.at.y() ? box.top() : box.bottom()));
   }
   for (const auto& [label, box] : placed) {
-    const bool contact = label->style == OverlayLabel::Style::kContact;
-    const QColor edge = edgeColour(label->style);
+    const bool contact = label.style == OverlayLabel::Style::kContact;
+    const QColor edge = edgeColour(label.style);
     painter.setPen(QPen(edge, 1.2));
     painter.setBrush(contact ? edge : colours.label_back);
     painter.drawRoundedRect(box, 4.0, 4.0);
     painter.setPen(contact ? QColor(Qt::white) : colours.label_text);
-    painter.drawText(box, Qt::AlignCenter, label->text);
+    painter.drawText(box, Qt::AlignCenter, label.text);
   }
 }
 

@@ -16,6 +16,11 @@ struct OverlayLabel {
   bool below{false};  ///< the label stands below its point, else well above it
 };
 
+struct PlacedLabel {
+  OverlayLabel label;
+  QRectF box;
+};
+
 struct OverlaySegment {
   QPointF a, b;
   QColor colour;
@@ -42,11 +47,15 @@ class Overlay : public QWidget {
  public:
   explicit Overlay(QWidget* parent);
   OverlayContent& content() { return content_; }
+  const OverlayContent& content() const { return content_; }
+  /// Where the labels stand, each as near to its point as others and the ends of lines allow.
+  std::vector<PlacedLabel> placeLabels() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QFont labelFont() const;
   void paintAxes(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   void paintLabels(QPainter& painter) const;

@@ -86,7 +86,6 @@ Room::Room(vtkRenderer* back, vtkRenderer* bodies)
     actor->ForceTranslucentOn();
     renderer_->AddActor(actor);
   }
-  renderer_->GradientBackgroundOn();
   bodies->AutomaticLightCreationOff();
   bodies->RemoveAllLights();
 
@@ -106,16 +105,29 @@ Room::Room(vtkRenderer* back, vtkRenderer* bodies)
 
 void Room::setTheme(Theme theme) {
   theme_ = theme;
-  const SceneColours colours = sceneColours(theme);
-  renderer_->SetBackground(colours.sky_bottom.redF(), colours.sky_bottom.greenF(),
-                           colours.sky_bottom.blueF());
-  renderer_->SetBackground2(colours.sky_top.redF(), colours.sky_top.greenF(), colours.sky_top.blueF());
+  apply();
   build();
 }
 
 void Room::setVisible(bool visible) {
-  floor_->SetVisibility(visible);
-  grid_->SetVisibility(visible);
+  visible_ = visible;
+  apply();
+}
+
+void Room::setLeftOut(bool left_out) {
+  left_out_ = left_out;
+  apply();
+}
+
+void Room::apply() {
+  const SceneColours colours = sceneColours(theme_);
+  const QColor bottom = left_out_ ? QColor(Qt::black) : colours.sky_bottom;
+  renderer_->SetGradientBackground(!left_out_);
+  renderer_->SetBackgroundAlpha(left_out_ ? 0.0 : 1.0);
+  renderer_->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
+  renderer_->SetBackground2(colours.sky_top.redF(), colours.sky_top.greenF(), colours.sky_top.blueF());
+  floor_->SetVisibility(visible_ && !left_out_);
+  grid_->SetVisibility(visible_ && !left_out_);
 }
 
 void Room::fitTo(const geometry::Bounds& box) {

@@ -12,15 +12,18 @@
 #include <cmath>
 
 #include "ui/model/selection.hpp"
+#include "ui/viewport/mesh_data.hpp"
 #include "ui/viewport/opengl.hpp"
+#include "ui/viewport/plain_pass.hpp"
 #include "ui/viewport/viewport_impl.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
-constexpr int kSoftwareIntervalMs = 66;  // about 15 frames a second
+constexpr int kSoftwareIntervalMs = 30;  // from the start of a picture to that of the next
 constexpr int kHardwareIntervalMs = 16;
+constexpr int kRestMs = 110;  // without a change, until a picture in full quality
 constexpr int kHardwareSamples = 4;
 constexpr int kClickSlack = 4;  // px that a click may wander
 constexpr double kZoomPerNotch = 0.88;
@@ -47,7 +50,8 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
     return;
   }
   min_interval_ms = info.software ? kSoftwareIntervalMs : kHardwareIntervalMs;
-  gl = new QVTKOpenGLNativeWidget(&owner);
+  gl = new Canvas(&owner);
+  vtkGenericOpenGLRenderWindow* window = gl->window();
   gl->setFocusPolicy(Qt::NoFocus);
   gl->setAccessibleName(Viewport::tr("3D view"));
   gl->installEventFilter(&owner);
@@ -55,37 +59,54 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
   window->SetMultiSamples(info.software ? 0 : kHardwareSamples);
   window->SetNumberOfLayers(3);
   int layer = 0;
+  drawPlainly(back);
+  drawPlainly(renderer);
+  window->SetAlphaBitPlanes(1);
   for (vtkRenderer* each : {back.Get(), renderer.Get(), front.Get()}) {
     each->SetLayer(layer++);
     each->SetActiveCamera(renderer->GetActiveCamera());
     window->AddRenderer(each);
   }
-  // The last layer smooths the whole picture; cheaper than multisampling where the processor draws.
-  front->SetUseFXAA(info.software);
-  gl->setRenderWindow(window);
+  cheap_when_moving = info.software;
+  setQuality(false);
   overlay->raise();
   frame_timer.setSingleShot(true);
-  QObject::connect(&frame_timer, &QTimer::timeout, &owner, [this] { drawFrame(); });
+  QObject::connect(&frame_timer, &QTimer::timeout, &owner,
+                   [this] { drawFrame(cheap_when_moving && rest_timer.isActive()); });
+  rest_timer.setSingleShot(true);
+  rest_timer.setInterval(kRestMs);
+  QObject::connect(&rest_timer, &QTimer::timeout, &owner, [this] {
+    if (gl->hasBackdrop() || !front->GetUseFXAA()) drawFrame(false);
+  });
   since_frame.start();
 }
 
 Viewport::Impl::~Impl() = default;
 
-void Viewport::Impl::refresh() {
-  if (!outline || !gl) return;
+bool Viewport::Impl::update() {
+  if (!outline || !gl) return false;
   bool changed = objects.refresh(snapshot, selection, options);
   changed |= arrows.refresh(*outline, snapshot, options);
-  if (changed) askForFrame();
+  return changed;
+}
+
+void Viewport::Impl::refresh() {
+  if (update()) askForFrame();
+}
+
+void Viewport::Impl::noteChange() {
+  // A change alone is drawn in full quality at once; when more follow, they are many.
+  if (since_frame.elapsed() < kRestMs || snapshot.playing) rest_timer.start();
 }
 
 void Viewport::Impl::askForFrame() {
-  if (!gl || frame_timer.isActive()) return;
-  frame_timer.start(std::max<int>(0, min_interval_ms - static_cast<int>(since_frame.elapsed())));
+  if (!gl) return;
+  noteChange();
+  if (!frame_timer.isActive())
+    frame_timer.start(std::max<int>(0, min_interval_ms - static_cast<int>(since_frame.elapsed())));
 }
 
-void Viewport::Impl::drawFrame() {
-  // Before its first show the widget has no context; it draws itself then.
-  if (!gl->isValid()) return;
+void Viewport::Impl::fitDepth() {
   // One camera for three layers: it must reach from the nearest to the farthest of all of them.
   vtkBoundingBox all;
   for (vtkRenderer* each : {back.Get(), renderer.Get(), front.Get()}) {
@@ -96,11 +117,46 @@ void Viewport::Impl::drawFrame() {
   double bounds[6];
   all.GetBounds(bounds);
   if (all.IsValid()) renderer->ResetCameraClippingRange(bounds);
-  fillOverlay();
-  window->Render();
-  overlay->update();
+}
+
+void Viewport::Impl::setQuality(bool one_of_many) {
+  // The last layer smooths the whole picture; cheaper than multisampling where the processor draws.
+  front->SetUseFXAA(cheap_when_moving && !one_of_many);
+  const CameraView now = camera.view();
+  const bool still = now == drawn_camera;
+  drawn_camera = now;
+  if (!one_of_many || !still) {
+    gl->dropBackdrop();
+    room.setLeftOut(false);
+    return;
+  }
+  if (!gl->hasBackdrop() || !(backdrop_camera == now)) {
+    room.setLeftOut(false);
+    objects.shadows().setShown(false);
+    renderer->DrawOff();
+    front->DrawOff();
+    back->SetUseFXAA(true);
+    fitDepth();
+    gl->keepBackdrop();
+    back->SetUseFXAA(false);
+    front->DrawOn();
+    renderer->DrawOn();
+    objects.shadows().setShown(true);
+    backdrop_camera = now;
+  }
+  room.setLeftOut(true);
+}
+
+void Viewport::Impl::drawFrame(bool one_of_many) {
+  frame_timer.stop();
   since_frame.restart();
+  setQuality(one_of_many);
+  fitDepth();
+  fillOverlay();
+  gl->render();
+  overlay->update();
   ++frames;
+  Q_EMIT owner.drawn(1e-9 * static_cast<double>(since_frame.nsecsElapsed()));
 }
 
 void Viewport::Impl::resize() {
@@ -112,6 +168,7 @@ void Viewport::Impl::resize() {
 void Viewport::Impl::setTheme() {
   const Theme theme = themeOf(owner.palette());
   room.setTheme(theme);
+  if (gl) gl->dropBackdrop();
   objects.setTheme(theme);
   refresh();
   askForFrame();
@@ -131,18 +188,20 @@ Viewport::~Viewport() {
   if (impl_->gl) impl_->gl->removeEventFilter(this);
 }
 
-void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot& first) {
+void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot& first,
+                    const std::shared_ptr<const PreparedMeshes>& meshes) {
   Impl& my = *impl_;
   my.outline = &outline;
   my.snapshot = first;
   my.overlay->content().message.clear();
   if (!my.gl) return;
-  my.objects.open(outline, themeOf(palette()));
+  my.objects.open(outline, meshes ? *meshes : *prepareMeshes(outline.meshes), themeOf(palette()));
   my.arrows.open(outline);
   // Poses first, then the floor below them, then the shadows upon it.
   my.objects.refresh(my.snapshot, my.selection, my.options);
   my.room.fitTo(my.objects.bounds());
-  my.objects.setFloorHeight(my.room.floorHeight());
+  my.objects.shadows().setFloorHeight(my.room.floorHeight());
+  my.gl->dropBackdrop();
   my.refresh();
   my.camera.look(CameraPreset::kIso, my.objects.bounds());
   my.askForFrame();
@@ -154,21 +213,35 @@ void Viewport::close() {
   my.snapshot = {};
   my.fillOverlay();
   if (!my.gl) return;
-  my.objects.open({}, themeOf(palette()));
+  my.objects.open({}, {}, themeOf(palette()));
   my.arrows.open({});
   my.askForFrame();
 }
 
 void Viewport::refresh(const view::SceneSnapshot& snapshot) {
-  impl_->snapshot = snapshot;
-  impl_->refresh();
+  Impl& my = *impl_;
+  my.snapshot = snapshot;
+  const bool changed = my.update();
+  if (!my.gl || !isVisible()) return;
+  if (changed) {
+    my.noteChange();
+    my.drawFrame(my.cheap_when_moving && my.rest_timer.isActive());
+  } else {
+    my.fillOverlay();
+    my.overlay->update();
+  }
 }
+
+long Viewport::shownStep() const { return impl_->shown_step; }
+
+int Viewport::interval() const { return impl_->min_interval_ms; }
 
 const ViewOptions& Viewport::options() const { return impl_->options; }
 
 void Viewport::setOptions(const ViewOptions& options) {
   impl_->options = options;
   impl_->room.setVisible(options.floor);
+  if (impl_->gl) impl_->gl->dropBackdrop();
   impl_->refresh();
   impl_->askForFrame();
 }
@@ -230,12 +303,18 @@ void Viewport::setMessage(const QString& text) {
 QImage Viewport::picture() {
   Impl& my = *impl_;
   if (!my.gl) return grab().toImage();
-  my.frame_timer.stop();
-  my.drawFrame();
-  QImage image = my.gl->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
-  image.setDevicePixelRatio(devicePixelRatioF());
+  my.rest_timer.stop();
+  my.drawFrame(false);
+  QImage image = my.gl->image();
   my.overlay->render(&image, QPoint(), QRegion(), QWidget::DrawChildren);
   return image;
+}
+
+const Overlay& Viewport::overlay() const { return *impl_->overlay; }
+
+QPointF Viewport::project(const Vector3d& p_W) const {
+  impl_->camera.update();
+  return impl_->camera.project(p_W);
 }
 
 long Viewport::framesDrawn() const { return impl_->frames; }
@@ -285,8 +364,10 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
     case QEvent::Resize:
-      // Its size may come later than that of the view around it.
+      // Its size may come later than that of the view around it. Drawn at once, so that picture, labels and
+      // lines have the size that is painted next.
       my.resize();
+      if (isVisible()) my.drawFrame(my.cheap_when_moving);
       return QWidget::eventFilter(watched, event);
     default:
       return QWidget::eventFilter(watched, event);

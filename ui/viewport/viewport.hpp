@@ -8,9 +8,11 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
+#include "ui/viewport/prepared_meshes.hpp"
 
 namespace abstand::ui {
 
+class Overlay;
 class Selection;
 
 /// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or
@@ -23,9 +25,16 @@ class Viewport : public QWidget {
   ~Viewport() override;
 
   /// Builds all actors and looks at the scene. The outline must live until the next open() or close().
-  void open(const view::SceneOutline& outline, const view::SceneSnapshot& first);
+  /// `meshes`: those of the outline; null: they are prepared now.
+  void open(const view::SceneOutline& outline, const view::SceneSnapshot& first,
+            const std::shared_ptr<const PreparedMeshes>& meshes = nullptr);
   void close();
+  /// Draws at once what looks different.
   void refresh(const view::SceneSnapshot& snapshot);
+  /// SceneSnapshot::step of what is drawn.
+  long shownStep() const;
+  /// ms from the start of a picture to that of the next that this kind of OpenGL can keep up with.
+  int interval() const;
 
   const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
@@ -46,12 +55,18 @@ class Viewport : public QWidget {
 
   /// The picture with labels, at the screen's resolution.
   QImage picture();
+  /// What is written over the picture.
+  const Overlay& overlay() const;
+  /// Where a point of the scene is in the picture, logical pixels from the upper left corner.
+  QPointF project(const Vector3d& p_W) const;
   /// Number of frames drawn so far.
   long framesDrawn() const;
 
  Q_SIGNALS:
   /// The user has moved the camera.
   void cameraMoved();
+  /// A picture is drawn; it took so long (s) on this thread.
+  void drawn(double seconds);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,8 +1,6 @@
 // Inside of the 3D view. VTK: .cpp files only.
 #pragma once
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -11,6 +9,7 @@
 
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
+#include "ui/viewport/canvas.hpp"
 #include "ui/viewport/object_actors.hpp"
 #include "ui/viewport/overlay.hpp"
 #include "ui/viewport/room.hpp"
@@ -22,11 +21,19 @@ struct Viewport::Impl {
   Impl(Viewport& owner, Selection& selection);
   ~Impl();
 
-  /// Takes over the last snapshot and asks for a frame when something looks different.
+  /// Takes over the last snapshot; true when something looks different.
+  bool update();
+  /// The same, and asks for a frame.
   void refresh();
+  /// Decides whether what follows is one of many.
+  void noteChange();
   /// Soon, and not more often than this kind of OpenGL can.
   void askForFrame();
-  void drawFrame();
+  /// In full quality, unless the picture is one of many: then floor and background stay from the one before
+  /// where the camera does, and edges are not smoothed.
+  void drawFrame(bool one_of_many);
+  void setQuality(bool one_of_many);
+  void fitDepth();
   void resize();
   void setTheme();
   /// Labels, lines and legend for the camera as it is; before every frame.
@@ -38,8 +45,7 @@ struct Viewport::Impl {
   const view::SceneOutline* outline{nullptr};
   view::SceneSnapshot snapshot;
 
-  QVTKOpenGLNativeWidget* gl{nullptr};  // null without OpenGL
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  Canvas* gl{nullptr};  // null without OpenGL
   // Three layers, each drawn over the one before: floor and shadows, bodies, arrows (which bodies must not
   // hide).
   vtkNew<vtkRenderer> back, renderer, front;
@@ -49,10 +55,14 @@ struct Viewport::Impl {
   Camera camera;
   Overlay* overlay;
 
-  QTimer frame_timer;
-  QElapsedTimer since_frame;
+  QTimer frame_timer, rest_timer;  // until the next picture may be drawn; until the view counts as at rest
+  QElapsedTimer since_frame;       // since the last picture was begun
   int min_interval_ms{16};
+  bool cheap_when_moving{false};  // the processor draws
+  CameraView backdrop_camera;     // of the canvas's backdrop
+  CameraView drawn_camera;        // of the last picture
   long frames{0};
+  long shown_step{-1};
   QPoint press, last_mouse;
 
  private:

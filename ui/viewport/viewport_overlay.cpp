@@ -29,6 +29,7 @@ void Viewport::Impl::fillOverlay() {
   content.labels.clear();
   content.segments.clear();
   content.legend.clear();
+  shown_step = snapshot.step;
   if (!outline) return;
   camera.update();
   content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()),

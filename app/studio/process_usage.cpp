@@ -1,0 +1,38 @@
+#include "app/studio/process_usage.hpp"
+
+#include <unistd.h>
+#include <ctime>
+
+#include <filesystem>
+#include <fstream>
+
+namespace abstand::studio {
+
+std::map<std::string, double> processorTimes() {
+  std::map<std::string, double> times;
+  std::error_code gone;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", gone)) {
+    std::string name;
+    std::getline(std::ifstream(task.path() / "comm"), name);
+    double nanoseconds = 0.0;
+    if (!(std::ifstream(task.path() / "schedstat") >> nanoseconds)) continue;
+    if (task.path().filename() == std::to_string(::getpid())) name = "gui";
+    name.resize(name.find_last_not_of("-0123456789") + 1);
+    times[name] += 1e-9 * nanoseconds;
+  }
+  return times;
+}
+
+double ownProcessorTime() {
+  timespec t{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double residentMegabytes() {
+  double size = 0.0, resident = 0.0;
+  std::ifstream("/proc/self/statm") >> size >> resident;
+  return 1e-6 * resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace abstand::studio

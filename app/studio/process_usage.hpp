@@ -1,0 +1,17 @@
+// What this process has used so far, from /proc.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace abstand::studio {
+
+/// Processor time (s) of the living threads of this process, by name; threads of equal names are summed, and
+/// a number at the end of a name is left out. The first thread is "gui".
+std::map<std::string, double> processorTimes();
+/// Processor time (s) of the calling thread.
+double ownProcessorTime();
+/// Resident memory, MB.
+double residentMegabytes();
+
+}  // namespace abstand::studio
