@@ -32,6 +32,7 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
 #include "ui/panels/status_panel.hpp"
@@ -54,7 +55,7 @@ constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 constexpr int kPlotWidth = 280;  // px, at least
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 5;
+constexpr int kLayoutVersion = 6;
 
 using Id = ActionId;
 
@@ -130,6 +131,7 @@ void MainWindow::buildDocks() {
   robots_ = new RobotPanel(this);
   groups_ = new GroupPanel(this);
   notes_ = new NotePanel(this);
+  recordings_ = new RecordingPanel((*actions_)[Id::kRecordingOptions], this);
   plots_ = new PlotPanel(this);
   plots_->setMinimumWidth(kPlotWidth);
   pairs_ = new PairPanel(*selection_, this);
@@ -153,7 +155,9 @@ void MainWindow::buildDocks() {
       addDock("events", tr("Events"), tr("Show or hide the events of the recording"),
               QStringLiteral("Ctrl+9"), events_),
       addDock("bookmarks", tr("Bookmarks"), tr("Show or hide the bookmarks"), QStringLiteral("Ctrl+Shift+9"),
-              bookmark_panel_)};
+              bookmark_panel_),
+      addDock("recordings", tr("Recording"), tr("Show or hide what was read of the recordings"),
+              QStringLiteral("Ctrl+Shift+8"), recordings_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -170,9 +174,9 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events, bookmarks] =
+  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events, bookmarks, recordings] =
       std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7],
-               docks_[8], docks_[9]);
+               docks_[8], docks_[9], docks_[10]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -192,10 +196,11 @@ void MainWindow::arrangeDocks() {
   splitDockWidget(timeline, pairs, Qt::Vertical);
   tabifyDockWidget(pairs, events);
   tabifyDockWidget(events, bookmarks);
+  tabifyDockWidget(bookmarks, recordings);
   pairs->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
-  resizeDocks({scene, plots}, {264, 370}, Qt::Horizontal);
+  resizeDocks({scene, plots}, {284, 370}, Qt::Horizontal);
   resizeDocks({timeline, pairs}, {236, 110}, Qt::Vertical);
   resizeDocks({plots, margins}, {560, 300}, Qt::Vertical);
 }
@@ -224,7 +229,7 @@ void MainWindow::setSession(SessionPort* session) {
   timeline_->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
   // What robots that react do differs from what was recorded.
   whole_plot_ = review_->available() && outline.reacting.empty() && !outline.falls;
-  plots_->setDistanceName(whole_plot_ ? tr("Least clearance person – robot") : tr("Smallest distance"));
+  plots_->setDistanceName(whole_plot_ ? tr("Smallest clearance person – robot") : tr("Smallest distance"));
   plots_->setSeries(whole_plot_ ? &review_->nearest() : &history_->distance(), &history_->force(),
                     &history_->torques(), outline.start, outline.end);
   plots_->setJoints(outline.joints);
@@ -232,6 +237,7 @@ void MainWindow::setSession(SessionPort* session) {
   static const std::vector<scene::SceneNote> kNoNotes;
   notes_->open(session_ ? session_->notes() : kNoNotes);
   docks_[7]->setWindowTitle(notes_->title());
+  recordings_->open(outline.recordings);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(snapshot_);
   status_->clear();

@@ -23,6 +23,7 @@ class EventPanel;
 class GroupPanel;
 class MarginPanel;
 class NotePanel;
+class RecordingPanel;
 class PairPanel;
 class Playback;
 class PlayRules;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   RobotPanel& robotPanel() const { return *robots_; }
   GroupPanel& groupPanel() const { return *groups_; }
   NotePanel& notePanel() const { return *notes_; }
+  RecordingPanel& recordingPanel() const { return *recordings_; }
   EventPanel& eventPanel() const { return *events_; }
   /// The whole recording under the present margins.
   RecordingReview& review() const { return *review_; }
@@ -174,6 +176,7 @@ class MainWindow : public QMainWindow {
   RobotPanel* robots_;
   GroupPanel* groups_;
   NotePanel* notes_;
+  RecordingPanel* recordings_;
   EventPanel* events_;
   BookmarkPanel* bookmark_panel_;
   TimelinePanel* timeline_;

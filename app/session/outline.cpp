@@ -1,6 +1,7 @@
 // Constant data of a session for the window.
 #include <set>
 
+#include "app/session/recording_card.hpp"
 #include "app/session/session.hpp"
 
 namespace abstand::session {
@@ -48,6 +49,10 @@ view::SceneOutline Session::outline() const {
   if (times.size() > 1)
     outline.frame_period = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
   outline.title = description_.file.filename().string();
+  for (std::size_t h = 0; h < humans_.size(); ++h)
+    if (const tracking::Recording* recording = humans_[h]->recording())
+      outline.recordings.push_back(
+          recordingCard(description_.humans[h].name, description_.humans[h].recording.file, *recording));
   return outline;
 }
 

@@ -8,6 +8,7 @@
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
+#include "core/view/recording_card.hpp"
 
 namespace abstand::view {
 
@@ -119,6 +120,7 @@ struct SceneOutline {
   double start{0.0}, end{0.0};                 ///< s
   double frame_period{0.01};                   ///< s, one step of the timeline
   std::string title;
+  std::vector<RecordingCard> recordings;  ///< of the people that have one
 };
 
 /// One point of the live plots.

@@ -110,7 +110,7 @@ QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, i
                                        "than twice the margin, never inside")},
       {QT_TR_NOOP("Part"), QT_TR_NOOP("The part of the person")},
       {QT_TR_NOOP("Link"), QT_TR_NOOP("The nearest link of a robot")},
-      {QT_TR_NOOP("Least clearance"),
+      {QT_TR_NOOP("Smallest clearance"),
        QT_TR_NOOP("Certified: the true distance was never below it, had the robot not stopped")},
       {QT_TR_NOOP("Error"),
        QT_TR_NOOP("By how much the measured distance may be too large: engine and pose")},

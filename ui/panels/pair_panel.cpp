@@ -17,7 +17,8 @@ namespace abstand::ui {
 
 namespace {
 constexpr int kColumnWidth = 76;  // px, at least
-}
+constexpr int kStateSpace = 24;   // px, about the text of a state
+}  // namespace
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
     : QWidget(parent),
@@ -58,7 +59,8 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   header->setSectionResizeMode(QHeaderView::Interactive);
   for (const int names : {PairTableModel::kA, PairTableModel::kB})
     header->setSectionResizeMode(names, QHeaderView::Stretch);
-  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, 92},
+  const int state_width = table_->fontMetrics().horizontalAdvance(tr("⚠ inside margin")) + kStateSpace;
+  for (const auto& [column, width] : {std::pair{+PairTableModel::kState, state_width},
                                       {+PairTableModel::kDistance, 112},
                                       {+PairTableModel::kBound, 132},
                                       {+PairTableModel::kMargin, 100},

@@ -10,7 +10,7 @@
 namespace abstand::ui {
 
 namespace {
-constexpr int kStateWidth = 92;  // px
+constexpr int kTreeStateSpace = 16;  // px, about the text of a state
 }
 
 SceneTreePanel::SceneTreePanel(SceneTreeModel& model, Selection& selection, QWidget* parent)
@@ -23,7 +23,7 @@ SceneTreePanel::SceneTreePanel(SceneTreeModel& model, Selection& selection, QWid
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::Fixed);
-  header()->resizeSection(1, kStateWidth);
+  header()->resizeSection(1, fontMetrics().horizontalAdvance(tr("⚠ inside margin")) + kTreeStateSpace);
   connect(&model, &SceneTreeModel::modelReset, this, &QTreeView::expandAll);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &SceneTreePanel::choose);
   connect(&selection_, &Selection::changed, this, &SceneTreePanel::followSelection);

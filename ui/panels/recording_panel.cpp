@@ -1,0 +1,113 @@
+#include "ui/panels/recording_panel.hpp"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "ui/style/theme.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+/// Adds the rows of one recording.
+class CardRows {
+ public:
+  CardRows(QTreeWidget* tree, const view::RecordingCard& card)
+      : parent_{new QTreeWidgetItem(tree, {text(card.person), QFileInfo(text(card.file)).fileName()})} {
+    QFont bold = parent_->font(0);
+    bold.setBold(true);
+    parent_->setFont(0, bold);
+    parent_->setFont(1, bold);
+    parent_->setToolTip(1, QDir::toNativeSeparators(text(card.file)));
+  }
+
+  QTreeWidgetItem* add(const QString& what, const QString& value, const QString& why = {}) {
+    auto* row = new QTreeWidgetItem(parent_, {what, value, why});
+    for (const int column : {1, 2}) row->setToolTip(column, row->text(column));
+    return row;
+  }
+
+  void add(const QString& what, const view::ReadValue& read) {
+    QTreeWidgetItem* row =
+        add(what, read.guessed ? RecordingPanel::tr("%1 (guessed)").arg(text(read.value)) : text(read.value),
+            text(read.reason));
+    if (read.guessed) row->setForeground(1, QColor(kVermillion));
+  }
+
+  void warn(const QString& value) {
+    add(RecordingPanel::tr("Warning"), value)->setForeground(1, QColor(kVermillion));
+  }
+
+ private:
+  QTreeWidgetItem* parent_;
+};
+
+void addRows(QTreeWidget* tree, const view::RecordingCard& card) {
+  CardRows rows(tree, card);
+  rows.add(RecordingPanel::tr("Format"), text(card.format));
+  rows.add(RecordingPanel::tr("Length"),
+           RecordingPanel::tr("%1 s, %n frames", nullptr, static_cast<int>(card.frames))
+               .arg(card.duration, 0, 'f', 2));
+  rows.add(RecordingPanel::tr("Rate"),
+           card.rate > 0.0 ? RecordingPanel::tr("%1 Hz").arg(card.rate, 0, 'g', 5)
+                           : RecordingPanel::tr("not known"),
+           text(card.rate_reason));
+  rows.add(RecordingPanel::tr("Units"), card.units);
+  rows.add(RecordingPanel::tr("Vertical axis"), card.up);
+  rows.add(RecordingPanel::tr("Left and right"), card.sides);
+  rows.add(RecordingPanel::tr("Stature"), card.stature > 0.0
+                                              ? RecordingPanel::tr("%1 m").arg(card.stature, 0, 'f', 3)
+                                              : RecordingPanel::tr("not known"));
+  if (!card.joint_map.empty()) rows.add(RecordingPanel::tr("Joint map"), text(card.joint_map));
+  rows.add(RecordingPanel::tr("Moved parts"), QString::number(card.moved_parts));
+  if (!card.missing_parts.empty()) {
+    QStringList parts;
+    for (const std::string& part : card.missing_parts) parts << text(part);
+    rows.warn(RecordingPanel::tr("nothing moves %1").arg(parts.join(QStringLiteral(", "))));
+  }
+  if (card.frames_missing > 0)
+    rows.warn(RecordingPanel::tr("cut: %n frames at least are missing or not complete", nullptr,
+                                 static_cast<int>(card.frames_missing)));
+  if (card.gaps > 0)
+    rows.add(RecordingPanel::tr("Gaps"),
+             RecordingPanel::tr("%n frames lack a joint", nullptr, static_cast<int>(card.gaps)));
+  for (const std::string& note : card.notes) rows.add(RecordingPanel::tr("Note"), text(note));
+  for (const std::string& warning : card.warnings) rows.warn(text(warning));
+}
+
+}  // namespace
+
+RecordingPanel::RecordingPanel(QAction* options, QWidget* parent)
+    : QWidget(parent), tree_{new QTreeWidget(this)} {
+  tree_->setAccessibleName(tr("Recordings"));
+  tree_->setHeaderLabels({tr("Property"), tr("Read as"), tr("Reason")});
+  tree_->setRootIsDecorated(false);
+  tree_->setAllColumnsShowFocus(true);
+  tree_->setFrameShape(QFrame::NoFrame);
+  tree_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  tree_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  auto* change = new QToolButton(this);
+  change->setDefaultAction(options);
+  change->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 6);
+  layout->addWidget(tree_, 1);
+  layout->addWidget(change, 0, Qt::AlignRight);
+}
+
+void RecordingPanel::open(const std::vector<view::RecordingCard>& cards) {
+  tree_->clear();
+  for (const view::RecordingCard& card : cards) addRows(tree_, card);
+  if (cards.empty())
+    new QTreeWidgetItem(tree_, {tr("No recording"), tr("The people of this scene stand still")});
+  tree_->expandAll();
+}
+
+}  // namespace abstand::ui
