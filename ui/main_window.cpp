@@ -15,6 +15,7 @@
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
+#include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/moment_sample.hpp"
 #include "ui/model/nearest_classes.hpp"
@@ -30,6 +31,7 @@
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
@@ -143,7 +145,7 @@ void MainWindow::buildDocks() {
               timeline_),
       addDock("plots", tr("Plots"), tr("Show or hide the plots"), QStringLiteral("Ctrl+4"), plots_),
       addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"),
-              margins_),
+              new MarginTools(margins_, *actions_, this)),
       addDock("robots", tr("Robots"), tr("Show or hide the robots that react"), QStringLiteral("Ctrl+6"),
               robots_),
       addDock("groups", tr("Pair groups"), tr("Show or hide the groups of pairs"), QStringLiteral("Ctrl+7"),
@@ -218,6 +220,7 @@ void MainWindow::setSession(SessionPort* session) {
   tree_model_->open(outline);
   pairs_->open(outline);
   margins_->open(outline, follower_.margins(document_->work()));
+  margin_commands_->open(session_ ? &outline : nullptr);
   robots_->open(outline);
   loops_ = snapshot_.loops;
   docks_[outline.reacting.empty() ? 4 : 5]->raise();

@@ -21,6 +21,7 @@ class BookmarkPanel;
 class Document;
 class EventPanel;
 class GroupPanel;
+class MarginCommands;
 class MarginPanel;
 class NotePanel;
 class PairPanel;
@@ -153,6 +154,7 @@ class MainWindow : public QMainWindow {
 
   Document* document_;
   ProjectCommands* projects_;
+  MarginCommands* margin_commands_{nullptr};
   Autosave* autosave_{nullptr};
   std::unique_ptr<LeftOver> recovered_;  // until its work is in an autosave of this program
   SessionFollower follower_;
