@@ -30,6 +30,7 @@
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -56,7 +57,7 @@ constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 constexpr int kPlotWidth = 280;  // px, at least
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 5;
+constexpr int kLayoutVersion = 6;
 
 using Id = ActionId;
 
@@ -138,6 +139,7 @@ void MainWindow::buildDocks() {
   timeline_ = new TimelinePanel(*actions_, *playback_, *review_, *axis_, this);
   events_ = new EventPanel(*review_, this);
   bookmark_panel_ = new BookmarkPanel(this);
+  curve_ = new MarginCurve(*review_, *selection_, this);
   docks_ = {
       addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
       addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
@@ -155,7 +157,9 @@ void MainWindow::buildDocks() {
       addDock("events", tr("Events"), tr("Show or hide the events of the recording"),
               QStringLiteral("Ctrl+9"), events_),
       addDock("bookmarks", tr("Bookmarks"), tr("Show or hide the bookmarks"), QStringLiteral("Ctrl+Shift+9"),
-              bookmark_panel_)};
+              bookmark_panel_),
+      addDock("curve", tr("Margin curve"), tr("Show or hide what the margin of a body part costs"),
+              QStringLiteral("Ctrl+Shift+5"), curve_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -194,6 +198,7 @@ void MainWindow::arrangeDocks() {
   splitDockWidget(timeline, pairs, Qt::Vertical);
   tabifyDockWidget(pairs, events);
   tabifyDockWidget(events, bookmarks);
+  tabifyDockWidget(bookmarks, docks_[10]);
   pairs->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));

@@ -22,6 +22,7 @@ class Document;
 class EventPanel;
 class GroupPanel;
 class MarginCommands;
+class MarginCurve;
 class MarginPanel;
 class NotePanel;
 class PairPanel;
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   Selection& selection() const { return *selection_; }
   Viewport& viewport() const { return *viewport_; }
   MarginPanel& marginPanel() const { return *margins_; }
+  MarginCurve& marginCurve() const { return *curve_; }
   PairPanel& pairPanel() const { return *pairs_; }
   TimelinePanel& timelinePanel() const { return *timeline_; }
   RobotPanel& robotPanel() const { return *robots_; }
@@ -173,6 +175,7 @@ class MainWindow : public QMainWindow {
   PairPanel* pairs_;
   PlotPanel* plots_;
   MarginPanel* margins_;
+  MarginCurve* curve_;
   RobotPanel* robots_;
   GroupPanel* groups_;
   NotePanel* notes_;

@@ -13,11 +13,14 @@
 #include "ui/model/recent_files.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/compare_lanes.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/reading_dialog.hpp"
 #include "ui/style/actions.hpp"
@@ -127,6 +130,11 @@ void MainWindow::connectEdits() {
   connect(margin_commands_, &MarginCommands::said, this,
           [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
   connect(margin_commands_, &MarginCommands::picked, events_, &EventPanel::picked);
+  connect(margin_commands_, &MarginCommands::compared, timeline_->compareLanes(), &CompareLanes::setCompared);
+  connect(timeline_->compareLanes(), &CompareLanes::closeWanted, this,
+          [this] { margin_commands_->compare(false); });
+  connect(curve_, &MarginCurve::dragged, margins_, &MarginPanel::hold);
+  connect(curve_, &MarginCurve::released, margins_, &MarginPanel::release);
   connect((*actions_)[ActionId::kFindMargin], &QAction::triggered, this, [this] {
     docks_[4]->show();
     docks_[4]->raise();

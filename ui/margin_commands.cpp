@@ -25,9 +25,9 @@ namespace abstand::ui {
 namespace {
 
 constexpr ActionId kMarginActions[] = {
-    ActionId::kResetMargins, ActionId::kNoMargins,     ActionId::kMargins50,    ActionId::kMargins100,
-    ActionId::kMargins200,   ActionId::kCopyMargins,   ActionId::kPasteMargins, ActionId::kOpenMargins,
-    ActionId::kSaveMargins,  ActionId::kProposeMargins};
+    ActionId::kResetMargins, ActionId::kNoMargins,      ActionId::kMargins50,     ActionId::kMargins100,
+    ActionId::kMargins200,   ActionId::kCopyMargins,    ActionId::kPasteMargins,  ActionId::kOpenMargins,
+    ActionId::kSaveMargins,  ActionId::kProposeMargins, ActionId::kCompareMargins};
 
 }  // namespace
 
@@ -44,6 +44,7 @@ MarginCommands::MarginCommands(Document& document, const SessionFollower& follow
   connectActions();
   connect(&document_, &Document::workChanged, this, [this](const Work& before, const Work& after) {
     if (before.locked != after.locked) showLocks();
+    if (before.compared != after.compared) showCompared();
   });
 }
 
@@ -72,12 +73,14 @@ void MarginCommands::connectActions() {
   on(ActionId::kOpenMargins, [this] { openSet(); });
   on(ActionId::kSaveMargins, [this] { saveSet(); });
   on(ActionId::kProposeMargins, [this] { propose(); });
+  connect(actions_[ActionId::kCompareMargins], &QAction::triggered, this, &MarginCommands::compare);
 }
 
 void MarginCommands::open(const view::SceneOutline* outline) {
   outline_ = outline;
   for (const ActionId id : kMarginActions) actions_[id]->setEnabled(outline != nullptr);
   showLocks();
+  showCompared();
 }
 
 QString MarginCommands::name(int object) const {
@@ -204,6 +207,26 @@ void MarginCommands::saveSet() {
   } catch (const std::exception& e) {
     Q_EMIT failed(tr("Cannot save the margins"), QString::fromUtf8(e.what()));
   }
+}
+
+void MarginCommands::compare(bool on) {
+  if (!outline_) return;
+  document_.edit(on ? tr("compare margins") : tr("compare margins no longer"), [&](Work& work) {
+    work.compared.reset();
+    if (!on) return;
+    const std::vector<double> present = margins();
+    work.compared.emplace();
+    for (int i = 0; i < static_cast<int>(present.size()); ++i)
+      (*work.compared)[name(i)] = present[static_cast<std::size_t>(i)];
+  });
+}
+
+void MarginCommands::showCompared() {
+  const auto& kept = document_.work().compared;
+  actions_[ActionId::kCompareMargins]->setChecked(kept.has_value());
+  Work work;
+  if (kept) work.margins = *kept;
+  Q_EMIT compared(outline_ && kept ? follower_.margins(work) : std::vector<double>());
 }
 
 void MarginCommands::propose() {

@@ -35,8 +35,14 @@ class MarginCommands : public QObject {
  Q_SIGNALS:
   void said(const QString& text);
   void failed(const QString& title, const QString& problem);
+  /// m, of each object: what the present margins are compared with; empty: nothing.
+  void compared(const std::vector<double>& margins);
   /// s; indices of the analysis' store.
   void picked(double t, int part, int link);
+
+ public Q_SLOTS:
+  /// Compares with the present margins, or no longer.
+  void compare(bool on);
 
  private:
   void connectPanel();
@@ -55,6 +61,7 @@ class MarginCommands : public QObject {
   void openSet();
   void saveSet();
   void propose();
+  void showCompared();
 
   Document& document_;
   const SessionFollower& follower_;

@@ -222,6 +222,7 @@ struct MarginProposals : MarginWorkbench {
     MarginWorkbench::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     session.recording = &analysis;
+    session.setMargin(head, 0.04);  // so that there is a snapshot again
     window.setSession(&session);
   }
   void TearDown() override { window.setSession(nullptr); }

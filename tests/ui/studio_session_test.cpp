@@ -138,6 +138,27 @@ TEST_F(StudioSession, ProposedMarginsAreThoseOfTune) {
   EXPECT_EQ(window.review().review().outcome.stops, (*set)["stops"].get<long>());
 }
 
+TEST_F(StudioSession, ThePointsOfTheCurveAreRowsOfTune) {
+  open();
+  ASSERT_TRUE(analysed());
+  window.actions()[ui::ActionId::kNoMargins]->trigger();
+  QCoreApplication::processEvents();
+  const auto& parts = window.review().store()->layout().parts;
+  const auto answer = tune("--margins 0:0.3:0.05");
+  int compared = 0;
+  for (const auto& row : answer["margins"])
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      if (parts[part].name != "person/" + row["part"].get<std::string>()) continue;
+      const margin::MarginOutcome outcome = window.review().outcomeOf(part, row["margin"].get<double>());
+      EXPECT_EQ(outcome.stops, row["stops"].get<long>());
+      EXPECT_EQ(outcome.false_stops, row["false_stops"].get<long>());
+      EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
+      EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
+      ++compared;
+    }
+  EXPECT_EQ(compared, 14 * 7);
+}
+
 TEST_F(StudioSession, TheCommandLineReadsASetOfTheWindow) {
   open();
   ASSERT_TRUE(analysed());

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/model/groups.hpp"
 #include "ui/panels/margin_row.hpp"
@@ -24,6 +25,7 @@ MarginPanel::MarginPanel(QWidget* parent) : QScrollArea(parent), gather_{new QTi
 void MarginPanel::open(const view::SceneOutline& outline, const std::vector<double>& margins) {
   gather_->stop();
   waiting_.clear();
+  held_ = false;
   group_rows_.clear();
   masters_.clear();
   rows_.assign(outline.objects.size(), nullptr);
@@ -144,7 +146,23 @@ void MarginPanel::change(int object, double metres) {
   if (!gather_->isActive()) gather_->start();
 }
 
+void MarginPanel::hold(int object, double metres) {
+  MarginRow* held = row(object);
+  if (!held || held->locked()) return;
+  held_ = true;
+  if (held->metres() == metres) return;
+  held->show(metres);
+  change(object, metres);
+}
+
+void MarginPanel::release() {
+  if (!std::exchange(held_, false)) return;
+  gather_->stop();
+  send();
+}
+
 bool MarginPanel::isDragged() const {
+  if (held_) return true;
   const auto dragged = [](const MarginRow* row) { return row->isDragged(); };
   return std::any_of(rows_.begin(), rows_.end(), dragged) ||
          std::any_of(masters_.begin(), masters_.end(),

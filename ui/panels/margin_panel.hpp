@@ -35,6 +35,9 @@ class MarginPanel : public QScrollArea {
   MarginRow* groupRow(const QString& group) const;
   /// Objects that are locked, without a signal.
   void showLocked(const std::vector<bool>& locked);
+  /// As if the user moved its slider, which is held until release(). Nothing where it is locked.
+  void hold(int object, double metres);
+  void release();
   /// Shows only rows whose name or group contains the text; the row of a group then moves only these.
   void setFilter(const QString& text);
 
@@ -66,6 +69,7 @@ class MarginPanel : public QScrollArea {
   QString filter_;
   QMap<int, double> waiting_;
   QTimer* gather_;
+  bool held_{false};
 };
 
 }  // namespace abstand::ui

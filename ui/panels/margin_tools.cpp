@@ -47,9 +47,9 @@ MarginTools::MarginTools(MarginPanel* panel, const Actions& actions, QWidget* pa
   row->addWidget(
       menuButton(this, actions, tr("Presets"), tr("Set all margins that are not locked"),
                  {Id::kResetMargins, Id::kNoMargins, Id::kMargins50, Id::kMargins100, Id::kMargins200}));
-  row->addWidget(menuButton(
-      this, actions, tr("Sets"), tr("Copy, save, propose and compare margins"),
-      {Id::kCopyMargins, Id::kPasteMargins, Id::kOpenMargins, Id::kSaveMargins, Id::kProposeMargins}));
+  row->addWidget(menuButton(this, actions, tr("Sets"), tr("Copy, save, propose and compare margins"),
+                            {Id::kCopyMargins, Id::kPasteMargins, Id::kOpenMargins, Id::kSaveMargins,
+                             Id::kProposeMargins, Id::kCompareMargins}));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);

@@ -118,6 +118,9 @@ const Spec kSpecs[] = {
      TEXT("Save the margins of people and robots as a set for abstand tune --margin-set"), "Ctrl+M,S"},
     {Id::kProposeMargins, In::kMargins, TEXT("P&ropose margins…"),
      TEXT("The smallest margins without a missed stop in this recording"), "Ctrl+M,P"},
+    {Id::kCompareMargins, In::kMargins, TEXT("Co&mpare with these margins"),
+     TEXT("Keep the present margins, and show in the timeline what later ones do differently"), "Ctrl+M,B",
+     Kind::kOff},
 
     {Id::kPlay, In::kPlayback, TEXT("&Play"), TEXT("Play or pause"), "Space", Kind::kPlain, Glyph::kPlay},
     {Id::kStepBack, In::kPlayback, TEXT("Frame &back"), TEXT("One frame back"), "Left", Kind::kPlain,

@@ -95,6 +95,7 @@ enum class ActionId {
   kOpenMargins,
   kSaveMargins,
   kProposeMargins,
+  kCompareMargins,
   kShortcuts,
   kAbout,
   kCount
