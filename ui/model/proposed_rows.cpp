@@ -52,6 +52,7 @@ std::vector<ProposedRow> proposedRows(const margin::ClearanceStore& store, const
       row.part = static_cast<int>(part);
       row.proposal = proposal;
       row.name = partText(store, part);
+      if (proposal.decided_by) row.link = linkText(store, proposal.decided_by->link);
       const auto object = static_cast<std::size_t>(row.object);
       const double links = leastLinkMargin(store.layout(), part, margins);
       const double needed = std::max(0.0, proposal.margin - links);

@@ -17,6 +17,7 @@ struct ProposedRow {
   margin::PartProposal proposal;
   QString name;      ///< of the part
   QString sentence;  ///< margin and what it is made of, without the moment that decides it
+  QString link;      ///< that decides it
   int part{0};       ///< of the store
 };
 

@@ -117,9 +117,14 @@ void CompareLanes::refresh() {
 }
 
 QString CompareLanes::text() const {
-  return tr("%1.  A: %2.  B: %3")
-      .arg(difference(review_.review().outcome, kept_.outcome), outcomeText(review_.review().outcome),
-           outcomeText(kept_.outcome));
+  return tr("%1.  B: %2.  A: %3")
+      .arg(difference(review_.review().outcome, kept_.outcome), outcomeText(kept_.outcome),
+           outcomeText(review_.review().outcome));
+}
+
+void CompareLanes::setTime(double t) {
+  time_ = t;
+  if (isVisible()) update();
 }
 
 QRect CompareLanes::lane(int set) const {
@@ -135,23 +140,25 @@ void CompareLanes::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   const QString names[] = {tr("A: now"), tr("B: kept")};
   const double length = axis_.view().length();
+  const auto x = [&](double t) {
+    const double share = length > 0.0 ? std::clamp((t - axis_.view().from) / length, 0.0, 1.0) : 0.0;
+    return lane(0).left() + static_cast<int>(std::lround(share * (lane(0).width() - 1)));
+  };
   for (int set = 0; set < 2; ++set) {
     const QRect place = lane(set);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRect(4, place.top(), LaneView::kNameWidth - 10, place.height()),
                      Qt::AlignVCenter | Qt::AlignRight, names[set]);
     painter.fillRect(place, palette().color(QPalette::Base));
-    if (!(length > 0.0)) continue;
-    const auto x = [&](double t) {
-      const double share = std::clamp((t - axis_.view().from) / length, 0.0, 1.0);
-      return place.left() + static_cast<int>(std::lround(share * (place.width() - 1)));
-    };
     for (const TimeRange& stop : stops_[set])
       if (stop.to >= axis_.view().from && stop.from <= axis_.view().to)
         painter.fillRect(
             QRect(x(stop.from), place.top(), std::max(1, x(stop.to) - x(stop.from)), place.height()),
             QColor(kVermillion));
   }
+  if (!axis_.view().contains(time_)) return;
+  painter.setPen(QPen(palette().color(QPalette::Text), 1.4));
+  painter.drawLine(x(time_), lane(0).top(), x(time_), height());
 }
 
 }  // namespace abstand::ui

@@ -27,6 +27,7 @@ class CompareLanes : public QWidget {
 
   /// Set B: m, of each object; empty: none.
   void setCompared(std::vector<double> margins);
+  void setTime(double t);
   /// The difference in words.
   QString text() const;
   /// Of set A (0) or B (1).
@@ -52,6 +53,7 @@ class CompareLanes : public QWidget {
   margin::MarginReviewer reviewer_;
   margin::MarginReview kept_;
   long opened_{-1};
+  double time_{0.0};  ///< s
   bool judged_{false};
   std::vector<TimeRange> stops_[2];
 };

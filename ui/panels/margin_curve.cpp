@@ -40,6 +40,7 @@ MarginCurve::MarginCurve(const RecordingReview& review, const Selection& selecti
   work_->setInterval(0);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 4, 8, 2);
+  head->setSpacing(10);
   head->addWidget(parts_);
   head->addWidget(sentence_, 1);
   auto* layout = new QVBoxLayout(this);

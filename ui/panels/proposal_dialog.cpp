@@ -22,11 +22,12 @@ QString sentenceOf(const ProposedRow& row, int index) {
     return row.proposal.judged ? text + ProposalDialog::tr(" No stop was ever needed.").toHtmlEscaped()
                                : text;
   return text + ProposalDialog::tr(
-                    " Decided at <a href=\"%1\">%2</a>. Of it: error of the distance %3, pose %4, "
-                    "motion in one frame %5.")
+                    " Decided at <a href=\"%1\">%2</a> by %3. Of it: error of the distance %4, pose %5, "
+                    "motion in one frame %6.")
                     .arg(index)
-                    .arg(secondsWithUnit(decided->t), millimetresWithUnit(decided->bound),
-                         millimetresWithUnit(decided->pose), millimetresWithUnit(decided->sampling));
+                    .arg(secondsWithUnit(decided->t), row.link.toHtmlEscaped(),
+                         millimetresWithUnit(decided->bound), millimetresWithUnit(decided->pose),
+                         millimetresWithUnit(decided->sampling));
 }
 
 }  // namespace

@@ -166,6 +166,7 @@ void TimelinePanel::goToTyped() {
 void TimelinePanel::showTime() {
   strip_->setTime(playback_.time());
   lanes_->setTime(playback_.time());
+  compare_->setTime(playback_.time());
   time_->setText(secondsWithUnit(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
   // Room for the longest text, so that what stands beside it keeps its place.
