@@ -9,7 +9,6 @@
 
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
-#include "core/config/yaml_document.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/session_follower.hpp"
 #include "ui/model/margin_set.hpp"
@@ -24,6 +23,7 @@ namespace abstand::ui {
 
 namespace {
 
+constexpr std::uintmax_t kMaxSetBytes = 1 << 20;
 constexpr ActionId kMarginActions[] = {
     ActionId::kResetMargins, ActionId::kNoMargins,      ActionId::kMargins50,     ActionId::kMargins100,
     ActionId::kMargins200,   ActionId::kCopyMargins,    ActionId::kPasteMargins,  ActionId::kOpenMargins,
@@ -183,7 +183,7 @@ void MarginCommands::openSet() {
   const QString file = dialog.selectedFiles().constFirst();
   rememberFolder(file);
   try {
-    takeSet(readFile(QFile::encodeName(file).toStdString(), config::kMaxYamlBytes), file,
+    takeSet(readFile(QFile::encodeName(file).toStdString(), kMaxSetBytes), file,
             tr("margins of %1").arg(QFileInfo(file).fileName()));
   } catch (const std::exception& e) {
     Q_EMIT failed(tr("Cannot open the margins"), QString::fromUtf8(e.what()));

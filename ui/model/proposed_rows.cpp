@@ -12,7 +12,7 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kMostProposed = 2.0;  // m, of a row
+constexpr double kLargestRow = 2.0;  // m, of a row
 
 QString trProposal(const char* text) { return QCoreApplication::translate("ProposedRows", text); }
 
@@ -61,7 +61,7 @@ std::vector<ProposedRow> proposedRows(const margin::ClearanceStore& store, const
             "never seen, or never so far away that the robot could have stopped in time; the row stays.");
       } else if (!std::isfinite(proposal.margin)) {
         row.sentence = trProposal("no margin would do; the row stays.");
-      } else if (needed > kMostProposed) {
+      } else if (needed > kLargestRow) {
         row.sentence = trProposal("%1, more than a row can have; the row stays.").arg(mm(proposal.margin));
       } else {
         row.sentence = links > 0.0 ? trProposal("%1: %2 of this row and at least %3 of the links.")

@@ -33,12 +33,12 @@ CurveArea::CurveArea(MarginCurve& curve) : QWidget(&curve), curve_(curve) {
 QRectF CurveArea::plot() const { return QRectF(rect()).adjusted(kLeft, kTop, -kRight, -kBottom); }
 
 double CurveArea::xOf(double metres) const {
-  return plot().left() + std::min(metres / MarginCurve::kMost, 1.0) * plot().width();
+  return plot().left() + std::min(metres / MarginCurve::kRightEnd, 1.0) * plot().width();
 }
 
 double CurveArea::metresAt(int x) const {
   const double share = std::clamp((x - plot().left()) / std::max(1.0, plot().width()), 0.0, 1.0);
-  return std::round(1e3 * share * MarginCurve::kMost) * 1e-3;
+  return std::round(1e3 * share * MarginCurve::kRightEnd) * 1e-3;
 }
 
 QPoint CurveArea::handle() const {

@@ -59,7 +59,7 @@ QPoint MarginCurve::handle() const { return area_->handle(); }
 int MarginCurve::xOf(double metres) const { return static_cast<int>(std::lround(area_->xOf(metres))); }
 
 bool MarginCurve::complete() const {
-  return points_.size() == static_cast<std::size_t>(std::lround(kMost / kStep)) + 1;
+  return points_.size() == static_cast<std::size_t>(std::lround(kRightEnd / kStep)) + 1;
 }
 
 int MarginCurve::object() const {

@@ -23,8 +23,8 @@ class MarginCurve : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr double kStep = 0.005;  ///< m, between two points
-  static constexpr double kMost = 0.3;    ///< m, the curve's right end
+  static constexpr double kStep = 0.005;    ///< m, between two points
+  static constexpr double kRightEnd = 0.3;  ///< m, the curve's right end
   struct Point {
     double margin{0.0};  ///< m, of the row
     margin::MarginOutcome outcome;
