@@ -15,6 +15,7 @@
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
+#include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/moment_sample.hpp"
 #include "ui/model/nearest_classes.hpp"
@@ -29,7 +30,9 @@
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/recording_panel.hpp"
@@ -55,7 +58,7 @@ constexpr int kSlowMs = 100;
 constexpr int kMessageMs = 3000;
 constexpr int kPlotWidth = 280;  // px, at least
 // Grows when panels come or go, so that an old layout is not applied to a new window.
-constexpr int kLayoutVersion = 6;
+constexpr int kLayoutVersion = 7;
 
 using Id = ActionId;
 
@@ -138,6 +141,7 @@ void MainWindow::buildDocks() {
   timeline_ = new TimelinePanel(*actions_, *playback_, *review_, *axis_, this);
   events_ = new EventPanel(*review_, this);
   bookmark_panel_ = new BookmarkPanel(this);
+  curve_ = new MarginCurve(*review_, *selection_, this);
   docks_ = {
       addDock("scene", tr("Scene"), tr("Show or hide the scene tree"), QStringLiteral("Ctrl+1"), tree_),
       addDock("pairs", tr("Pairs"), tr("Show or hide the pair table"), QStringLiteral("Ctrl+2"), pairs_),
@@ -145,7 +149,7 @@ void MainWindow::buildDocks() {
               timeline_),
       addDock("plots", tr("Plots"), tr("Show or hide the plots"), QStringLiteral("Ctrl+4"), plots_),
       addDock("margins", tr("Safety margins"), tr("Show or hide the margins"), QStringLiteral("Ctrl+5"),
-              margins_),
+              new MarginTools(margins_, *actions_, this)),
       addDock("robots", tr("Robots"), tr("Show or hide the robots that react"), QStringLiteral("Ctrl+6"),
               robots_),
       addDock("groups", tr("Pair groups"), tr("Show or hide the groups of pairs"), QStringLiteral("Ctrl+7"),
@@ -157,7 +161,9 @@ void MainWindow::buildDocks() {
       addDock("bookmarks", tr("Bookmarks"), tr("Show or hide the bookmarks"), QStringLiteral("Ctrl+Shift+9"),
               bookmark_panel_),
       addDock("recordings", tr("Recording"), tr("Show or hide what was read of the recordings"),
-              QStringLiteral("Ctrl+Shift+8"), recordings_)};
+              QStringLiteral("Ctrl+Shift+8"), recordings_),
+      addDock("curve", tr("Margin curve"), tr("Show or hide what the margin of a body part costs"),
+              QStringLiteral("Ctrl+Shift+5"), curve_)};
 }
 
 QDockWidget* MainWindow::addDock(const char* name, const QString& title, const QString& tip,
@@ -174,9 +180,9 @@ QDockWidget* MainWindow::addDock(const char* name, const QString& title, const Q
 }
 
 void MainWindow::arrangeDocks() {
-  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events, bookmarks, recordings] =
+  auto [scene, pairs, timeline, plots, margins, robots, groups, notes, events, bookmarks, recordings, curve] =
       std::tie(docks_[0], docks_[1], docks_[2], docks_[3], docks_[4], docks_[5], docks_[6], docks_[7],
-               docks_[8], docks_[9], docks_[10]);
+               docks_[8], docks_[9], docks_[10], docks_[11]);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->show();
@@ -197,6 +203,7 @@ void MainWindow::arrangeDocks() {
   tabifyDockWidget(pairs, events);
   tabifyDockWidget(events, bookmarks);
   tabifyDockWidget(bookmarks, recordings);
+  tabifyDockWidget(recordings, curve);
   pairs->raise();
   for (QTabBar* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
@@ -223,6 +230,7 @@ void MainWindow::setSession(SessionPort* session) {
   tree_model_->open(outline);
   pairs_->open(outline);
   margins_->open(outline, follower_.margins(document_->work()));
+  margin_commands_->open(session_ ? &outline : nullptr);
   robots_->open(outline);
   loops_ = snapshot_.loops;
   docks_[outline.reacting.empty() ? 4 : 5]->raise();

@@ -21,6 +21,8 @@ class BookmarkPanel;
 class Document;
 class EventPanel;
 class GroupPanel;
+class MarginCommands;
+class MarginCurve;
 class MarginPanel;
 class NotePanel;
 class RecordingPanel;
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
   Selection& selection() const { return *selection_; }
   Viewport& viewport() const { return *viewport_; }
   MarginPanel& marginPanel() const { return *margins_; }
+  MarginCurve& marginCurve() const { return *curve_; }
   PairPanel& pairPanel() const { return *pairs_; }
   TimelinePanel& timelinePanel() const { return *timeline_; }
   RobotPanel& robotPanel() const { return *robots_; }
@@ -155,6 +158,7 @@ class MainWindow : public QMainWindow {
 
   Document* document_;
   ProjectCommands* projects_;
+  MarginCommands* margin_commands_{nullptr};
   Autosave* autosave_{nullptr};
   std::unique_ptr<LeftOver> recovered_;  // until its work is in an autosave of this program
   SessionFollower follower_;
@@ -173,6 +177,7 @@ class MainWindow : public QMainWindow {
   PairPanel* pairs_;
   PlotPanel* plots_;
   MarginPanel* margins_;
+  MarginCurve* curve_;
   RobotPanel* robots_;
   GroupPanel* groups_;
   NotePanel* notes_;

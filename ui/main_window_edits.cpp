@@ -1,18 +1,26 @@
 // How the window edits its document: commands and panels.
 #include <QAbstractButton>
+#include <QDockWidget>
+#include <QLineEdit>
 #include <QSlider>
 #include <QStatusBar>
 
 #include "ui/bookmark_commands.hpp"
 #include "ui/document/document.hpp"
 #include "ui/main_window.hpp"
+#include "ui/margin_commands.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/compare_lanes.hpp"
+#include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/margin_tools.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/reading_dialog.hpp"
 #include "ui/style/actions.hpp"
@@ -117,23 +125,21 @@ void MainWindow::connectEdits() {
                   work.hidden.insert(nameOf(object));
             });
           });
-  connect(margins_, &MarginPanel::marginsChanged, this, [this](const QMap<int, double>& margins) {
-    const QString what = margins.size() == 1 ? tr("margin of %1").arg(nameOf(margins.firstKey()))
-                                             : tr("margins of %n objects", nullptr, margins.size());
-    document_->edit(
-        what,
-        [&](Work& work) {
-          for (auto it = margins.begin(); it != margins.end(); ++it)
-            work.margins[nameOf(it.key())] = it.value();
-        },
-        QStringLiteral("margins"));
+  margin_commands_ = new MarginCommands(*document_, follower_, *review_, *margins_, *actions_, this);
+  connect(margin_commands_, &MarginCommands::failed, this, &MainWindow::showProblem);
+  connect(margin_commands_, &MarginCommands::said, this,
+          [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
+  connect(margin_commands_, &MarginCommands::picked, events_, &EventPanel::picked);
+  connect(margin_commands_, &MarginCommands::compared, timeline_->compareLanes(), &CompareLanes::setCompared);
+  connect(timeline_->compareLanes(), &CompareLanes::closeWanted, this,
+          [this] { margin_commands_->compare(false); });
+  connect(curve_, &MarginCurve::dragged, margins_, &MarginPanel::hold);
+  connect(curve_, &MarginCurve::released, margins_, &MarginPanel::release);
+  connect((*actions_)[ActionId::kFindMargin], &QAction::triggered, this, [this] {
+    docks_[4]->show();
+    docks_[4]->raise();
+    docks_[4]->findChild<MarginTools*>()->search()->setFocus(Qt::ShortcutFocusReason);
   });
-  connect(margins_, &MarginPanel::editFinished, document_, &Document::endStep);
-  const auto reset = [this] {
-    document_->edit(tr("reset margins"), [](Work& work) { work.margins.clear(); });
-  };
-  connect(margins_, &MarginPanel::resetWanted, this, reset);
-  connect((*actions_)[ActionId::kResetMargins], &QAction::triggered, this, reset);
 }
 
 void MainWindow::connectGroups() {

@@ -60,6 +60,7 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   view->addSeparator();
   addRange(view, actions, Id::kDarkTheme, Id::kResetLayout);
 
+  bar->addMenu(addGroup(bar, actions, ActionGroup::kMargins));
   bar->addMenu(addGroup(bar, actions, ActionGroup::kPlayback));
   bar->addMenu(addGroup(bar, actions, ActionGroup::kHelp));
   // Shortcuts work wherever the keys go, also while the menu bar is hidden.

@@ -1,107 +1,15 @@
 #include "app/tune/margin_rules.hpp"
 
-#include <algorithm>
-#include <set>
-
-#include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
 #include "core/config/yaml_reader.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
-namespace {
-
-constexpr config::YamlRange kRuleMarginRange{0.0, 10.0, "m"};
-constexpr config::YamlRange kRuleTimeRange{0.0, 10.0, "s"};
-
-margin::PairMargin pairMarginOf(const config::YamlFields& fields) {
-  fields.need("margin");
-  return {fields.number("margin", kRuleMarginRange).value_or(0.0),
-          fields.number("robot_time", kRuleTimeRange).value_or(0.0),
-          fields.number("person_time", kRuleTimeRange).value_or(0.0)};
-}
-
-MarginRule ruleOf(const config::YamlNode& node, const std::string& file) {
-  const config::YamlFields fields(node, file, "a margin",
-                                  {"part", "link", "margin", "robot_time", "person_time"});
-  MarginRule rule{"", fields.text("link").value_or(""), pairMarginOf(fields)};
-  const auto parts = humanmodel::partNames();
-  if (fields.find("part")) rule.part = *fields.choice("part", {parts.begin(), parts.end()});
-  if (rule.part.empty() && rule.link.empty())
-    throw ParseError(fields.pos(),
-                     "found a margin of neither a part nor a link, expected `part`, `link` or both");
-  return rule;
-}
-
-std::string numbersText(const margin::PairMargin& margin) {
-  std::string text = "margin: " + formatDouble(margin.margin);
-  if (margin.robot_time > 0.0) text += ", robot_time: " + formatDouble(margin.robot_time);
-  if (margin.person_time > 0.0) text += ", person_time: " + formatDouble(margin.person_time);
-  return text;
-}
-
-/// A YAML text in double quotes.
-std::string yamlQuoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
-}  // namespace
-
-std::optional<margin::PairMargin> MarginRules::of(const std::string& part, const std::string& link) const {
-  std::optional<margin::PairMargin> wide;
-  for (const MarginRule& rule : rules) {
-    if (rule.part == part && rule.link == link) return rule.margin;
-    const bool fits = (rule.link.empty() && rule.part == part) || (rule.part.empty() && rule.link == link);
-    if (!fits) continue;
-    if (!wide) wide.emplace();
-    wide->margin = std::max(wide->margin, rule.margin.margin);
-    wide->robot_time = std::max(wide->robot_time, rule.margin.robot_time);
-    wide->person_time = std::max(wide->person_time, rule.margin.person_time);
-  }
-  return wide ? wide : other;
-}
 
 MarginRules loadMarginRules(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  const config::YamlNode root = config::parseYaml(readFile(path, config::kMaxYamlBytes), file);
-  const config::YamlFields fields(root, file, "a set of margins", {"abstand_margins", "default", "margins"});
-  const config::YamlNode& version = fields.need("abstand_margins");
-  if (version.kind != config::YamlNode::Kind::kScalar || version.text != "1")
-    throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
-                                              " for `abstand_margins`, expected format version 1");
-  MarginRules rules{file, {}, {}};
-  if (const config::YamlNode* other = fields.find("default"))
-    rules.other = pairMarginOf(
-        config::YamlFields(*other, file, "the default margin", {"margin", "robot_time", "person_time"}));
-  std::set<std::pair<std::string, std::string>> seen;
-  for (const config::YamlNode& node : fields.list("margins")) {
-    rules.rules.push_back(ruleOf(node, file));
-    const MarginRule& rule = rules.rules.back();
-    if (!seen.insert({rule.part, rule.link}).second)
-      throw ParseError({file, node.line, node.column},
-                       "found a second margin for the same part and link, expected one");
-  }
-  if (rules.rules.empty() && !rules.other)
-    throw ParseError(fields.pos(), "found no margin, expected `default` or `margins`");
-  return rules;
-}
-
-std::string marginRulesText(const MarginRules& rules) {
-  std::string text = "abstand_margins: 1\n";
-  if (rules.other) text += "default: {" + numbersText(*rules.other) + "}\n";
-  if (!rules.rules.empty()) text += "margins:\n";
-  for (const MarginRule& rule : rules.rules) {
-    text += "  - {";
-    if (!rule.part.empty()) text += "part: " + rule.part + ", ";
-    if (!rule.link.empty()) text += "link: " + yamlQuoted(rule.link) + ", ";
-    text += numbersText(rule.margin) + "}\n";
-  }
-  return text;
+  const auto parts = humanmodel::partNames();
+  return margin::parseMarginRules(readFile(path, config::kMaxYamlBytes), path.string(),
+                                  {parts.begin(), parts.end()});
 }
 
 }  // namespace abstand::tune

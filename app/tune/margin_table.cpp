@@ -1,14 +1,11 @@
 #include "app/tune/margin_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/margin/margin_outcome.hpp"
 
 namespace abstand::tune {
 namespace {
-
-constexpr double kMillimetre = 1e-3;
 
 std::vector<std::string> partsOf(const std::vector<TunedRecording>& recordings) {
   std::vector<std::string> parts;
@@ -84,10 +81,6 @@ margin::ClearanceTrack wholeBody(const TunedRecording& recording, const margin::
 }
 
 }  // namespace
-
-double roundedUpMargin(double needed) {
-  return std::isinf(needed) ? needed : (std::floor(needed / kMillimetre) + 1.0) * kMillimetre;
-}
 
 MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std::vector<double>& margins,
                         const TuneOptions& options) {

@@ -35,8 +35,7 @@ struct ProposedMargin {
   std::optional<margin::GumbelFit> fit;  ///< of `needed`
 };
 
-/// m, rounded up to whole millimetres and above `needed`, as a margin must be.
-double roundedUpMargin(double needed);
+using margin::roundedUpMargin;
 
 struct MarginTable {
   std::vector<MarginRow> rows;  ///< part by part, margins increasing

@@ -36,6 +36,11 @@ std::size_t firstJudgedFrame(const ClearanceTrack& track, const MarginOptions& o
   return first;
 }
 
+double roundedUpMargin(double needed) {
+  constexpr double kMillimetre = 1e-3;
+  return std::isinf(needed) ? needed : (std::floor(needed / kMillimetre) + 1.0) * kMillimetre;
+}
+
 ClearanceTrack from(const ClearanceTrack& track, std::size_t first) {
   const auto tail = [&](const std::vector<double>& v) {
     return std::vector<double>(v.begin() + static_cast<std::ptrdiff_t>(first), v.end());

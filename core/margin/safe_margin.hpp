@@ -53,6 +53,9 @@ SafeMargin smallestSafeMargin(const ClearanceTrack& track, const MarginOptions& 
 /// there is none.
 std::size_t firstJudgedFrame(const ClearanceTrack& track, const MarginOptions& options);
 
+/// m, rounded up to whole millimetres and above `needed`, as a margin must be.
+double roundedUpMargin(double needed);
+
 /// The frames from `first` on.
 ClearanceTrack from(const ClearanceTrack& track, std::size_t first);
 

@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QTimer>
 #include <functional>
 
@@ -33,7 +34,9 @@ class ModalAnswer {
   static ModalAnswer choose(const QString& dialog, const QString& file) {
     return {dialog, [file](QWidget* modal) {
               auto* files = static_cast<QFileDialog*>(modal);
+              // selectFile() leaves the name alone where its field has the keyboard.
               files->selectFile(file);
+              if (auto* name = files->findChild<QLineEdit*>("fileNameEdit")) name->setText(file);
               QMetaObject::invokeMethod(files, "accept");
             }};
   }

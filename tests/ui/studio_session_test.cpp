@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
@@ -12,13 +15,16 @@
 
 #include "app/studio/studio.hpp"
 #include "core/base/text_file.hpp"
+#include "core/margin/proposed_margin.hpp"
 #include "tests/app/tune/slide_scene.hpp"
 #include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
+#include "ui/panels/proposal_dialog.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/style/actions.hpp"
 
 namespace abstand::studio {
 namespace studio_session_test {
@@ -45,15 +51,19 @@ struct StudioSession : ::testing::Test {
   }
   /// The row of `abstand tune` for all parts with this margin (m).
   nlohmann::json tuned(const std::string& margin) {
-    const auto out = folder.path() / "tune.json";
-    const std::string command = "'" ABSTAND_PROGRAM "' tune '" + scene.string() + "' --margins " + margin +
-                                " --json >'" + out.string() + "' 2>'" + (folder.path() / "err").string() +
-                                "'";
-    EXPECT_EQ(std::system(command.c_str()), 0);
-    const auto answer = nlohmann::json::parse(readFile(out, 1 << 28, true));
+    const auto answer = tune("--margins " + margin);
     for (const auto& row : answer["margins"])
       if (row["part"] == "whole_body") return row;
     return {};
+  }
+  /// The answer of `abstand tune` with these options.
+  nlohmann::json tune(const std::string& options) {
+    const auto out = folder.path() / "tune.json";
+    const std::string command = "'" ABSTAND_PROGRAM "' tune '" + scene.string() + "' " + options +
+                                " --json >'" + out.string() + "' 2>'" + (folder.path() / "err").string() +
+                                "'";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return nlohmann::json::parse(readFile(out, 1 << 28, true));
   }
   /// By the sliders of all parts of a group, mm.
   void drag(const char* group, int millimetres) {
@@ -87,6 +97,85 @@ TEST_F(StudioSession, DraggingMarginsGivesTheNumbersOfTune) {
     stops += outcome.stops;
   }
   EXPECT_GT(stops, 0);
+}
+
+TEST_F(StudioSession, ProposedMarginsAreThoseOfTune) {
+  open();
+  ASSERT_TRUE(analysed());
+  const auto answer = tune("");
+  const auto proposals = margin::proposeMargins(*window.review().store(), {});
+  ASSERT_EQ(proposals.size(), answer["proposed"].size());
+  const auto& layout = window.review().store()->layout();
+  int decided = 0;
+  for (const auto& proposal : proposals) {
+    const std::string name = layout.parts[proposal.parts.front()].name;
+    SCOPED_TRACE(name);
+    const auto row = std::find_if(answer["proposed"].begin(), answer["proposed"].end(), [&](const auto& p) {
+      return "person/" + p["part"].template get<std::string>() == name;
+    });
+    ASSERT_TRUE(row != answer["proposed"].end());
+    EXPECT_EQ(proposal.margin, (*row)["margin"].get<double>());
+    ASSERT_EQ(proposal.decided_by.has_value(), !(*row)["decided_by"].is_null());
+    if (!proposal.decided_by) continue;
+    ++decided;
+    EXPECT_EQ(proposal.decided_by->t, (*row)["decided_by"]["t"].get<double>());
+    EXPECT_EQ(layout.links[proposal.decided_by->link].name, (*row)["decided_by"]["link"].get<std::string>());
+    constexpr double kRounded = 1e-3;  // m: the store keeps errors as half floats
+    EXPECT_NEAR(proposal.decided_by->bound, (*row)["uncertainty"]["bound"].get<double>(), kRounded);
+    EXPECT_NEAR(proposal.decided_by->pose, (*row)["uncertainty"]["pose"].get<double>(), kRounded);
+    EXPECT_NEAR(proposal.decided_by->sampling, (*row)["uncertainty"]["sampling"].get<double>(), kRounded);
+  }
+  EXPECT_GT(decided, 0);
+  // Applied, they miss no stop, as tune says of the set.
+  window.actions()[ui::ActionId::kNoMargins]->trigger();
+  window.actions()[ui::ActionId::kProposeMargins]->trigger();
+  window.findChild<ui::ProposalDialog*>()->accept();
+  QCoreApplication::processEvents();
+  const auto set = std::find_if(answer["margin_sets"].begin(), answer["margin_sets"].end(),
+                                [](const auto& s) { return s["name"] == "per_part"; });
+  ASSERT_TRUE(set != answer["margin_sets"].end());
+  EXPECT_EQ(window.review().review().outcome.missed_stops, 0);
+  EXPECT_EQ(window.review().review().outcome.stops, (*set)["stops"].get<long>());
+}
+
+TEST_F(StudioSession, ThePointsOfTheCurveAreRowsOfTune) {
+  open();
+  ASSERT_TRUE(analysed());
+  window.actions()[ui::ActionId::kNoMargins]->trigger();
+  QCoreApplication::processEvents();
+  const auto& parts = window.review().store()->layout().parts;
+  const auto answer = tune("--margins 0:0.3:0.05");
+  int compared = 0;
+  for (const auto& row : answer["margins"])
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      if (parts[part].name != "person/" + row["part"].get<std::string>()) continue;
+      const margin::MarginOutcome outcome = window.review().outcomeOf(part, row["margin"].get<double>());
+      EXPECT_EQ(outcome.stops, row["stops"].get<long>());
+      EXPECT_EQ(outcome.false_stops, row["false_stops"].get<long>());
+      EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
+      EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
+      ++compared;
+    }
+  EXPECT_EQ(compared, 14 * 7);
+}
+
+TEST_F(StudioSession, TheCommandLineReadsASetOfTheWindow) {
+  open();
+  ASSERT_TRUE(analysed());
+  drag("person", 120);
+  drag("slide", 40);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().marginOf(0, 0) > 0.159; }, kLimitMs));
+  QCoreApplication::processEvents();
+  window.actions()[ui::ActionId::kCopyMargins]->trigger();
+  const auto file = folder.write("set.yaml", QApplication::clipboard()->text().toStdString());
+  const auto sets = tune("--margin-set '" + file.string() + "'")["margin_sets"];
+  const auto& set = sets.back();
+  EXPECT_EQ(set["name"].get<std::string>(), file.string());
+  const margin::MarginOutcome& outcome = window.review().review().outcome;
+  EXPECT_GT(outcome.stops, 0);
+  EXPECT_EQ(outcome.stops, set["stops"].get<long>());
+  EXPECT_EQ(outcome.missed_stops, set["missed_stops"].get<long>());
+  EXPECT_NEAR(outcome.stoppedShare(), set["stopped_share"].get<double>(), 1e-3);
 }
 
 TEST_F(StudioSession, AnotherSceneEndsTheAnalysis) {

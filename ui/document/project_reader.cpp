@@ -72,11 +72,21 @@ void readReading(const YamlFields& in, ReadingOptions& reading) {
   reading.cut_things = flagOf(fields, "cut_things", reading.cut_things);
 }
 
-void readMargins(const YamlFields& in, Work& work) {
-  const YamlNode* node = namesOf(in, "margins");
+/// By object, m.
+QMap<QString, double> marginsUnder(const YamlFields& in, std::string_view key) {
+  QMap<QString, double> margins;
+  const YamlNode* node = namesOf(in, key);
   for (std::size_t i = 0; node && i < node->keys.size(); ++i)
-    work.margins[QString::fromStdString(node->keys[i].text)] =
+    margins[QString::fromStdString(node->keys[i].text)] =
         config::yamlNumber(node->items[i], in.file(), "`" + node->keys[i].text + "`", kMargin);
+  return margins;
+}
+
+QSet<QString> namesUnder(const YamlFields& in, std::string_view key) {
+  QSet<QString> names;
+  for (const YamlNode& item : in.list(key))
+    names.insert(QString::fromStdString(config::yamlText(item, in.file(), "`" + std::string(key) + "`")));
+  return names;
 }
 
 void readPairs(const YamlFields& in, Work& work) {
@@ -129,8 +139,9 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   const std::string name = file.toStdString();
   const YamlNode root = config::parseYaml(text, name);
   const YamlFields in(root, name, "a project",
-                      {kVersionKey, "saved_as", "scene", "recording", "reading", "margins", "pair_groups",
-                       "moved_pairs", "hidden", "bookmarks", "range", "view", "camera", "time"});
+                      {kVersionKey, "saved_as", "scene", "recording", "reading", "margins", "locked_margins",
+                       "compared_margins", "pair_groups", "moved_pairs", "hidden", "bookmarks", "range",
+                       "view", "camera", "time"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -140,10 +151,11 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   work.scene = pathOf(in, "scene", folder);
   work.recording = pathOf(in, "recording", folder);
   readReading(in, work.reading);
-  readMargins(in, work);
+  work.margins = marginsUnder(in, "margins");
+  work.locked = namesUnder(in, "locked_margins");
+  if (in.find("compared_margins")) work.compared = marginsUnder(in, "compared_margins");
   readPairs(in, work);
-  for (const YamlNode& item : in.list("hidden"))
-    work.hidden.insert(QString::fromStdString(config::yamlText(item, name, "`hidden`")));
+  work.hidden = namesUnder(in, "hidden");
   readTimes(in, work);
   readView(in, work.view);
   out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0)};

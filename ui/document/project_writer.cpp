@@ -38,6 +38,21 @@ void addReading(JsonText& json, const ReadingOptions& reading) {
   json.close();
 }
 
+void addNames(JsonText& json, const char* key, const QSet<QString>& names) {
+  json.open(key, '[');
+  QStringList sorted = names.values();
+  std::sort(sorted.begin(), sorted.end());
+  for (const QString& name : sorted) json.addText("", name.toStdString());
+  json.close();
+}
+
+void addMargins(JsonText& json, const char* key, const QMap<QString, double>& margins) {
+  json.open(key, '{');
+  for (auto it = margins.begin(); it != margins.end(); ++it)
+    json.addNumber(it.key().toStdString(), it.value());
+  json.close();
+}
+
 void addPairs(JsonText& json, const Work& work) {
   json.open("pair_groups", '{');
   for (auto it = work.groups.begin(); it != work.groups.end(); ++it)
@@ -89,16 +104,11 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
   if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
   addReading(json, work.reading);
-  json.open("margins", '{');
-  for (auto it = work.margins.begin(); it != work.margins.end(); ++it)
-    json.addNumber(it.key().toStdString(), it.value());
-  json.close();
+  addMargins(json, "margins", work.margins);
+  if (!work.locked.isEmpty()) addNames(json, "locked_margins", work.locked);
+  if (work.compared) addMargins(json, "compared_margins", *work.compared);
   addPairs(json, work);
-  json.open("hidden", '[');
-  QStringList hidden = work.hidden.values();
-  std::sort(hidden.begin(), hidden.end());
-  for (const QString& name : hidden) json.addText("", name.toStdString());
-  json.close();
+  addNames(json, "hidden", work.hidden);
   addTimes(json, work);
   addView(json, work.view);
   if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);

@@ -76,6 +76,9 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
   };
   for (const QString& name : work.margins.keys()) check(objects, name);
   for (const QString& name : work.hidden) check(objects, name);
+  for (const QString& name : work.locked) check(objects, name);
+  if (work.compared)
+    for (const QString& name : work.compared->keys()) check(objects, name);
   for (const QString& name : work.groups.keys()) check(groups, name);
   for (auto it = work.moved.begin(); it != work.moved.end(); ++it) {
     check(objects, it.key().first);

@@ -39,12 +39,14 @@ struct Work {
   QString scene;      ///< absolute path; empty: none
   QString recording;  ///< absolute path; empty: those of the scene
   ReadingOptions reading;
-  QMap<QString, double> margins;                 ///< m, by object
-  QMap<QString, view::PairGroupState> groups;    ///< by name of a pair group
-  QMap<QPair<QString, QString>, QString> moved;  ///< pair -> group that it was moved to; empty: none
-  QSet<QString> hidden;                          ///< objects that the 3D view leaves out
-  QVector<Bookmark> bookmarks;                   ///< in order of time
-  std::optional<TimeRange> range;                ///< between the marks IN and OUT; none: the whole recording
+  QMap<QString, double> margins;                  ///< m, by object
+  QSet<QString> locked;                           ///< objects whose margin stays as it is
+  std::optional<QMap<QString, double>> compared;  ///< m, by object: what the margins are compared with
+  QMap<QString, view::PairGroupState> groups;     ///< by name of a pair group
+  QMap<QPair<QString, QString>, QString> moved;   ///< pair -> group that it was moved to; empty: none
+  QSet<QString> hidden;                           ///< objects that the 3D view leaves out
+  QVector<Bookmark> bookmarks;                    ///< in order of time
+  std::optional<TimeRange> range;                 ///< between the marks IN and OUT; none: the whole recording
   ViewOptions view;
 
   bool operator==(const Work&) const = default;

@@ -83,14 +83,17 @@ QString nearestMomentText(const RecordingReview& review, double t) {
   return momentText(review, nearest, t);
 }
 
+QString outcomeText(const margin::MarginOutcome& outcome) {
+  return trEvent("%1 stops, %2 % of the time; %3 false, %4 missed")
+      .arg(outcome.stops)
+      .arg(fixed(100.0 * outcome.stoppedShare(), 1))
+      .arg(outcome.false_stops)
+      .arg(outcome.missed_stops);
+}
+
 QString whatIfText(const RecordingReview& review) {
   if (!review.store() || review.store()->empty()) return {};
-  const margin::MarginOutcome& outcome = review.review().outcome;
-  const QString text = trEvent("%1 stops, %2 % of the time; %3 false, %4 missed")
-                           .arg(outcome.stops)
-                           .arg(fixed(100.0 * outcome.stoppedShare(), 1))
-                           .arg(outcome.false_stops)
-                           .arg(outcome.missed_stops);
+  const QString text = outcomeText(review.review().outcome);
   return review.progress() < 1.0 ? trEvent("So far: %1").arg(text) : text;
 }
 

@@ -22,7 +22,9 @@ QString momentText(const RecordingReview& review, std::size_t part, double t);
 /// The part that was nearest at a moment, likewise.
 QString nearestMomentText(const RecordingReview& review, double t);
 
-/// "12 stops, 20.5 % of the time; 12 false, 0 missed": what the present margins would have done.
+/// "12 stops, 20.5 % of the time; 12 false, 0 missed".
+QString outcomeText(const margin::MarginOutcome& outcome);
+/// The same: what the present margins would have done.
 QString whatIfText(const RecordingReview& review);
 /// How the numbers of whatIfText() come about.
 QString whatIfTip();

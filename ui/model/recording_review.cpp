@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "core/margin/part_curve.hpp"
+
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
@@ -24,6 +26,7 @@ RecordingReview::RecordingReview(QObject* parent) : QObject(parent), later_{new 
 void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline,
                            std::vector<double> margins) {
   port_ = port;
+  ++opened_;
   state_ = {};
   done_ = frames_ = 0;
   problem_.clear();
@@ -99,6 +102,18 @@ std::optional<double> RecordingReview::commonMargin() const {
 double RecordingReview::marginOf(std::size_t part, std::size_t link) const {
   const margin::StoreLayout& layout = store_->layout();
   return margins_[layout.parts[part].object] + margins_[layout.links[link].object];
+}
+
+margin::PartMargins RecordingReview::linkMargins(std::size_t part) const {
+  std::vector<double> margins = margins_;
+  margins[store_->layout().parts[part].object] = 0.0;
+  return margin::partMargins(store_->layout(), margins)[part];
+}
+
+margin::MarginOutcome RecordingReview::outcomeOf(std::size_t part, double margin) const {
+  std::vector<double> margins = margins_;
+  margins[store_->layout().parts[part].object] = margin;
+  return margin::partOutcome(*store_, part, margin::partMargins(store_->layout(), margins)[part], {});
 }
 
 int RecordingReview::pairOf(std::size_t part, std::size_t link) const {

@@ -48,10 +48,18 @@ class RecordingReview : public QObject {
   std::optional<double> commonMargin() const;
   /// Of a part and a link of the store, m.
   double marginOf(std::size_t part, std::size_t link) const;
+  /// Of an object, m.
+  double objectMargin(int object) const { return margins_[static_cast<std::size_t>(object)]; }
+  /// The margins of a part's pairs, were that of the part itself 0.
+  margin::PartMargins linkMargins(std::size_t part) const;
+  /// Of a part alone, with this margin (m) and the present ones of the links.
+  margin::MarginOutcome outcomeOf(std::size_t part, double margin) const;
   /// Index of the outline's pairs, or -1.
   int pairOf(std::size_t part, std::size_t link) const;
   /// Grows whenever changed() is emitted.
   long revision() const { return revision_; }
+  /// Grows with every open(): the store is another one.
+  long opened() const { return opened_; }
 
   /// Where an event after `t` begins, or the last one before it: intrusions, touches between frames, and near
   /// misses, these at their nearest.
@@ -76,7 +84,7 @@ class RecordingReview : public QObject {
   const margin::MarginReview* review_;
   std::vector<double> stops_at_;  ///< s, rising: where events are
   double half_frame_{0.0};        ///< s
-  long revision_{0};
+  long revision_{0}, opened_{0};
   QElapsedTimer judged_;
   qint64 cost_ms_{0};  ///< of judging
   QTimer* later_;

@@ -16,7 +16,7 @@ QString shortcutPage(const Actions& actions) {
   QString page;
   for (const auto group :
        {ActionGroup::kFile, ActionGroup::kEdit, ActionGroup::kPlayback, ActionGroup::kCamera,
-        ActionGroup::kView, ActionGroup::kPanels, ActionGroup::kHelp}) {
+        ActionGroup::kView, ActionGroup::kMargins, ActionGroup::kPanels, ActionGroup::kHelp}) {
     page += QStringLiteral("<h3>%1</h3><table cellpadding='3' width='100%'>")
                 .arg(Actions::groupName(group).remove(QLatin1Char('&')));
     for (const auto& entry : actions.all()) {

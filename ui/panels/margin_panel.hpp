@@ -33,26 +33,43 @@ class MarginPanel : public QScrollArea {
   /// Null for an index that is not there.
   MarginRow* row(int object) const;
   MarginRow* groupRow(const QString& group) const;
+  /// Objects that are locked, without a signal.
+  void showLocked(const std::vector<bool>& locked);
+  /// As if the user moved its slider, which is held until release(). Nothing where it is locked.
+  void hold(int object, double metres);
+  void release();
+  /// Shows only rows whose name or group contains the text; the row of a group then moves only these.
+  void setFilter(const QString& text);
 
  Q_SIGNALS:
   /// The user changed margins (object -> metres).
   void marginsChanged(const QMap<int, double>& margins);
   /// What was sent since the last time is one edit: a drag has ended, or a value was set at once.
   void editFinished();
-  /// All margins shall be as the scene says.
-  void resetWanted();
+  /// The user wants to lock or unlock rows.
+  void lockWanted(const std::vector<int>& objects, bool locked);
 
  private:
   void change(int object, double metres);
   void connectRow(MarginRow* row, const std::vector<int>& objects);
+  void showMasterLocks();
   bool isDragged() const;
   void send();
 
+  struct Master {
+    MarginRow* row;
+    std::vector<int> objects;
+    QWidget* line;  ///< below the group
+    QString name;
+  };
   std::vector<MarginRow*> rows_;
+  std::vector<QString> names_;  ///< of the objects
   std::map<QString, MarginRow*> group_rows_;
-  std::vector<std::pair<MarginRow*, std::vector<int>>> masters_;
+  std::vector<Master> masters_;
+  QString filter_;
   QMap<int, double> waiting_;
   QTimer* gather_;
+  bool held_{false};
 };
 
 }  // namespace abstand::ui

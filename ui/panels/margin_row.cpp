@@ -6,8 +6,11 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
+
+#include "ui/style/icons.hpp"
 
 namespace abstand::ui {
 
@@ -40,10 +43,13 @@ int toSlider(double metres) { return static_cast<int>(std::lround(metres * 1e3))
 }  // namespace
 
 MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
-    : QWidget(parent), slider_{new CalmSlider(Qt::Horizontal, this)}, box_{new CalmSpinBox(this)} {
+    : QWidget(parent),
+      slider_{new CalmSlider(Qt::Horizontal, this)},
+      box_{new CalmSpinBox(this)},
+      lock_{new QToolButton(this)} {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(heading ? 0 : 10, 0, 0, 0);
-  layout->setSpacing(6);
+  layout->setSpacing(4);
   auto* label = new QLabel(name, this);
   label->setMinimumWidth(heading ? 100 : 90);
   label->setToolTip(name);
@@ -56,7 +62,7 @@ MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
   slider_->setRange(0, toSlider(kSliderLimit));
   slider_->setSingleStep(1);
   slider_->setPageStep(10);
-  slider_->setMinimumWidth(60);
+  slider_->setMinimumWidth(48);
   slider_->setMinimumHeight(24);
   slider_->setAccessibleName(tr("Margin of %1, slider").arg(name));
   box_->setRange(0.0, kLimit * 1e3);
@@ -72,11 +78,33 @@ MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
   layout->addWidget(label);
   layout->addWidget(slider_, 1);
   layout->addWidget(box_);
+  lock_->setObjectName(QStringLiteral("lock"));
+  lock_->setIcon(icon(Glyph::kUnlocked));
+  lock_->setCheckable(true);
+  lock_->setAutoRaise(true);
+  lock_->setFixedSize(20, 24);
+  lock_->setIconSize(QSize(14, 14));
+  lock_->setFocusPolicy(Qt::TabFocus);
+  lock_->setAccessibleName(tr("Lock the margin of %1").arg(name));
+  lock_->setToolTip(tr("Lock: sliders, presets, pasted and proposed margins leave %1 alone").arg(name));
+  layout->addWidget(lock_);
 
   connect(slider_, &QSlider::valueChanged, this, [this](int mm) { take(mm * 1e-3, slider_); });
   connect(slider_, &QSlider::sliderReleased, this, &MarginRow::released);
   connect(box_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           [this](double mm) { take(mm * 1e-3, box_); });
+  connect(lock_, &QToolButton::clicked, this, [this](bool locked) {
+    setLocked(locked_);  // until the document says so
+    Q_EMIT lockWanted(locked);
+  });
+}
+
+void MarginRow::setLocked(bool locked) {
+  locked_ = locked;
+  lock_->setChecked(locked);
+  lock_->setIcon(icon(locked ? Glyph::kLocked : Glyph::kUnlocked));
+  slider_->setEnabled(!locked);
+  box_->setEnabled(!locked);
 }
 
 bool MarginRow::isDragged() const { return slider_->isSliderDown(); }

@@ -6,6 +6,7 @@
 class QDoubleSpinBox;
 class QLabel;
 class QSlider;
+class QToolButton;
 
 namespace abstand::ui {
 
@@ -24,19 +25,26 @@ class MarginRow : public QWidget {
   bool isDragged() const;
   /// Without a signal.
   void show(double metres);
+  /// A locked row cannot be moved. Without a signal.
+  void setLocked(bool locked);
+  bool locked() const { return locked_; }
 
  Q_SIGNALS:
   /// The user moved it.
   void edited(double metres);
   /// The user let go of the slider.
   void released();
+  /// The user clicked the lock.
+  void lockWanted(bool locked);
 
  private:
   void take(double metres, const QObject* from);
 
   QSlider* slider_;
   QDoubleSpinBox* box_;
+  QToolButton* lock_;
   double metres_{0.0};
+  bool locked_{false};
 };
 
 }  // namespace abstand::ui

@@ -14,6 +14,7 @@
 #include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/time_text.hpp"
+#include "ui/panels/compare_lanes.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
@@ -40,6 +41,7 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
       review_{review},
       axis_{axis},
       strip_{new TimeStrip(review, axis, this)},
+      compare_{new CompareLanes(review, axis, this)},
       lanes_{new LaneView(review, axis, this)},
       go_to_{new QLineEdit(this)},
       what_if_{new QLabel(this)},
@@ -57,6 +59,7 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
                                 style()->pixelMetric(QStyle::PM_ScrollBarExtent), 0);
   strip_row->addWidget(strip_);
   layout->addLayout(strip_row);
+  layout->addWidget(compare_);
   layout->addWidget(lanes_, 1);
   no_lanes_->setText(tr("Body parts have lanes here where a scene has a person and a robot"));
   no_lanes_->setForegroundRole(QPalette::PlaceholderText);
@@ -163,6 +166,7 @@ void TimelinePanel::goToTyped() {
 void TimelinePanel::showTime() {
   strip_->setTime(playback_.time());
   lanes_->setTime(playback_.time());
+  compare_->setTime(playback_.time());
   time_->setText(secondsWithUnit(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
   // Room for the longest text, so that what stands beside it keeps its place.

@@ -12,6 +12,7 @@ class QLineEdit;
 namespace abstand::ui {
 
 class Actions;
+class CompareLanes;
 class LaneView;
 class Playback;
 class RecordingReview;
@@ -31,6 +32,7 @@ class TimelinePanel : public QWidget {
   void refresh(const view::SceneSnapshot& snapshot);
   TimeStrip* strip() const { return strip_; }
   LaneView* laneView() const { return lanes_; }
+  CompareLanes* compareLanes() const { return compare_; }
   /// Where a time is typed.
   QLineEdit* timeField() const { return go_to_; }
   QLabel* whatIf() const { return what_if_; }
@@ -48,6 +50,7 @@ class TimelinePanel : public QWidget {
   const RecordingReview& review_;
   TimeAxis& axis_;
   TimeStrip* strip_;
+  CompareLanes* compare_;
   LaneView* lanes_;
   QLineEdit* go_to_;
   QLabel* what_if_;

@@ -69,8 +69,6 @@ const Spec kSpecs[] = {
      TEXT("Scale arrows to the largest force in sight instead of a fixed length per newton"), "A", Kind::kOn},
     {Id::kFollowPlots, In::kView, TEXT("Plots f&ollow the time"),
      TEXT("Keep the playhead in the plots' window"), "P", Kind::kOn},
-    {Id::kResetMargins, In::kView, TEXT("Reset &margins"), TEXT("All safety margins as the scene file says"),
-     "Ctrl+Shift+R"},
     {Id::kFindPair, In::kView, TEXT("Fi&nd pair"), TEXT("Go to the filter of the pair table"), "Ctrl+F"},
     {Id::kClearSelection, In::kView, TEXT("Clear &selection"), TEXT("Select nothing"), "Esc"},
     {Id::kDarkTheme, In::kView, TEXT("&Dark theme"), TEXT("Light on dark"), "Ctrl+D", Kind::kOff,
@@ -97,6 +95,32 @@ const Spec kSpecs[] = {
     {Id::kPanDown, In::kCamera, TEXT("Pan down"), TEXT("Move the camera down"), "Ctrl+Shift+Down"},
     {Id::kZoomIn, In::kCamera, TEXT("Zoom in"), TEXT("Move the camera nearer"), "Ctrl++ Ctrl+="},
     {Id::kZoomOut, In::kCamera, TEXT("Zoom out"), TEXT("Move the camera away"), "Ctrl+-"},
+
+    {Id::kResetMargins, In::kMargins, TEXT("&As in the scene"),
+     TEXT("All safety margins as the scene file says"), "Ctrl+Shift+R"},
+    {Id::kNoMargins, In::kMargins, TEXT("&None (0 mm)"), TEXT("All margins 0"), "Ctrl+M,0"},
+    {Id::kMargins50, In::kMargins, TEXT("All &50 mm"),
+     TEXT("All margins 50 mm; that of a pair is the sum of two"), "Ctrl+M,1"},
+    {Id::kMargins100, In::kMargins, TEXT("All &100 mm"),
+     TEXT("All margins 100 mm; that of a pair is the sum of two"), "Ctrl+M,2"},
+    {Id::kMargins200, In::kMargins, TEXT("All &200 mm"),
+     TEXT("All margins 200 mm; that of a pair is the sum of two"), "Ctrl+M,3"},
+    {Id::kFindMargin, In::kMargins, TEXT("&Find margin"), TEXT("Go to the search field of the margins"),
+     "Ctrl+M,F"},
+    {Id::kCopyMargins, In::kMargins, TEXT("&Copy margins"),
+     TEXT("Put the margins of people and robots on the clipboard, as a set that abstand tune reads"),
+     "Ctrl+M,C"},
+    {Id::kPasteMargins, In::kMargins, TEXT("&Paste margins"),
+     TEXT("Take the set of margins that is on the clipboard"), "Ctrl+M,V"},
+    {Id::kOpenMargins, In::kMargins, TEXT("&Open margins…"),
+     TEXT("Take a set of margins from a file of abstand tune --margin-set"), "Ctrl+M,O"},
+    {Id::kSaveMargins, In::kMargins, TEXT("&Save margins…"),
+     TEXT("Save the margins of people and robots as a set for abstand tune --margin-set"), "Ctrl+M,S"},
+    {Id::kProposeMargins, In::kMargins, TEXT("P&ropose margins…"),
+     TEXT("The smallest margins without a missed stop in this recording"), "Ctrl+M,P"},
+    {Id::kCompareMargins, In::kMargins, TEXT("Co&mpare with these margins"),
+     TEXT("Keep the present margins, and show in the timeline what later ones do differently"), "Ctrl+M,B",
+     Kind::kOff},
 
     {Id::kPlay, In::kPlayback, TEXT("&Play"), TEXT("Play or pause"), "Space", Kind::kPlain, Glyph::kPlay},
     {Id::kStepBack, In::kPlayback, TEXT("Frame &back"), TEXT("One frame back"), "Left", Kind::kPlain,
@@ -194,6 +218,8 @@ QString Actions::groupName(ActionGroup group) {
       return tr("&Edit");
     case ActionGroup::kView:
       return tr("&View");
+    case ActionGroup::kMargins:
+      return tr("&Margins");
     case ActionGroup::kCamera:
       return tr("&Camera");
     case ActionGroup::kPanels:

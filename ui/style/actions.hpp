@@ -85,12 +85,23 @@ enum class ActionId {
   kReactionTorques,
   kResetStops,
   kResetMargins,
+  kNoMargins,
+  kMargins50,
+  kMargins100,
+  kMargins200,
+  kFindMargin,
+  kCopyMargins,
+  kPasteMargins,
+  kOpenMargins,
+  kSaveMargins,
+  kProposeMargins,
+  kCompareMargins,
   kShortcuts,
   kAbout,
   kCount
 };
 
-enum class ActionGroup { kFile, kEdit, kView, kCamera, kPanels, kPlayback, kHelp };
+enum class ActionGroup { kFile, kEdit, kView, kMargins, kCamera, kPanels, kPlayback, kHelp };
 
 /// Actions are enabled or not by the owner; what they do is connected by the owner. GUI thread only.
 class Actions : public QObject {

@@ -149,6 +149,17 @@ void general(QPainter& p, Glyph glyph) {
     case Glyph::kSide:
       cube(p, 2);
       break;
+    case Glyph::kLocked:
+    case Glyph::kUnlocked: {
+      const bool closed = glyph == Glyph::kLocked;
+      p.setBrush(closed ? QBrush(p.pen().color()) : QBrush(Qt::NoBrush));
+      p.drawRoundedRect(QRectF(5, 11, 14, 10), 1.5, 1.5);
+      p.setBrush(Qt::NoBrush);
+      p.drawArc(closed ? QRectF(8, 3, 8, 12) : QRectF(12, 2, 8, 12), 0, 180 * 16);
+      if (closed) p.drawLine(QPointF(8, 9), QPointF(8, 11)), p.drawLine(QPointF(16, 9), QPointF(16, 11));
+      if (!closed) p.drawLine(QPointF(12, 8), QPointF(12, 11));
+      break;
+    }
     case Glyph::kTheme:
       p.drawEllipse(QPointF(12, 12), 8, 8);
       p.setBrush(p.pen().color()), p.drawChord(QRectF(4, 4, 16, 16), 90 * 16, 180 * 16);

@@ -34,6 +34,8 @@ enum class Glyph {
   kSide,
   kTop,
   kTheme,
+  kLocked,
+  kUnlocked,
   kHelp
 };
 

@@ -12,6 +12,8 @@ inline Project sampleProject() {
   work.recording = "/recordings/Bücher/walk.bvh";
   work.reading = {"cm", "-y", 1.5, true};
   work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
+  work.locked = {"operator/hand_left", "table"};
+  work.compared = QMap<QString, double>{{"operator/head", 0.07}};
   work.groups = {{"people", view::PairGroupState::kPaused}, {"things", view::PairGroupState::kStopped}};
   work.moved = {{{"arm/link1", "table"}, "people"}, {{"arm/link2", "table"}, ""}};
   work.hidden = {"table", "ball", "arm/link0"};

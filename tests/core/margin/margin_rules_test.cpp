@@ -1,0 +1,58 @@
+// Sets of margins: their text, and which margin a pair gets.
+#include "core/margin/margin_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.hpp"
+
+namespace abstand::margin {
+namespace margin_rules_test {
+
+MarginRules parsed(const std::string& text) { return parseMarginRules(text, "m.yaml", {"head", "torso"}); }
+
+TEST(MarginRules, APairTakesTheLargerMarginOrTheSum) {
+  const std::string margins =
+      "margins:\n  - {part: head, margin: 0.1, robot_time: 0.2}\n  - {link: arm/l, margin: 0.3}\n"
+      "  - {part: torso, link: arm/l, margin: 0.05}\n";
+  const MarginRules larger = parsed("abstand_margins: 1\n" + margins);
+  EXPECT_FALSE(larger.sum);
+  EXPECT_EQ(larger.of("head", "arm/l")->margin, 0.3);
+  EXPECT_EQ(larger.of("head", "arm/l")->robot_time, 0.2);
+  const MarginRules sum = parsed("abstand_margins: 1\ncombine: sum\n" + margins);
+  EXPECT_EQ(sum.of("head", "arm/l")->margin, 0.1 + 0.3);
+  EXPECT_EQ(sum.of("head", "other")->margin, 0.1);
+  EXPECT_EQ(sum.of("torso", "arm/l")->margin, 0.05) << "a pair goes before";
+  EXPECT_FALSE(sum.of("torso", "other"));
+}
+
+TEST(MarginRules, TheTextIsReadAsItWasWritten) {
+  const MarginRules rules{"x",
+                          {{"head", "", {1.0 / 3.0, 0.0, 0.1}}, {"", "a \"b\"/l", {0.0, 0.0, 0.0}}},
+                          PairMargin{0.2, 0.0, 0.0},
+                          true};
+  const std::string text = marginRulesText(rules);
+  const MarginRules read = parsed(text);
+  EXPECT_EQ(marginRulesText(read), text);
+  EXPECT_TRUE(read.sum);
+  EXPECT_EQ(read.of("head", "x")->margin, 1.0 / 3.0);
+}
+
+TEST(MarginRules, ErrorsNameThePlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"abstand_margins: 1\ncombine: both\ndefault: {margin: 0}\n", "m.yaml:2:"},
+      {"abstand_margins: 2\n", "m.yaml:1:"},
+      {"abstand_margins: 1\n", "found no margin"},
+      {"abstand_margins: 1\nmargins: [{part: hand, margin: 1}]\n", "m.yaml:2:"}};
+  for (const auto& [text, error] : cases) {
+    SCOPED_TRACE(text);
+    try {
+      parsed(text);
+      ADD_FAILURE() << "no error";
+    } catch (const ParseError& e) {
+      EXPECT_NE(std::string(e.what()).find(error), std::string::npos) << e.what();
+    }
+  }
+}
+
+}  // namespace margin_rules_test
+}  // namespace abstand::margin

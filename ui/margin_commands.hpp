@@ -1,0 +1,75 @@
+// What the commands of the margin workbench do to the document.
+#pragma once
+
+#include <QMap>
+#include <QObject>
+#include <vector>
+
+#include "core/view/snapshot.hpp"
+
+class QWidget;
+
+namespace abstand::ui {
+
+class Actions;
+class Document;
+class MarginPanel;
+class RecordingReview;
+class SessionFollower;
+
+/// Presets, locks, the clipboard, files of margin sets, and proposed margins: one undo step each. A locked
+/// margin stays. Dialogs belong to `window`. GUI thread only.
+class MarginCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All of them outlive it.
+  MarginCommands(Document& document, const SessionFollower& follower, RecordingReview& review,
+                 MarginPanel& panel, const Actions& actions, QWidget* window);
+
+  /// Of the session that is shown; null: none. It must outlive its stay here.
+  void open(const view::SceneOutline* outline);
+  /// m, of objects.
+  void set(const QString& text, const QMap<int, double>& margins, const QString& merge_key = {});
+
+ Q_SIGNALS:
+  void said(const QString& text);
+  void failed(const QString& title, const QString& problem);
+  /// m, of each object: what the present margins are compared with; empty: nothing.
+  void compared(const std::vector<double>& margins);
+  /// s; indices of the analysis' store.
+  void picked(double t, int part, int link);
+
+ public Q_SLOTS:
+  /// Compares with the present margins, or no longer.
+  void compare(bool on);
+
+ private:
+  void connectPanel();
+  void connectActions();
+  void setAll(double metres);
+  void reset();
+  void lock(const std::vector<int>& objects, bool locked);
+  void showLocks();
+  QString name(int object) const;
+  bool locked(int object) const;
+  std::vector<double> margins() const;
+  std::string setText();
+  void takeSet(const std::string& text, const QString& from, const QString& step);
+  void copy();
+  void paste();
+  void openSet();
+  void saveSet();
+  void propose();
+  void showCompared();
+
+  Document& document_;
+  const SessionFollower& follower_;
+  RecordingReview& review_;
+  MarginPanel& panel_;
+  const Actions& actions_;
+  QWidget* window_;
+  const view::SceneOutline* outline_{nullptr};
+};
+
+}  // namespace abstand::ui
