@@ -8,8 +8,8 @@
 #include "ui/document/session_follower.hpp"
 #include "ui/model/kept_selection.hpp"
 #include "ui/model/session_port.hpp"
+#include "ui/panel_set.hpp"
 
-class QDockWidget;
 class QSlider;
 class QTimer;
 
@@ -17,29 +17,17 @@ namespace abstand::ui {
 
 class Actions;
 class Autosave;
-class BookmarkPanel;
+class DockSet;
 class Document;
-class EventPanel;
-class GroupPanel;
 class MarginCommands;
-class MarginCurve;
-class MarginPanel;
-class NotePanel;
-class RecordingPanel;
-class PairPanel;
 class Playback;
-class PlayRules;
-class PlotPanel;
 class ProjectCommands;
 class RecordingReview;
-class RobotPanel;
+class ReportCommands;
 class RunHistory;
 class SceneTreeModel;
-class SceneTreePanel;
 class Selection;
-class StatusPanel;
 class TimeAxis;
-class TimelinePanel;
 class Viewport;
 struct LeftOver;
 struct Opening;
@@ -71,24 +59,16 @@ class MainWindow : public QMainWindow {
 
   Document& document() const { return *document_; }
   ProjectCommands& projects() const { return *projects_; }
+  ReportCommands& reports() const { return *reports_; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
   Selection& selection() const { return *selection_; }
   Viewport& viewport() const { return *viewport_; }
-  MarginPanel& marginPanel() const { return *margins_; }
-  MarginCurve& marginCurve() const { return *curve_; }
-  PairPanel& pairPanel() const { return *pairs_; }
-  TimelinePanel& timelinePanel() const { return *timeline_; }
-  RobotPanel& robotPanel() const { return *robots_; }
-  GroupPanel& groupPanel() const { return *groups_; }
-  NotePanel& notePanel() const { return *notes_; }
-  RecordingPanel& recordingPanel() const { return *recordings_; }
-  EventPanel& eventPanel() const { return *events_; }
+  const PanelSet& panels() const { return panels_; }
   /// The whole recording under the present margins.
   RecordingReview& review() const { return *review_; }
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
-  BookmarkPanel& bookmarkPanel() const { return *bookmark_panel_; }
   /// What is shown.
   const view::SceneSnapshot& moment() const { return snapshot_; }
   /// SceneSnapshot::step that each part of the window shows.
@@ -105,6 +85,8 @@ class MainWindow : public QMainWindow {
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
   void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
+  /// What is shown shall be read again.
+  void reloadRequested();
   /// The user does not want to wait for what is being opened.
   void cancelRequested();
   /// The user wants to begin with nothing.
@@ -116,10 +98,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void buildDocks();
-  QDockWidget* addDock(const char* name, const QString& title, const QString& tip, const QString& key,
-                       QWidget* content);
-  void arrangeDocks();
+  void buildPanels();
   void connectFile();
   void connectView();
   void connectPlayback();
@@ -158,6 +137,7 @@ class MainWindow : public QMainWindow {
 
   Document* document_;
   ProjectCommands* projects_;
+  ReportCommands* reports_;
   MarginCommands* margin_commands_{nullptr};
   Autosave* autosave_{nullptr};
   std::unique_ptr<LeftOver> recovered_;  // until its work is in an autosave of this program
@@ -169,30 +149,20 @@ class MainWindow : public QMainWindow {
   Playback* playback_;
   RecordingReview* review_;
   TimeAxis* axis_;
-  PlayRules* rules_;
   Selection* selection_;
   SceneTreeModel* tree_model_;
   Viewport* viewport_;
-  SceneTreePanel* tree_;
-  PairPanel* pairs_;
-  PlotPanel* plots_;
-  MarginPanel* margins_;
-  MarginCurve* curve_;
-  RobotPanel* robots_;
-  GroupPanel* groups_;
-  NotePanel* notes_;
-  RecordingPanel* recordings_;
-  EventPanel* events_;
-  BookmarkPanel* bookmark_panel_;
-  TimelinePanel* timeline_;
-  StatusPanel* status_;
+  PanelSet panels_;
+  std::unique_ptr<DockSet> docks_;
   QSlider* opacity_;
   QTimer* pull_timer_;
   QTimer* slow_timer_;
-  std::vector<QDockWidget*> docks_;
-  bool news_{false};
-  bool whole_plot_{false};  // the distance chart shows the whole recording, not what was played
-  long loops_{0};           // SceneSnapshot::loops that was shown last
+  /// What the panels show.
+  struct {
+    bool is_stale{false};    ///< the tables and figures are older than the moment
+    bool whole_plot{false};  ///< the distance chart shows the whole recording, not what was played
+    long loops{0};           ///< SceneSnapshot::loops
+  } shown_;
 };
 
 }  // namespace abstand::ui

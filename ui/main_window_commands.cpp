@@ -10,8 +10,10 @@
 #include <QSlider>
 #include <QStatusBar>
 
+#include "ui/dock_set.hpp"
 #include "ui/document/document.hpp"
 #include "ui/main_window.hpp"
+#include "ui/margin_commands.hpp"
 #include "ui/model/play_rules.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
@@ -95,11 +97,11 @@ void MainWindow::connectView() {
   connect((*actions_)[Id::kFit], &QAction::triggered, viewport_, &Viewport::fit);
   connect((*actions_)[Id::kFitSelection], &QAction::triggered, viewport_, &Viewport::fitSelection);
   connect((*actions_)[Id::kClearSelection], &QAction::triggered, selection_, &Selection::clear);
-  connect((*actions_)[Id::kFollowPlots], &QAction::toggled, plots_, &PlotPanel::setFollow);
-  connect(plots_, &PlotPanel::followChanged, (*actions_)[Id::kFollowPlots], &QAction::setChecked);
+  connect((*actions_)[Id::kFollowPlots], &QAction::toggled, panels_.plots, &PlotPanel::setFollow);
+  connect(panels_.plots, &PlotPanel::followChanged, (*actions_)[Id::kFollowPlots], &QAction::setChecked);
   connect((*actions_)[Id::kFindPair], &QAction::triggered, this, [this] {
-    docks_[1]->show();
-    pairs_->filterBox()->setFocus(Qt::ShortcutFocusReason);
+    DockSet::raise(docks_->pairs);
+    panels_.pairs->filterBox()->setFocus(Qt::ShortcutFocusReason);
   });
   connect((*actions_)[Id::kDarkTheme], &QAction::toggled, this, [this](bool dark) {
     applyTheme(*qApp, dark ? Theme::kDark : Theme::kLight);
@@ -107,7 +109,7 @@ void MainWindow::connectView() {
   });
   connect((*actions_)[Id::kFullScreen], &QAction::toggled, this,
           [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
-  connect((*actions_)[Id::kResetLayout], &QAction::triggered, this, &MainWindow::arrangeDocks);
+  connect((*actions_)[Id::kResetLayout], &QAction::triggered, this, [this] { docks_->arrange(); });
 }
 
 void MainWindow::connectPlayback() {
@@ -140,17 +142,17 @@ void MainWindow::connectPlayback() {
   connect((*actions_)[Id::kReactionTorques], &QAction::toggled, this, [this](bool torques) {
     if (session_) session_->setTorques(torques);
   });
-  connect(robots_, &RobotPanel::resetRequested, (*actions_)[Id::kResetStops], &QAction::trigger);
+  connect(panels_.robots, &RobotPanel::resetRequested, (*actions_)[Id::kResetStops], &QAction::trigger);
 }
 
 void MainWindow::connectPanels() {
   connect(tree_model_, &SceneTreeModel::visibilityChanged, viewport_, &Viewport::setObjectVisible);
-  connect(plots_, &PlotPanel::jointChosen, this, [this](int joint) {
+  connect(panels_.plots, &PlotPanel::jointChosen, this, [this](int joint) {
     history_->torqueOf(joint);
     history_->add(snapshot_);
   });
-  connect(plots_, &PlotPanel::timePicked, playback_, &Playback::seek);
-  connect(playback_, &Playback::timeChanged, plots_, &PlotPanel::setTime);
+  connect(panels_.plots, &PlotPanel::timePicked, playback_, &Playback::seek);
+  connect(playback_, &Playback::timeChanged, panels_.plots, &PlotPanel::setTime);
 }
 
 void MainWindow::connectReview() {
@@ -158,8 +160,8 @@ void MainWindow::connectReview() {
     connect((*actions_)[id], &QAction::triggered, this, command);
   };
   on(Id::kGoToTime, [this] {
-    docks_[2]->show();
-    timeline_->timeField()->setFocus(Qt::ShortcutFocusReason);
+    DockSet::raise(docks_->timeline);
+    panels_.timeline->timeField()->setFocus(Qt::ShortcutFocusReason);
   });
   const auto keep_range = [this](const QString& text) {
     document_->edit(text, [this](Work& work) { work.range = axis_->range(); });
@@ -179,17 +181,18 @@ void MainWindow::connectReview() {
   on(Id::kZoomTimeIn, [this] { axis_->zoomSteps(2.0, playback_->time()); });
   on(Id::kZoomTimeOut, [this] { axis_->zoomSteps(-2.0, playback_->time()); });
   on(Id::kZoomTimeAll, [this] { axis_->showAll(); });
-  connect((*actions_)[Id::kPauseOnEvent], &QAction::toggled, rules_, &PlayRules::setPauseOnEvents);
-  connect(rules_, &PlayRules::pausedAt, this, [this](double t) {
+  auto* rules = new PlayRules(*playback_, *axis_, *review_, this);
+  connect((*actions_)[Id::kPauseOnEvent], &QAction::toggled, rules, &PlayRules::setPauseOnEvents);
+  connect(rules, &PlayRules::pausedAt, this, [this](double t) {
     statusBar()->showMessage(tr("Paused at an event, %1").arg(secondsWithUnit(t)), 3000);
   });
   connect(playback_, &Playback::timeChanged, axis_, &TimeAxis::reveal);
-  connect(timeline_->laneView(), &LaneView::pairPicked, this, &MainWindow::choosePair);
-  connect(events_, &EventPanel::picked, this, [this](double t, int part, int link) {
+  connect(panels_.timeline->laneView(), &LaneView::pairPicked, this, &MainWindow::choosePair);
+  connect(panels_.events, &EventPanel::picked, this, [this](double t, int part, int link) {
     playback_->seek(t);
     choosePair(part, link);
   });
-  connect(review_, &RecordingReview::changed, this, [this] { status_->showAnalysis(*review_); });
+  connect(review_, &RecordingReview::changed, this, [this] { panels_.status->showAnalysis(*review_); });
 }
 
 void MainWindow::choosePair(int part, int link) {
@@ -234,12 +237,15 @@ void MainWindow::openFiles(const QStringList& paths) {
       case FileKind::kRecording:
         Q_EMIT openRecordingRequested(path);
         break;
+      case FileKind::kMargins:
+        margin_commands_->openFile(path);
+        break;
       case FileKind::kUnknown:
-        showProblem(
-            tr("Cannot open"),
-            tr("%1 is no file that this program opens.\n\nIt opens projects (.abstand), scenes (.yaml), "
-               "robots (.urdf, .mech) and recordings: folders of depth images and the files %2.")
-                .arg(path, recordingEndings()));
+        showProblem(tr("Cannot open"),
+                    tr("%1 is no file that this program opens.\n\nIt opens projects (.abstand), scenes and "
+                       "margins (.yaml), "
+                       "robots (.urdf, .mech) and recordings: folders of depth images and the files %2.")
+                        .arg(path, recordingEndings()));
     }
   }
   showRecent();

@@ -44,7 +44,7 @@ void MainWindow::followWork(const Work& before, const Work& after) {
   follower_.follow(before, after);
   if (session_ && before.margins != after.margins) {
     const std::vector<double> margins = follower_.margins(after);
-    margins_->show(margins);
+    panels_.margins->show(margins);
     for (std::size_t i = 0; i < margins.size(); ++i) review_->setMargin(static_cast<int>(i), margins[i]);
   }
   if (before.range != after.range) axis_->setRange(after.range);
@@ -55,10 +55,10 @@ void MainWindow::followWork(const Work& before, const Work& after) {
 
 void MainWindow::showBookmarks() {
   const QVector<Bookmark>& bookmarks = document_->work().bookmarks;
-  bookmark_panel_->show(bookmarks);
+  panels_.bookmarks->show(bookmarks);
   std::vector<double> times;
   for (const Bookmark& bookmark : bookmarks) times.push_back(bookmark.t);
-  timeline_->strip()->setBookmarks(std::move(times));
+  panels_.timeline->strip()->setBookmarks(std::move(times));
 }
 
 void MainWindow::showHidden(const QSet<QString>& before, const QSet<QString>& after) {

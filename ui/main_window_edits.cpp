@@ -6,6 +6,7 @@
 #include <QStatusBar>
 
 #include "ui/bookmark_commands.hpp"
+#include "ui/dock_set.hpp"
 #include "ui/document/document.hpp"
 #include "ui/main_window.hpp"
 #include "ui/margin_commands.hpp"
@@ -23,6 +24,7 @@
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/reading_dialog.hpp"
+#include "ui/report_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -73,10 +75,11 @@ void MainWindow::connectProjects() {
     if (session_) document_->setViewpoint({viewport_->cameraView(), playback_->time()});
   });
 
-  connect(status_->cancelButton(), &QAbstractButton::clicked, this, &MainWindow::cancelRequested);
+  connect(panels_.status->cancelButton(), &QAbstractButton::clicked, this, &MainWindow::cancelRequested);
   connect((*actions_)[ActionId::kNew], &QAction::triggered, this, [this] {
     if (projects_->mayDiscard()) Q_EMIT closeRequested();
   });
+  connect((*actions_)[ActionId::kReload], &QAction::triggered, this, &MainWindow::reloadRequested);
   connect((*actions_)[ActionId::kRecordingOptions], &QAction::triggered, this, [this] {
     if (const auto reading = askReading(document_->work().reading, this))
       document_->edit(tr("recording options"), [&](Work& work) { work.reading = *reading; });
@@ -104,9 +107,9 @@ void MainWindow::connectBookmarks() {
   connect((*actions_)[ActionId::kNextBookmark], &QAction::triggered, bookmarks, &BookmarkCommands::goToNext);
   connect((*actions_)[ActionId::kPreviousBookmark], &QAction::triggered, bookmarks,
           &BookmarkCommands::goToPrevious);
-  connect(bookmark_panel_, &BookmarkPanel::picked, bookmarks, &BookmarkCommands::goTo);
-  connect(bookmark_panel_, &BookmarkPanel::noteWanted, bookmarks, &BookmarkCommands::setNote);
-  connect(bookmark_panel_, &BookmarkPanel::removeWanted, bookmarks, &BookmarkCommands::remove);
+  connect(panels_.bookmarks, &BookmarkPanel::picked, bookmarks, &BookmarkCommands::goTo);
+  connect(panels_.bookmarks, &BookmarkPanel::noteWanted, bookmarks, &BookmarkCommands::setNote);
+  connect(panels_.bookmarks, &BookmarkPanel::removeWanted, bookmarks, &BookmarkCommands::remove);
   connect(bookmarks, &BookmarkCommands::said, this,
           [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
 }
@@ -125,20 +128,25 @@ void MainWindow::connectEdits() {
                   work.hidden.insert(nameOf(object));
             });
           });
-  margin_commands_ = new MarginCommands(*document_, follower_, *review_, *margins_, *actions_, this);
+  margin_commands_ = new MarginCommands(*document_, follower_, *review_, *panels_.margins, *actions_, this);
   connect(margin_commands_, &MarginCommands::failed, this, &MainWindow::showProblem);
   connect(margin_commands_, &MarginCommands::said, this,
           [this](const QString& text) { statusBar()->showMessage(text, kNoticeMs); });
-  connect(margin_commands_, &MarginCommands::picked, events_, &EventPanel::picked);
-  connect(margin_commands_, &MarginCommands::compared, timeline_->compareLanes(), &CompareLanes::setCompared);
-  connect(timeline_->compareLanes(), &CompareLanes::closeWanted, this,
+  connect(margin_commands_, &MarginCommands::picked, panels_.events, &EventPanel::picked);
+  connect(margin_commands_, &MarginCommands::compared, panels_.timeline->compareLanes(),
+          &CompareLanes::setCompared);
+  connect(panels_.timeline->compareLanes(), &CompareLanes::closeWanted, this,
           [this] { margin_commands_->compare(false); });
-  connect(curve_, &MarginCurve::dragged, margins_, &MarginPanel::hold);
-  connect(curve_, &MarginCurve::released, margins_, &MarginPanel::release);
+  connect(panels_.curve, &MarginCurve::dragged, panels_.margins, &MarginPanel::hold);
+  connect(panels_.curve, &MarginCurve::released, panels_.margins, &MarginPanel::release);
+  connect((*actions_)[ActionId::kReport], &QAction::triggered, this, [this] {
+    const std::string margins = margin_commands_->presentSet();
+    if (!margins.empty()) reports_->ask(margins, document_->work().scene);
+  });
+  connect(reports_, &ReportCommands::failed, this, &MainWindow::showProblem);
   connect((*actions_)[ActionId::kFindMargin], &QAction::triggered, this, [this] {
-    docks_[4]->show();
-    docks_[4]->raise();
-    docks_[4]->findChild<MarginTools*>()->search()->setFocus(Qt::ShortcutFocusReason);
+    DockSet::raise(docks_->margins);
+    panels_.margin_tools->search()->setFocus(Qt::ShortcutFocusReason);
   });
 }
 
@@ -150,7 +158,7 @@ void MainWindow::connectGroups() {
     const auto [a, b] = session_->outline().pairs[static_cast<std::size_t>(pair)];
     return QPair<QString, QString>(nameOf(a), nameOf(b));
   };
-  connect(groups_, &GroupPanel::stateWanted, this, [=, this](int group, view::PairGroupState state) {
+  connect(panels_.groups, &GroupPanel::stateWanted, this, [=, this](int group, view::PairGroupState state) {
     const QString what = state == view::PairGroupState::kRunning  ? tr("run pair group %1")
                          : state == view::PairGroupState::kPaused ? tr("pause pair group %1")
                                                                   : tr("stop pair group %1");
@@ -166,8 +174,9 @@ void MainWindow::connectGroups() {
     const QString what = group.isEmpty() ? tr("remove %1 – %2 from its group") : tr("add %1 – %2 to a group");
     document_->edit(what.arg(names.first, names.second), [&](Work& work) { work.moved[names] = group; });
   };
-  connect(groups_, &GroupPanel::addWanted, this, [=](int group, int pair) { move(pair, group_name(group)); });
-  connect(groups_, &GroupPanel::removeWanted, this, [=](int pair) { move(pair, QString()); });
+  connect(panels_.groups, &GroupPanel::addWanted, this,
+          [=](int group, int pair) { move(pair, group_name(group)); });
+  connect(panels_.groups, &GroupPanel::removeWanted, this, [=](int pair) { move(pair, QString()); });
 }
 
 }  // namespace abstand::ui

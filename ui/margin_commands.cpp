@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
 #include "ui/document/document.hpp"
@@ -143,7 +144,7 @@ void MarginCommands::showLocks() {
   panel_.showLocked(all);
 }
 
-std::string MarginCommands::setText() {
+std::string MarginCommands::presentSet() {
   const MarginSet set(*outline_);
   if (set.empty()) {
     Q_EMIT failed(tr("Margins"),
@@ -165,7 +166,7 @@ void MarginCommands::takeSet(const std::string& text, const QString& from, const
 }
 
 void MarginCommands::copy() {
-  const std::string text = setText();
+  const std::string text = presentSet();
   if (text.empty()) return;
   QApplication::clipboard()->setText(QString::fromStdString(text));
   Q_EMIT said(tr("The margins of people and robots are on the clipboard"));
@@ -180,9 +181,13 @@ void MarginCommands::openSet() {
   dialog.setObjectName(QStringLiteral("open_margins"));
   dialog.setFileMode(QFileDialog::ExistingFile);
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
-  const QString file = dialog.selectedFiles().constFirst();
-  rememberFolder(file);
+  rememberFolder(dialog.selectedFiles().constFirst());
+  openFile(dialog.selectedFiles().constFirst());
+}
+
+void MarginCommands::openFile(const QString& file) {
   try {
+    if (!outline_) throw UsageError("found no scene, expected one that the margins are for");
     takeSet(readFile(QFile::encodeName(file).toStdString(), kMaxSetBytes), file,
             tr("margins of %1").arg(QFileInfo(file).fileName()));
   } catch (const std::exception& e) {
@@ -191,7 +196,7 @@ void MarginCommands::openSet() {
 }
 
 void MarginCommands::saveSet() {
-  const std::string text = setText();
+  const std::string text = presentSet();
   if (text.empty()) return;
   QFileDialog dialog(window_, tr("Save margins"), recentFolder(), tr("Sets of margins (*.yaml)"));
   dialog.setObjectName(QStringLiteral("save_margins"));

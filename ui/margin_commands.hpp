@@ -29,6 +29,9 @@ class MarginCommands : public QObject {
 
   /// Of the session that is shown; null: none. It must outlive its stay here.
   void open(const view::SceneOutline* outline);
+  /// The present margins as the text of a file of margins; empty, with said(), where the scene has no pair of
+  /// a person and a robot.
+  std::string presentSet();
   /// m, of objects.
   void set(const QString& text, const QMap<int, double>& margins, const QString& merge_key = {});
 
@@ -41,6 +44,9 @@ class MarginCommands : public QObject {
   void picked(double t, int part, int link);
 
  public Q_SLOTS:
+  /// Takes over a file of margins; failed() where it cannot be.
+  void openFile(const QString& file);
+  void openSet();
   /// Compares with the present margins, or no longer.
   void compare(bool on);
 
@@ -54,11 +60,9 @@ class MarginCommands : public QObject {
   QString name(int object) const;
   bool locked(int object) const;
   std::vector<double> margins() const;
-  std::string setText();
   void takeSet(const std::string& text, const QString& from, const QString& step);
   void copy();
   void paste();
-  void openSet();
   void saveSet();
   void propose();
   void showCompared();

@@ -38,13 +38,13 @@ QMenu* addGroup(QWidget* parent, const Actions& actions, ActionGroup group) {
 QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   QMenuBar* bar = window.menuBar();
   QMenu* file = bar->addMenu(Actions::groupName(ActionGroup::kFile));
-  addRange(file, actions, Id::kNew, Id::kRecordingOptions);
+  addRange(file, actions, Id::kNew, Id::kReload);
   QMenu* recent = file->addMenu(Actions::tr("Open re&cent"));
   addRange(recent, actions, Id::kRecent1, Id::kRecent5);
   file->addSeparator();
   addRange(file, actions, Id::kSave, Id::kSaveAs);
   file->addSeparator();
-  addRange(file, actions, Id::kScreenshot, Id::kCopyPicture);
+  addRange(file, actions, Id::kReport, Id::kCopyPicture);
   file->addSeparator();
   file->addAction(actions[Id::kQuit]);
 

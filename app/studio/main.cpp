@@ -182,6 +182,7 @@ void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args)
       studio.openRecording(args.file);
       break;
     case ui::FileKind::kScene:
+    case ui::FileKind::kMargins:
     case ui::FileKind::kUnknown:
       // What a scene is its reader says best.
       if (!args.file.isEmpty()) return studio.openScene(args.file, args.recording, args.at);

@@ -2,12 +2,15 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QStatusBar>
+#include <QTimer>
 #include <utility>
 
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
+#include "ui/report_commands.hpp"
 
 namespace abstand::studio {
 
@@ -16,6 +19,8 @@ namespace {
 bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
   return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading;
 }
+
+constexpr int kNoticeMs = 8000, kSettleMs = 500;
 
 QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
 
@@ -35,12 +40,21 @@ struct Studio::Request {
   ui::Work before;  ///< of the document when the request was made
 };
 
-Studio::Studio(ui::MainWindow& window, robot_file::PackagePaths packages)
-    : window_(window), loader_(std::move(packages)) {
+Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
+    : window_(window), packages_(packages), loader_(packages) {
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
   connect(&window, &ui::MainWindow::openProjectRequested, this, &Studio::openProject);
+  connect(&window, &ui::MainWindow::reloadRequested, this, &Studio::reload);
+  connect(&window.reports(), &ui::ReportCommands::wanted, this, &Studio::makeReport);
+  connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
+  connect(&files_, &QFileSystemWatcher::fileChanged, this, [this](const QString& file) {
+    window_.statusBar()->showMessage(
+        tr("%1 has changed. Reload it with Ctrl+R").arg(QFileInfo(file).fileName()), kNoticeMs);
+    // An editor replaces a file: for a moment there is none.
+    QTimer::singleShot(kSettleMs, this, &Studio::watchFiles);
+  });
   connect(&window, &ui::MainWindow::cancelRequested, this, &Studio::cancel);
   connect(&window, &ui::MainWindow::closeRequested, this, &Studio::close);
   connect(&window.projects(), &ui::ProjectCommands::failed, this,
@@ -63,17 +77,21 @@ void Studio::load(Request request) {
 
 void Studio::openScene(const QString& scene, const QString& recording, double t) {
   const ui::Work& work = window_.document().work();
+  if (port_ && absolute(scene) == work.scene && recording.isEmpty()) return reload();
   Request request;
-  if (port_ && absolute(scene) == work.scene && recording.isEmpty()) {
-    request.project = window_.document().project();
-    request.project.viewpoint.t = window_.playback().time();
-  } else {
-    request.kind = Request::Kind::kNew;
-    request.project.work.view = work.view;
-    request.project.work.scene = absolute(scene);
-    request.project.work.recording = absolute(recording);
-    request.project.viewpoint.t = t;
-  }
+  request.kind = Request::Kind::kNew;
+  request.project.work.view = work.view;
+  request.project.work.scene = absolute(scene);
+  request.project.work.recording = absolute(recording);
+  request.project.viewpoint.t = t;
+  load(std::move(request));
+}
+
+void Studio::reload() {
+  if (!port_) return;
+  Request request;
+  request.project = window_.document().project();
+  request.project.viewpoint.t = window_.playback().time();
   load(std::move(request));
 }
 
@@ -139,6 +157,20 @@ void Studio::followWork(const ui::Work& before, const ui::Work& after) {
   load(std::move(request));
 }
 
+void Studio::makeReport(const ui::ReportRequest& request) {
+  report_ = std::make_unique<ReportJob>(commandLineProgram(), shown_, request, packages_);
+  connect(report_.get(), &ReportJob::done, &window_.reports(), &ui::ReportCommands::done);
+  connect(report_.get(), &ReportJob::failed, &window_.reports(), &ui::ReportCommands::fail);
+  report_->start();
+}
+
+/// A file that was replaced is watched no longer: all are added again.
+void Studio::watchFiles() {
+  if (!files_.files().isEmpty()) files_.removePaths(files_.files());
+  for (const QString& file : {shown_.scene, shown_.recording})
+    if (QFileInfo::exists(file)) files_.addPath(file);
+}
+
 void Studio::take(Loaded& loaded) {
   QApplication::restoreOverrideCursor();
   const std::unique_ptr<Request> request = std::move(request_);
@@ -161,6 +193,7 @@ void Studio::take(Loaded& loaded) {
                                      std::move(loaded.meshes));
   const ui::Work& wanted = request->project.work;
   shown_ = wanted;
+  watchFiles();
   if (is_new)
     document.open(request->project, request->file, request->modified);
   else if (request->kind == Request::Kind::kRecording)

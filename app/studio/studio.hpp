@@ -1,6 +1,7 @@
 // Opens projects, scenes and recordings in the window.
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "app/analysis/analysis_runner.hpp"
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
+#include "app/studio/report_job.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 
@@ -22,7 +24,7 @@ class Studio : public QObject {
 
  public:
   /// `packages`: search paths for the meshes of the robots.
-  explicit Studio(ui::MainWindow& window, robot_file::PackagePaths packages = {});
+  explicit Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages = {});
   ~Studio() override;
 
   /// Begins to load; ready() or failed() follows. An empty recording: as the scene says. The scene of the
@@ -33,6 +35,8 @@ class Studio : public QObject {
   void openRecording(const QString& recording);
   /// Begins with a document that was read.
   void openProject(const ui::Project& project, const QString& file, bool modified);
+  /// Reads scene and recording again; the document and the moment stay.
+  void reload();
   /// Ends the load that is under way; what is shown stays.
   void cancel();
   /// Begins with nothing.
@@ -48,13 +52,18 @@ class Studio : public QObject {
   void take(Loaded& loaded);
   void giveUp(const Request& request);
   void followWork(const ui::Work& before, const ui::Work& after);
+  void makeReport(const ui::ReportRequest& request);
+  void watchFiles();
 
   ui::MainWindow& window_;
+  robot_file::PackagePaths packages_;
   Loader loader_;
   std::unique_ptr<LivePort> port_;
   analysis::AnalysisRunner analyses_;
   std::unique_ptr<Request> request_;  // of the load that is under way
   ui::Work shown_;                    // what port_ was loaded from
+  std::unique_ptr<ReportJob> report_;
+  QFileSystemWatcher files_;  // of what is shown
 };
 
 }  // namespace abstand::studio

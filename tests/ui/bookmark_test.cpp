@@ -76,7 +76,7 @@ TEST_F(BookmarkTest, AreListedEditedAndRemovedInThePanel) {
   auto* dock = window.findChild<QDockWidget*>("bookmarks");
   ASSERT_TRUE(dock);
   dock->raise();
-  QTableView* table = window.bookmarkPanel().table();
+  QTableView* table = window.panels().bookmarks->table();
   ASSERT_TRUE(QTest::qWaitFor([&] { return table->isVisible(); }, 60000));
   QAbstractItemModel& rows = *table->model();
   ASSERT_EQ(rows.rowCount(), 2);
@@ -87,8 +87,8 @@ TEST_F(BookmarkTest, AreListedEditedAndRemovedInThePanel) {
   EXPECT_EQ(rows.index(1, 1).data(), "very far");
   EXPECT_FALSE(rows.setData(rows.index(1, 0), "9 s", Qt::EditRole)) << "times are not edited";
   table->selectRow(0);
-  EXPECT_TRUE(window.bookmarkPanel().removeButton()->isEnabled());
-  window.bookmarkPanel().removeButton()->click();
+  EXPECT_TRUE(window.panels().bookmarks->removeButton()->isEnabled());
+  window.panels().bookmarks->removeButton()->click();
   ASSERT_EQ(marks().size(), 1);
   EXPECT_EQ(marks()[0].t, 6.0);
   EXPECT_EQ(rows.rowCount(), 1);

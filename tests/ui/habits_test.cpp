@@ -34,7 +34,7 @@ struct HabitsTest : ShownWindow {
 };
 
 TEST_F(HabitsTest, ArrowsMoveTheSliderThatHasTheFocus) {
-  auto* slider = window.marginPanel().row(session.indexOf("operator/hand_left"))->findChild<QSlider*>();
+  auto* slider = window.panels().margins->row(session.indexOf("operator/hand_left"))->findChild<QSlider*>();
   ASSERT_TRUE(focus(slider));
   const int before = slider->value();
   QTest::keyClick(slider, Qt::Key_Right);

@@ -41,10 +41,10 @@ struct MarginCurveTest : ShownWindow {
   }
   void TearDown() override { window.setSession(nullptr); }
   QAction* action(ActionId id) { return window.actions()[id]; }
-  MarginCurve& curve() { return window.marginCurve(); }
-  CompareLanes& lanes() { return *window.timelinePanel().compareLanes(); }
+  MarginCurve& curve() { return *window.panels().curve; }
+  CompareLanes& lanes() { return *window.panels().timeline->compareLanes(); }
   int steps() { return window.document().steps().count(); }
-  double margin() { return window.marginPanel().row(torso)->metres(); }
+  double margin() { return window.panels().margins->row(torso)->metres(); }
   void analyse() {
     analysis.runAll();
     window.review().pull();
@@ -100,7 +100,7 @@ TEST_F(MarginCurveTest, TheHandleMovesTheMarginInOneStep) {
   action(ActionId::kUndo)->trigger();
   EXPECT_NEAR(margin(), 0.04, 1e-12);
   // A locked one stays.
-  window.marginPanel().row(torso)->findChild<QToolButton*>("lock")->click();
+  window.panels().margins->row(torso)->findChild<QToolButton*>("lock")->click();
   QTest::mouseClick(area, Qt::LeftButton, {}, QPoint(curve().xOf(0.15), 20));
   EXPECT_NEAR(margin(), 0.04, 1e-12);
 }

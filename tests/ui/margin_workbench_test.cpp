@@ -44,7 +44,7 @@ struct MarginWorkbench : ShownWindow {
   }
   QAction* action(ActionId id) { return window.actions()[id]; }
   const Work& work() { return window.document().work(); }
-  MarginPanel& panel() { return window.marginPanel(); }
+  MarginPanel& panel() { return *window.panels().margins; }
   int steps() { return window.document().steps().count(); }
   double metres(int object) { return panel().row(object)->metres(); }
   void lock(int object) {
@@ -69,6 +69,22 @@ struct MarginWorkbench : ShownWindow {
   testing::ScratchFolder folder;
   int hand{0}, head{0}, link{0}, table{0};
 };
+
+TEST_F(MarginWorkbench, AFileOfMarginsIsOpenedLikeAnyOther) {
+  QSignalSpy scenes(&window, &MainWindow::openSceneRequested);
+  folder.write("set.yaml",
+               "# of the cell\nabstand_margins: 1\ncombine: sum\ndefault: {margin: 0}\n"
+               "margins:\n  - {part: hand_left, margin: 0.111}\n");
+  window.openFile(in("set.yaml"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(metres(hand) - 0.111) < 1e-9; }, kWaitMs));
+  EXPECT_EQ(scenes.size(), 0);
+  window.setSession(nullptr);
+  window.openFile(in("set.yaml"));
+  EXPECT_TRUE(problemSays("no scene"));
+  folder.write("cell.yaml", "abstand: 1\n");
+  window.openFile(in("cell.yaml"));
+  EXPECT_EQ(scenes.size(), 1);
+}
 
 TEST_F(MarginWorkbench, TheSearchShowsRowsByPartLinkAndGroup) {
   auto* search = window.findChild<MarginTools*>()->search();

@@ -55,17 +55,17 @@ TEST_F(MomentTest, AllPartsShowTheMomentThatIsDrawnWheneverOneLooks) {
 }
 
 TEST_F(MomentTest, AHiddenPanelShowsTheMomentWhenItComesBack) {
-  QWidget* dock = window.pairPanel().parentWidget();
+  QWidget* dock = window.panels().pairs->parentWidget();
   dock->hide();
   session.seek(0.4);
   window.pull();
   dock->show();
   QTest::qWait(20);
   expectOneMoment();
-  const auto* model = window.pairPanel().table()->model();
+  const auto* model = window.panels().pairs->table()->model();
   const int pair = window.moment().nearest_pair;
   ASSERT_GE(pair, 0);
-  window.pairPanel().sortAgain();
+  window.panels().pairs->sortAgain();
   EXPECT_EQ(model->index(0, PairTableModel::kDistance).data().toString(),
             millimetres(window.moment().pairs[static_cast<std::size_t>(pair)].result.distance));
 }
@@ -73,11 +73,11 @@ TEST_F(MomentTest, AHiddenPanelShowsTheMomentWhenItComesBack) {
 TEST_F(MomentTest, OnlyRowsThatCanBeSeenAreAnnounced) {
   int announced = 0;
   QObject::connect(
-      window.pairPanel().table()->model(), &QAbstractItemModel::dataChanged, &window,
+      window.panels().pairs->table()->model(), &QAbstractItemModel::dataChanged, &window,
       [&](const QModelIndex& from, const QModelIndex& to) { announced += to.row() - from.row() + 1; });
   session.seek(1.0);
   window.pull();
-  const QTableView* table = window.pairPanel().table();
+  const QTableView* table = window.panels().pairs->table();
   EXPECT_GT(announced, 0);
   EXPECT_LE(announced, table->viewport()->height() / table->rowHeight(0) + 2);
 }

@@ -67,7 +67,10 @@ struct StudioSession : ::testing::Test {
   }
   /// By the sliders of all parts of a group, mm.
   void drag(const char* group, int millimetres) {
-    window.marginPanel().groupRow(QString::fromLatin1(group))->findChild<QSlider*>()->setValue(millimetres);
+    window.panels()
+        .margins->groupRow(QString::fromLatin1(group))
+        ->findChild<QSlider*>()
+        ->setValue(millimetres);
   }
 
   testing::ScratchFolder folder;
@@ -93,7 +96,7 @@ TEST_F(StudioSession, DraggingMarginsGivesTheNumbersOfTune) {
     EXPECT_EQ(outcome.false_stops, row["false_stops"].get<long>());
     EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
     EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
-    EXPECT_EQ(window.timelinePanel().whatIf()->text(), ui::whatIfText(review));
+    EXPECT_EQ(window.panels().timeline->whatIf()->text(), ui::whatIfText(review));
     stops += outcome.stops;
   }
   EXPECT_GT(stops, 0);

@@ -38,8 +38,8 @@ struct StudioDocument : StudioWindow {
     EXPECT_EQ(window.viewport().cameraView(), camera);
     EXPECT_EQ(window.selection().objects(), std::vector<int>{0});
     int row = 0;
-    while (window.marginPanel().row(row) && window.marginPanel().row(row)->metres() != 0.25) ++row;
-    EXPECT_TRUE(window.marginPanel().row(row)) << "no row shows the margin";
+    while (window.panels().margins->row(row) && window.panels().margins->row(row)->metres() != 0.25) ++row;
+    EXPECT_TRUE(window.panels().margins->row(row)) << "no row shows the margin";
   }
   ui::CameraView camera;
 };
@@ -89,10 +89,10 @@ TEST_F(StudioDocument, WhatCannotBeShownIsNotMixedUpWithTheDocument) {
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
   std::filesystem::rename(folder.path() / "walk.csv", folder.path() / "gone.csv");
   EXPECT_FALSE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); }));
-  EXPECT_FALSE(window.marginPanel().row(0)) << "the window is empty";
+  EXPECT_FALSE(window.panels().margins->row(0)) << "the window is empty";
   std::filesystem::rename(folder.path() / "gone.csv", folder.path() / "walk.csv");
   ASSERT_TRUE(opens([&] { window.actions()[ActionId::kRedo]->trigger(); })) << problem;
-  EXPECT_TRUE(window.marginPanel().row(0));
+  EXPECT_TRUE(window.panels().margins->row(0));
 }
 
 TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
@@ -153,7 +153,7 @@ TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {
   ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
   EXPECT_TRUE(work().scene.isEmpty());
   EXPECT_EQ(work().recording, in("walk.csv"));
-  EXPECT_TRUE(window.marginPanel().groupRow("person"));
+  EXPECT_TRUE(window.panels().margins->groupRow("person"));
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
 }
 
@@ -162,7 +162,7 @@ TEST_F(StudioWindow, ARobotAloneIsAScene) {
                "<robot name='r'><link name='a'><collision><geometry><box size='1 1 1'/></geometry>"
                "</collision></link></robot>");
   ASSERT_TRUE(opens([&] { window.openFile(in("arm.urdf")); })) << problem;
-  EXPECT_TRUE(window.marginPanel().groupRow("robot"));
+  EXPECT_TRUE(window.panels().margins->groupRow("robot"));
 }
 
 TEST_F(StudioWindow, SceneAndRecordingThatComeTogetherAreOneDocument) {

@@ -50,7 +50,7 @@ struct TimelineTest : ::testing::Test {
     QTest::keyClick(&window, static_cast<Qt::Key>(k), modifiers);
     window.pull();
   }
-  LaneView& lanes() { return *window.timelinePanel().laneView(); }
+  LaneView& lanes() { return *window.panels().timeline->laneView(); }
   long stops() { return window.review().review().outcome.stops; }
   void click(int lane, double t) {
     QTest::mouseClick(lanes().viewport(), Qt::LeftButton, {},
@@ -77,13 +77,13 @@ TEST_F(TimelineTest, ALaneForEachPartThatAClickGoesTo) {
 
 TEST_F(TimelineTest, DraggingAMarginMovesTheSpansAndTheSentence) {
   const int hand = session.indexOf("operator/hand_left");
-  const auto* sentence = window.timelinePanel().whatIf();
+  const auto* sentence = window.panels().timeline->whatIf();
   EXPECT_TRUE(sentence->isVisible());
   const auto inside = [&] {
     const std::vector<bool>& marks = lanes().row(6).inside;
     return std::count(marks.begin(), marks.end(), true);
   };
-  auto* slider = window.marginPanel().row(hand)->findChild<QSlider*>();
+  auto* slider = window.panels().margins->row(hand)->findChild<QSlider*>();
   std::ptrdiff_t last = -1;
   for (const int margin : {0, 100, 200, 300}) {
     slider->setValue(margin);
@@ -119,7 +119,7 @@ TEST_F(TimelineTest, ARowOfTheEventsGoesToItsMoment) {
   auto* dock = window.findChild<QDockWidget*>("events");
   ASSERT_TRUE(dock);
   dock->raise();
-  EventPanel& events = window.eventPanel();
+  EventPanel& events = *window.panels().events;
   ASSERT_TRUE(QTest::qWaitFor([&] { return events.isVisible(); }, kLimitMs));
   QTableView* table = events.table();
   ASSERT_EQ(table->model()->rowCount(), static_cast<int>(window.review().review().events.size()));
@@ -145,7 +145,7 @@ TEST_F(TimelineTest, InAndOutAreTheRange) {
 }
 
 TEST_F(TimelineTest, ATypedTimeIsGoneTo) {
-  QLineEdit* field = window.timelinePanel().timeField();
+  QLineEdit* field = window.panels().timeline->timeField();
   key(Qt::Key_G, Qt::ControlModifier);
   EXPECT_TRUE(field->hasFocus());
   QTest::keyClicks(field, "7.5");
@@ -166,7 +166,7 @@ TEST_F(TimelineTest, TheWheelZoomsTheLanesOverAWholeStrip) {
   QApplication::sendEvent(lanes().viewport(), &wheel);
   EXPECT_TRUE(window.timeAxis().zoomed());
   EXPECT_NEAR(lanes().timeAt(at.x()), 6.0, 0.02);
-  const TimeStrip* strip = window.timelinePanel().strip();
+  const TimeStrip* strip = window.panels().timeline->strip();
   EXPECT_NEAR(strip->timeAt(strip->xOf(11.9)), 11.9, 0.02) << "the strip shows all";
   // The moment that is gone to comes into view.
   window.playback().seek(6.0);
@@ -180,8 +180,8 @@ TEST_F(TimelineTest, WithoutAnAnalysisThereAreNoLanes) {
   FakeSession plain;
   window.setSession(&plain);
   EXPECT_FALSE(lanes().isVisible());
-  EXPECT_TRUE(window.timelinePanel().whatIf()->text().isEmpty());
-  EXPECT_LE(window.timelinePanel().strip()->height(), 80);
+  EXPECT_TRUE(window.panels().timeline->whatIf()->text().isEmpty());
+  EXPECT_LE(window.panels().timeline->strip()->height(), 80);
   window.setSession(nullptr);
 }
 

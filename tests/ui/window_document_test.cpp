@@ -42,9 +42,9 @@ struct WindowDocumentTest : ShownWindow {
   QAction* action(ActionId id) { return window.actions()[id]; }
   const Work& work() const { return window.document().work(); }
   /// As the margin panel has it.
-  double shownMargin() const { return window.marginPanel().row(hand)->metres(); }
+  double shownMargin() const { return window.panels().margins->row(hand)->metres(); }
   bool setMargin(int mm) {
-    window.marginPanel().row(hand)->findChild<QSlider*>()->setValue(mm);
+    window.panels().margins->row(hand)->findChild<QSlider*>()->setValue(mm);
     const double metres = mm * 1e-3;
     return QTest::qWaitFor(
         [&] { return std::abs(work().margins.value("operator/hand_left", -1.0) - metres) < 1e-9; }, kWaitMs);
@@ -105,7 +105,7 @@ TEST_F(WindowDocumentTest, CtrlZTakesAMarginBack) {
 }
 
 TEST_F(WindowDocumentTest, ADraggedSliderIsOneStep) {
-  auto* slider = window.marginPanel().row(hand)->findChild<QSlider*>();
+  auto* slider = window.panels().margins->row(hand)->findChild<QSlider*>();
   for (int drag = 1; drag <= 2; ++drag) {
     slider->setSliderDown(true);
     for (const int mm : {100 * drag, 100 * drag + 10, 100 * drag + 20}) ASSERT_TRUE(setMargin(mm));
@@ -123,9 +123,9 @@ TEST_F(WindowDocumentTest, UndoOfAllEditsReturnsToTheStart) {
   tick(hand, Qt::Unchecked);
   action(ActionId::kFloor)->trigger();
   action(ActionId::kVelocities)->trigger();
-  Q_EMIT window.groupPanel().stateWanted(0, view::PairGroupState::kPaused);
-  Q_EMIT window.groupPanel().removeWanted(3);
-  Q_EMIT window.groupPanel().addWanted(1, 3);
+  Q_EMIT window.panels().groups->stateWanted(0, view::PairGroupState::kPaused);
+  Q_EMIT window.panels().groups->removeWanted(3);
+  Q_EMIT window.panels().groups->addWanted(1, 3);
   action(ActionId::kResetMargins)->trigger();
   EXPECT_EQ(window.document().steps().count(), 8);
   window.pull();

@@ -110,7 +110,7 @@ TEST_F(WindowTest, SpacePlaysAndPauses) {
 }
 
 TEST_F(WindowTest, KeysBelongToATextFieldThatHasTheFocus) {
-  QLineEdit* box = window.pairPanel().filterBox();
+  QLineEdit* box = window.panels().pairs->filterBox();
   QApplication::setActiveWindow(&window);
   box->setFocus();
   ASSERT_TRUE(box->hasFocus());
@@ -120,7 +120,7 @@ TEST_F(WindowTest, KeysBelongToATextFieldThatHasTheFocus) {
 }
 
 TEST_F(WindowTest, TheStripFollowsThePointer) {
-  TimeStrip* strip = window.timelinePanel().strip();
+  TimeStrip* strip = window.panels().timeline->strip();
   const int y = strip->height() / 2;
   QTest::mousePress(strip, Qt::LeftButton, {}, QPoint(strip->xOf(3.0), y));
   EXPECT_NEAR(session.time(), strip->timeAt(strip->xOf(3.0)), kExact);
@@ -133,7 +133,7 @@ TEST_F(WindowTest, TheStripFollowsThePointer) {
 
 TEST_F(WindowTest, AMarginReachesTheSession) {
   const int hand = session.indexOf("operator/hand_left");
-  window.marginPanel().row(hand)->findChild<QSlider*>()->setValue(123);
+  window.panels().margins->row(hand)->findChild<QSlider*>()->setValue(123);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !session.log.empty(); }, kWaitMs));
   EXPECT_EQ(session.log, std::vector<std::string>{"margin " + std::to_string(hand) + " 0.123"});
 }
@@ -204,7 +204,7 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
 }
 
 TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
-  auto* panel = &window.robotPanel();
+  auto* panel = window.panels().robots;
   const auto* head = panel->findChild<QLabel*>("robots_head");
   const auto* state = panel->findChild<QLabel*>("state arm");
   const auto* reason = panel->findChild<QLabel*>("reason arm");
@@ -275,7 +275,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
 }
 
 TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
-  const auto* log = window.robotPanel().log();
+  const auto* log = window.panels().robots->log();
   const auto lines = [&](int count) {
     window.pull();
     return QTest::qWaitFor([&] { return log->toPlainText().count("beyond its") == count; }, kWaitMs);
@@ -305,7 +305,7 @@ TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
 }
 
 TEST_F(WindowTest, ReservationsOfTheSceneAreListed) {
-  NotePanel& panel = window.notePanel();
+  NotePanel& panel = *window.panels().notes;
   const auto title = [&] { return window.findChild<QDockWidget*>("notes")->windowTitle(); };
   EXPECT_EQ(panel.topLevelItemCount(), 0);
   EXPECT_EQ(title(), "Reservations");
@@ -351,7 +351,7 @@ TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
 }
 
 TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
-  auto& panel = window.groupPanel();
+  auto& panel = *window.panels().groups;
   auto* tree = panel.tree();
   const auto* head = panel.findChild<QLabel*>("groups_head");
   ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
@@ -372,7 +372,7 @@ TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
   const auto* left_out = window.findChild<QLabel*>("left_out");
   EXPECT_TRUE(left_out->text().startsWith(QString("⚠ %1 pairs not checked.").arg(with_people)));
   // In the table such a pair shows no distance, and sorts as the nearest.
-  const auto* table = window.pairPanel().table()->model();
+  const auto* table = window.panels().pairs->table()->model();
   EXPECT_EQ(table->index(0, PairTableModel::kState).data().toString(), "? not checked");
   EXPECT_EQ(table->index(0, PairTableModel::kDistance).data().toString(), "–");
   session.log.clear();
@@ -382,7 +382,7 @@ TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
 }
 
 TEST_F(WindowTest, APairLeavesItsGroupAndComesIntoAnother) {
-  auto& panel = window.groupPanel();
+  auto& panel = *window.panels().groups;
   auto* tree = panel.tree();
   ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
   tree->topLevelItem(1)->child(0)->setSelected(true);

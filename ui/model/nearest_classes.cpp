@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ui/model/pair_class.hpp"
 #include "ui/style/format.hpp"
 
 namespace abstand::ui {
@@ -11,31 +12,7 @@ namespace {
 
 QString trClass(const char* text) { return QCoreApplication::translate("NearestClasses", text); }
 
-/// A body of no person and no mechanism is in this group.
-constexpr const char* kThings = "objects";
-
-enum Side { kPerson, kRobot, kThing };
-
-Side sideOf(const view::SceneOutline::ObjectInfo& object) {
-  if (object.human) return kPerson;
-  return object.group == kThings ? kThing : kRobot;
-}
-
-constexpr int kClasses = 4;
-
-/// 0 to 3 in the order of the reports, -1: no class.
-int classOf(Side a, Side b) {
-  if (b < a) std::swap(a, b);
-  if (a == kPerson) return b == kRobot ? 0 : b == kThing ? 1 : -1;
-  if (a == kRobot) return b == kRobot ? 2 : 3;
-  return -1;
-}
-
-QString className(int i) {
-  const std::array<QString, kClasses> names{trClass("Person – robot"), trClass("Person – thing"),
-                                            trClass("Robot – robot"), trClass("Robot – thing")};
-  return names[static_cast<std::size_t>(i)];
-}
+constexpr int kClasses = 4;  // without other pairs
 
 QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
   const auto i = static_cast<std::size_t>(pair);
@@ -50,32 +27,29 @@ QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& s
 
 std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
                                              const view::SceneSnapshot& snapshot) {
-  std::array<NearestOfClass, kClasses> least;
-  for (int i = 0; i < kClasses; ++i) least[static_cast<std::size_t>(i)] = {className(i), -1, kInfinity};
+  std::array<NearestOfClass, kClasses> nearest;
+  for (int i = 0; i < kClasses; ++i)
+    nearest[static_cast<std::size_t>(i)] = {pairClassName(static_cast<PairClass>(i)), -1, kInfinity};
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
-    const auto [a, b] = outline.pairs[i];
-    const int of = classOf(sideOf(outline.objects[static_cast<std::size_t>(a)]),
-                           sideOf(outline.objects[static_cast<std::size_t>(b)]));
+    const auto of = static_cast<int>(pairClassOf(outline, outline.pairs[i]));
     const double d = snapshot.pairs[i].result.distance;
-    if (of < 0 || !(d < least[static_cast<std::size_t>(of)].distance)) continue;
-    least[static_cast<std::size_t>(of)].pair = static_cast<int>(i);
-    least[static_cast<std::size_t>(of)].distance = d;
+    if (of >= kClasses || !(d < nearest[static_cast<std::size_t>(of)].distance)) continue;
+    nearest[static_cast<std::size_t>(of)].pair = static_cast<int>(i);
+    nearest[static_cast<std::size_t>(of)].distance = d;
   }
   std::vector<NearestOfClass> found;
-  for (const NearestOfClass& of : least)
+  for (const NearestOfClass& of : nearest)
     if (of.pair >= 0) found.push_back(of);
   return found;
 }
 
 double nearestPersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
-  double least = kNaN;
+  double nearest = kNaN;
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
-    const auto [a, b] = outline.pairs[i];
-    if (classOf(sideOf(outline.objects[static_cast<std::size_t>(a)]),
-                sideOf(outline.objects[static_cast<std::size_t>(b)])) == 0)
-      least = std::fmin(least, snapshot.pairs[i].result.distance);
+    if (pairClassOf(outline, outline.pairs[i]) == PairClass::kPersonRobot)
+      nearest = std::fmin(nearest, snapshot.pairs[i].result.distance);
   }
-  return least;
+  return nearest;
 }
 
 QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {

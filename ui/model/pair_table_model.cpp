@@ -17,6 +17,8 @@ void PairTableModel::open(const view::SceneOutline& outline) {
   names_.clear();
   for (const auto& info : outline.objects) names_.push_back(QString::fromStdString(info.name));
   pairs_ = outline.pairs;
+  classes_.clear();
+  for (const auto& pair : pairs_) classes_.push_back(pairClassOf(outline, pair));
   values_.assign(pairs_.size(), {});
   levels_.assign(pairs_.size(), PairLevel::kUnknown);
   uncertainty_.assign(pairs_.size(), 0.0);
@@ -216,6 +218,12 @@ void PairFilter::setObjects(std::vector<int> objects) {
   invalidateFilter();
 }
 
+void PairFilter::setClass(std::optional<PairClass> pair_class) {
+  if (pair_class == class_) return;
+  class_ = pair_class;
+  invalidateFilter();
+}
+
 void PairFilter::sortAgain() {
   const int column = sortColumn();
   if (column < 0) return;
@@ -232,6 +240,7 @@ bool PairFilter::filterAcceptsRow(int row, const QModelIndex&) const {
   const auto [a, b] = model.objectsOf(row);
   const auto chosen = [&](int o) { return std::binary_search(objects_.begin(), objects_.end(), o); };
   if (!objects_.empty() && !chosen(a) && !chosen(b)) return false;
+  if (objects_.empty() && class_ && model.classOf(row) != *class_) return false;
   return text_.isEmpty() || model.nameOf(a).contains(text_, Qt::CaseInsensitive) ||
          model.nameOf(b).contains(text_, Qt::CaseInsensitive);
 }

@@ -3,8 +3,10 @@
 
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
+#include <optional>
 #include <vector>
 
+#include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
 
 namespace abstand::ui {
@@ -29,6 +31,7 @@ class PairTableModel : public QAbstractTableModel {
   /// SceneSnapshot::step of the last refresh.
   long shownStep() const { return shown_step_; }
 
+  PairClass classOf(int pair) const { return classes_[static_cast<std::size_t>(pair)]; }
   std::pair<int, int> objectsOf(int pair) const { return pairs_[static_cast<std::size_t>(pair)]; }
   QString nameOf(int object) const { return names_[static_cast<std::size_t>(object)]; }
 
@@ -43,14 +46,15 @@ class PairTableModel : public QAbstractTableModel {
 
   std::vector<QString> names_;
   std::vector<std::pair<int, int>> pairs_;
+  std::vector<PairClass> classes_;  // by pair
   std::vector<view::PairSnapshot> values_;
   std::vector<PairLevel> levels_;  // by pair
   long shown_step_{-1};
   std::vector<double> uncertainty_;  // by pair, m: of both poses
 };
 
-/// Sorted by any column and narrowed to a text in either name and to the pairs of the chosen objects. Rows
-/// whose values change keep their places until sortAgain().
+/// Sorted by any column and narrowed to a text in either name, and to the pairs of the chosen objects, or,
+/// without such, to a class. Rows whose values change keep their places until sortAgain().
 class PairFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -59,6 +63,8 @@ class PairFilter : public QSortFilterProxyModel {
   void setText(const QString& text);
   /// Sorted object indices; empty: all pairs.
   void setObjects(std::vector<int> objects);
+  /// None: all classes.
+  void setClass(std::optional<PairClass> pair_class);
   /// Sorts where the rows are out of order.
   void sortAgain();
 
@@ -68,6 +74,7 @@ class PairFilter : public QSortFilterProxyModel {
  private:
   QString text_;
   std::vector<int> objects_;
+  std::optional<PairClass> class_;
 };
 
 }  // namespace abstand::ui

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
 #include "ui/style/format.hpp"
 
@@ -31,6 +32,9 @@ void SceneTreeModel::open(const view::SceneOutline& outline) {
   groups_ = groupsOf(outline);
   rows_.assign(outline.objects.size(), {});
   nearest_.assign(outline.objects.size(), kNaN);
+  of_people_ = std::any_of(outline.pairs.begin(), outline.pairs.end(), [&](const auto& pair) {
+    return pairClassOf(outline, pair) == PairClass::kPersonRobot;
+  });
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     for (std::size_t r = 0; r < groups_[g].objects.size(); ++r) {
       const int object = groups_[g].objects[r];
@@ -51,7 +55,9 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
   std::fill(nearest_.begin(), nearest_.end(), kNaN);
   touching_.assign(rows_.size(), false);
   for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {
-    const double d = snapshot.pairs[p].result.distance;
+    const PairClass of = pairClassOf(outline, outline.pairs[p]);
+    const bool counts = !of_people_ || of == PairClass::kPersonRobot || of == PairClass::kPersonThing;
+    const double d = counts ? snapshot.pairs[p].result.distance : kNaN;
     for (const int object : {outline.pairs[p].first, outline.pairs[p].second}) {
       double& nearest = nearest_[static_cast<std::size_t>(object)];
       nearest = std::fmin(nearest, d);
@@ -221,7 +227,11 @@ void SceneTreeModel::setVisible(int object, bool visible) {
 }
 
 QVariant SceneTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  if (section == 1 && role == Qt::ToolTipRole)
+    return of_people_ ? tr("Of a robot or a thing: to the nearest person. Of a person: to what is nearest.")
+                      : tr("To what is nearest");
+  if (role != Qt::DisplayRole) return {};
   return section == 0 ? tr("Object") : tr("Nearest");
 }
 

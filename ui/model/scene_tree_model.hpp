@@ -63,6 +63,7 @@ class SceneTreeModel : public QAbstractItemModel {
   std::vector<Row> rows_;  // by object
   std::vector<double> nearest_;
   std::vector<bool> touching_;
+  bool of_people_{false};  // the scene has pairs of people and robots
   long shown_step_{-1};
   Theme theme_{Theme::kLight};
 };

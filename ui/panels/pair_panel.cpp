@@ -1,6 +1,7 @@
 // The table of pairs with its filter.
 #include "ui/panels/pair_panel.hpp"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -18,6 +19,7 @@ namespace abstand::ui {
 namespace {
 constexpr int kColumnWidth = 76;  // px, at least
 constexpr int kStateSpace = 24;   // px, about the text of a state
+constexpr int kAllClasses = -1;
 }  // namespace
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
@@ -26,6 +28,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
       model_{new PairTableModel(this)},
       filter_{new PairFilter(this)},
       filter_box_{new QLineEdit(this)},
+      class_box_{new QComboBox(this)},
       all_{new QToolButton(this)},
       count_{new QLabel(this)},
       table_{new QTableView(this)} {
@@ -34,6 +37,9 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   filter_box_->setClearButtonEnabled(true);
   filter_box_->setAccessibleName(tr("Filter pairs by name"));
   filter_box_->setMaximumWidth(240);
+  class_box_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  class_box_->setAccessibleName(tr("Class of pairs"));
+  class_box_->setToolTip(tr("Whom the listed distances are about"));
   all_->setText(tr("Only the selection  ✕"));
   all_->setToolTip(tr("Show all pairs again (Esc)"));
   all_->hide();
@@ -71,6 +77,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);
   head->addWidget(filter_box_, 1);
+  head->addWidget(class_box_);
   head->addWidget(all_);
   head->addStretch();
   head->addWidget(count_);
@@ -84,6 +91,10 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
     filter_->setText(text);
     showCount();
   });
+  connect(class_box_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    wanted_ = class_box_->itemData(index).toInt();
+    showClass();
+  });
   connect(all_, &QToolButton::clicked, &selection_, &Selection::clear);
   connect(&selection_, &Selection::changed, this, &PairPanel::followSelection);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PairPanel::chooseCurrent);
@@ -92,6 +103,21 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
 void PairPanel::open(const view::SceneOutline& outline) {
   model_->open(outline);
   filter_->setObjects({});
+  class_box_->clear();
+  class_box_->addItem(tr("All pairs"), kAllClasses);
+  for (int i = 0; i < kPairClasses; ++i) {
+    const auto of = static_cast<PairClass>(i);
+    const bool has = std::any_of(outline.pairs.begin(), outline.pairs.end(),
+                                 [&](const auto& pair) { return pairClassOf(outline, pair) == of; });
+    if (has) class_box_->addItem(pairClassName(of), i);
+  }
+  class_box_->setCurrentIndex(std::max(0, class_box_->findData(wanted_)));
+  showClass();
+}
+
+void PairPanel::showClass() {
+  const int of = class_box_->currentData().toInt();
+  filter_->setClass(of == kAllClasses ? std::nullopt : std::optional(static_cast<PairClass>(of)));
   showCount();
 }
 

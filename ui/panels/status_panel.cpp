@@ -78,6 +78,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
       real_time_{new ElidedLabel(bar)} {
   bar->setSizeGripEnabled(false);
   auto* banner = new ElidedLabel(bar);
+  banner->keepWhole();
   banner->setText(tr("Analysis tool, not a safety function"));
   banner->setForegroundRole(QPalette::PlaceholderText);
   banner->setAlignment(Qt::AlignCenter);
@@ -102,10 +103,12 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
   hideOpening();
-  for (QLabel* label : {analysis_, robots_, left_out_, cycle_, overruns_, real_time_}) {
+  for (ElidedLabel* label : {analysis_, robots_, left_out_, cycle_, overruns_, real_time_}) {
     label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
+  for (ElidedLabel* label : {cycle_, overruns_, real_time_}) label->keepWhole();
+  left_out_->setMinimumWidth(left_out_->fontMetrics().horizontalAdvance(tr("Checked %1 of %1").arg(9999)));
   bar->addPermanentWidget(banner);
   clear();
 }
@@ -163,7 +166,7 @@ void StatusPanel::showRobots(const view::SceneOutline& outline, const view::Scen
 }
 
 void StatusPanel::clear() {
-  for (QLabel* label : {nearest_, robots_, left_out_, cycle_, overruns_, real_time_}) label->clear();
+  for (ElidedLabel* label : {nearest_, robots_, left_out_, cycle_, overruns_, real_time_}) label->clear();
   left_out_->setToolTip({});
 }
 

@@ -6,13 +6,13 @@
 
 #include "core/view/snapshot.hpp"
 
-class QLabel;
 class QProgressBar;
 class QStatusBar;
 class QToolButton;
 
 namespace abstand::ui {
 
+class ElidedLabel;
 class RecordingReview;
 
 /// How far the opening of a scene is.
@@ -49,16 +49,16 @@ class StatusPanel : public QObject {
   void showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
   long shown_step_{-1};
-  QLabel* nearest_;
-  QLabel* opening_;
+  ElidedLabel* nearest_;
+  ElidedLabel* opening_;
   QProgressBar* opening_bar_;
   QToolButton* cancel_;
-  QLabel* analysis_;
-  QLabel* robots_;
-  QLabel* left_out_;
-  QLabel* cycle_;
-  QLabel* overruns_;
-  QLabel* real_time_;
+  ElidedLabel* analysis_;
+  ElidedLabel* robots_;
+  ElidedLabel* left_out_;
+  ElidedLabel* cycle_;
+  ElidedLabel* overruns_;
+  ElidedLabel* real_time_;
 };
 
 }  // namespace abstand::ui

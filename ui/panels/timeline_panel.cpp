@@ -15,6 +15,7 @@
 #include "ui/model/playback.hpp"
 #include "ui/model/time_text.hpp"
 #include "ui/panels/compare_lanes.hpp"
+#include "ui/panels/elided_label.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
@@ -29,6 +30,8 @@ constexpr ActionId kButtons[] = {ActionId::kToStart, ActionId::kBackSecond,  Act
                                  ActionId::kToEnd,   ActionId::kLoop};
 constexpr int kButtonSize = 28;      // px
 constexpr int kPlayButtonSize = 34;  // px
+constexpr int kFrameFrom = 720;      // px, width from which there is room for the frame beside the sentence
+constexpr int kSpeedWidth = 72, kGoToWidth = 66;  // px
 
 QString speedText(double factor) { return QStringLiteral("%1×").arg(QLocale().toString(factor, 'g', 3)); }
 
@@ -44,7 +47,7 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
       compare_{new CompareLanes(review, axis, this)},
       lanes_{new LaneView(review, axis, this)},
       go_to_{new QLineEdit(this)},
-      what_if_{new QLabel(this)},
+      what_if_{new ElidedLabel(this)},
       no_lanes_{new QLabel(this)},
       speed_{new QComboBox(this)},
       time_{new QLabel(this)},
@@ -85,6 +88,11 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
   showReview();
 }
 
+void TimelinePanel::resizeEvent(QResizeEvent* event) {
+  frame_->setVisible(width() >= kFrameFrom);
+  QWidget::resizeEvent(event);
+}
+
 void TimelinePanel::buildTransport(const Actions& actions) {
   auto* row = new QHBoxLayout;
   row->setSpacing(2);
@@ -106,7 +114,7 @@ void TimelinePanel::buildTransport(const Actions& actions) {
     speed_->addItem(speedText(factor), factor);
   speed_->setAccessibleName(tr("Playback speed"));
   speed_->setToolTip(tr("Speed, 0.05 to 8 times that of the recording (+ and −)"));
-  speed_->setFixedWidth(78);
+  speed_->setFixedWidth(kSpeedWidth);
   row->addSpacing(6);
   row->addWidget(speed_);
   row->addSpacing(6);
@@ -114,7 +122,7 @@ void TimelinePanel::buildTransport(const Actions& actions) {
   go_to_->setPlaceholderText(tr("Go to"));
   go_to_->setAccessibleName(tr("Go to time or frame"));
   go_to_->setToolTip(tr("Go to a time or a frame: 12.5, 1:02.5 or f120 (Ctrl+G)"));
-  go_to_->setFixedWidth(78);
+  go_to_->setFixedWidth(kGoToWidth);
   row->addWidget(go_to_);
   row->addSpacing(10);
 
@@ -169,6 +177,7 @@ void TimelinePanel::showTime() {
   compare_->setTime(playback_.time());
   time_->setText(secondsWithUnit(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
+  time_->setToolTip(frame_->text());
   // Room for the longest text, so that what stands beside it keeps its place.
   const int widest = time_->fontMetrics().horizontalAdvance(secondsWithUnit(playback_.end()));
   // Of fixed size, so that a new text does not lay out the whole window anew.

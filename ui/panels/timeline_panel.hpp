@@ -37,6 +37,9 @@ class TimelinePanel : public QWidget {
   QLineEdit* timeField() const { return go_to_; }
   QLabel* whatIf() const { return what_if_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void buildTransport(const Actions& actions);
   void showTime();

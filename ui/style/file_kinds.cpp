@@ -2,6 +2,7 @@
 #include "ui/style/file_kinds.hpp"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QStringList>
 
@@ -36,6 +37,15 @@ QString withAll(const QString& title, const QStringList& suffixes) {
       .arg(title, patterns(suffixes), QCoreApplication::translate("file_kinds", "All files"));
 }
 
+/// Looks for the key at the beginning of a line.
+bool isMarginSet(const QString& path) {
+  constexpr qint64 kLookedAt = 1 << 16;  // bytes
+  QFile file(path);
+  if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) return false;
+  const QByteArray text = '\n' + file.read(kLookedAt);
+  return text.contains("\nabstand_margins:");
+}
+
 }  // namespace
 
 FileKind kindOf(const QString& path) {
@@ -43,7 +53,7 @@ FileKind kindOf(const QString& path) {
   if (info.isDir()) return FileKind::kRecording;
   const QString suffix = info.suffix().toLower();
   if (projectSuffixes().contains(suffix)) return FileKind::kProject;
-  if (sceneSuffixes().contains(suffix)) return FileKind::kScene;
+  if (sceneSuffixes().contains(suffix)) return isMarginSet(path) ? FileKind::kMargins : FileKind::kScene;
   if (recordingSuffixes().contains(suffix)) return FileKind::kRecording;
   return FileKind::kUnknown;
 }

@@ -1,4 +1,4 @@
-// What a dropped or chosen file is, by its name; what is in it the readers find out.
+// What a dropped or chosen file is, by its name; what is in it the readers find out, but of margins.
 #pragma once
 
 #include <QString>
@@ -6,7 +6,8 @@
 namespace abstand::ui {
 
 /// A robot file counts as a scene with that robot alone.
-enum class FileKind { kProject, kScene, kRecording, kUnknown };
+/// A file of margins is told from a scene by its first key.
+enum class FileKind { kProject, kScene, kRecording, kMargins, kUnknown };
 
 /// A folder counts as a (depth) recording.
 FileKind kindOf(const QString& path);

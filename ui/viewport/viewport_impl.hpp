@@ -70,7 +70,8 @@ struct Viewport::Impl {
   void addContactLabels();
   void addLegend();
 
-  std::vector<int> order_;  // of the pairs by distance, kept from frame to frame
+  std::vector<int> order_;    // of the pairs by key, kept from frame to frame
+  std::vector<double> keys_;  // of the pairs: which line is drawn before which
 };
 
 }  // namespace abstand::ui

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ui/model/groups.hpp"
+#include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/style/format.hpp"
@@ -58,11 +59,21 @@ void Viewport::Impl::addClosest() {
     const auto& [a, b] = outline->pairs[static_cast<std::size_t>(pair)];
     return !drawn(a) || !drawn(b);
   };
-  // A selected pair comes first, then by distance; pairs of hidden bodies come last.
-  const auto key = [&](int pair) {
-    if (hidden(pair)) return kInfinity;
-    return pair == selection.pair() ? -kInfinity : distance(pair);
-  };
+  // The selected pair comes first, then those of people and robots, then the others, each by distance; pairs
+  // of hidden bodies come last. What is inside its margin goes before what is not.
+  keys_.resize(order_.size());
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    const auto pair = static_cast<int>(i);
+    const PairLevel level = pairLevel(snapshot, snapshot.pairs[i], outline->pairs[i]);
+    const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
+    const bool first = contact || pairClassOf(*outline, outline->pairs[i]) == PairClass::kPersonRobot;
+    const double d = distance(pair);
+    keys_[i] = hidden(pair)               ? kInfinity
+               : pair == selection.pair() ? -kInfinity
+               : first || !(d < kFarLine) ? d
+                                          : d + kFarLine;
+  }
+  const auto key = [&](int pair) { return keys_[static_cast<std::size_t>(pair)]; };
   const std::size_t shown = std::min(kClosestPairs, order_.size());
   std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(shown), order_.end(),
                     [&](int a, int b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
@@ -72,7 +83,7 @@ void Viewport::Impl::addClosest() {
     const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const query::PairResult& result = now.result;
     if (now.paused || hidden(pair)) continue;
-    if (!(result.distance < kFarLine) && pair != selection.pair()) break;
+    if (!(result.distance < kFarLine) && pair != selection.pair()) continue;
     if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
     double depth_a = 0.0, depth_b = 0.0;
     const QPointF a = camera.project(result.witness_a, &depth_a);

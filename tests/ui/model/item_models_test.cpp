@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QComboBox>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
@@ -270,7 +271,68 @@ TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
 
   selection.clear();
   EXPECT_TRUE(tree.selectionModel()->selectedRows().isEmpty());
+  panel.classBox()->setCurrentIndex(0);
+  Q_EMIT panel.classBox()->activated(0);
   EXPECT_EQ(panel.table()->model()->rowCount(), static_cast<int>(session.outline().pairs.size()));
+}
+
+TEST(PairPanelTest, ListsPeopleAndRobotsUnlessToldOtherwise) {
+  FakeSession session;
+  Selection selection;
+  PairPanel panel(selection);
+  panel.open(session.outline());
+  const auto& outline = session.outline();
+  const auto of_class = [&](PairClass wanted) {
+    return static_cast<int>(std::count_if(outline.pairs.begin(), outline.pairs.end(), [&](const auto& pair) {
+      return pairClassOf(outline, pair) == wanted;
+    }));
+  };
+  const auto rows = [&] { return panel.table()->model()->rowCount(); };
+  const auto choose = [&](const QString& name) {
+    const int index = panel.classBox()->findText(name);
+    ASSERT_GE(index, 0) << name.toStdString();
+    panel.classBox()->setCurrentIndex(index);
+    Q_EMIT panel.classBox()->activated(index);
+  };
+  EXPECT_EQ(panel.classBox()->currentText(), QStringLiteral("Person – robot"));
+  EXPECT_EQ(rows(), of_class(PairClass::kPersonRobot));
+  EXPECT_GT(rows(), 0);
+  choose(QStringLiteral("Person – thing"));
+  EXPECT_EQ(rows(), of_class(PairClass::kPersonThing));
+  panel.open(outline);
+  EXPECT_EQ(rows(), of_class(PairClass::kPersonThing)) << "the choice outlives the scene";
+  choose(QStringLiteral("All pairs"));
+  EXPECT_EQ(rows(), static_cast<int>(outline.pairs.size()));
+  panel.open({});
+  EXPECT_EQ(rows(), 0);
+  EXPECT_EQ(panel.classBox()->count(), 1);
+}
+
+TEST(SceneTreeModelTest, NearestOfARobotIsAPerson) {
+  FakeSession session;
+  SceneTreeModel model;
+  view::SceneSnapshot snapshot;
+  ASSERT_TRUE(session.takeSnapshot(snapshot));
+  const auto& outline = session.outline();
+  model.open(outline);
+  model.refresh(outline, snapshot);
+  int looked_at = 0;
+  for (std::size_t object = 0; object < outline.objects.size(); ++object) {
+    double nearest = kInfinity;
+    for (std::size_t p = 0; p < outline.pairs.size(); ++p) {
+      const auto [a, b] = outline.pairs[p];
+      const PairClass of = pairClassOf(outline, outline.pairs[p]);
+      if (of != PairClass::kPersonRobot && of != PairClass::kPersonThing) continue;
+      if (a != static_cast<int>(object) && b != static_cast<int>(object)) continue;
+      nearest = std::min(nearest, snapshot.pairs[p].result.distance);
+    }
+    const QString text = model.indexOf(static_cast<int>(object)).siblingAtColumn(1).data().toString();
+    if (nearest > 0.01 && nearest < kInfinity) {  // touching is a word
+      ++looked_at;
+      EXPECT_TRUE(text.contains(QString::number(1e3 * nearest, 'f', 1))) << outline.objects[object].name;
+    }
+  }
+  EXPECT_GT(looked_at, 3);
 }
 
 }  // namespace item_models_test

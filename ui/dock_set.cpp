@@ -1,0 +1,99 @@
+#include "ui/dock_set.hpp"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QTabBar>
+
+#include "ui/panel_set.hpp"
+#include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/event_panel.hpp"
+#include "ui/panels/group_panel.hpp"
+#include "ui/panels/margin_curve.hpp"
+#include "ui/panels/margin_tools.hpp"
+#include "ui/panels/note_panel.hpp"
+#include "ui/panels/pair_panel.hpp"
+#include "ui/panels/recording_panel.hpp"
+#include "ui/panels/robot_panel.hpp"
+#include "ui/panels/scene_tree_panel.hpp"
+#include "ui/panels/timeline_panel.hpp"
+#include "ui/plots/plot_panel.hpp"
+#include "ui/style/actions.hpp"
+
+namespace abstand::ui {
+
+namespace {
+
+// Sizes of the first layout, px.
+constexpr int kLeftWidth = 284, kRightWidth = 370, kTimelineHeight = 236, kTableHeight = 110,
+              kPlotHeight = 560, kMarginHeight = 300;
+
+}  // namespace
+
+DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
+    : window_{&window}, actions_{&actions} {
+  const auto key = [](const char* text) { return QString::fromLatin1(text); };
+  scene = add("scene", tr("Scene"), tr("Show or hide the scene tree"), key("Ctrl+1"), panels.tree);
+  pairs = add("pairs", tr("Pairs"), tr("Show or hide the pair table"), key("Ctrl+2"), panels.pairs);
+  timeline = add("timeline", tr("Timeline"), tr("Show or hide the timeline"), key("Ctrl+3"), panels.timeline);
+  plots = add("plots", tr("Plots"), tr("Show or hide the plots"), key("Ctrl+4"), panels.plots);
+  margins = add("margins", tr("Margins"), tr("Show or hide the margins"), key("Ctrl+5"), panels.margin_tools);
+  robots =
+      add("robots", tr("Robots"), tr("Show or hide the robots that react"), key("Ctrl+6"), panels.robots);
+  groups = add("groups", tr("Groups"), tr("Show or hide the groups of pairs"), key("Ctrl+7"), panels.groups);
+  notes = add("notes", tr("Reservations"), tr("Show or hide what to know of the scene before believing it"),
+              key("Ctrl+8"), panels.notes);
+  events = add("events", tr("Events"), tr("Show or hide the events of the recording"), key("Ctrl+9"),
+               panels.events);
+  bookmarks = add("bookmarks", tr("Bookmarks"), tr("Show or hide the bookmarks"), key("Ctrl+Shift+9"),
+                  panels.bookmarks);
+  recordings = add("recordings", tr("Recording"), tr("Show or hide what was read of the recordings"),
+                   key("Ctrl+Shift+8"), panels.recordings);
+  curve = add("curve", tr("Margin curve"), tr("Show or hide what the margin of a body part costs"),
+              key("Ctrl+Shift+5"), panels.curve);
+}
+
+QDockWidget* DockSet::add(const char* name, const QString& title, const QString& tip, const QString& key,
+                          QWidget* content) {
+  auto* dock = new QDockWidget(title, window_);
+  dock->setObjectName(QString::fromLatin1(name));
+  dock->setWidget(content);
+  actions_->adopt(dock->toggleViewAction(), ActionGroup::kPanels, tip, QKeySequence(key));
+  return dock;
+}
+
+void DockSet::arrange() const {
+  for (QDockWidget* dock : all()) {
+    dock->setFloating(false);
+    dock->show();
+  }
+  window_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  window_->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  window_->addDockWidget(Qt::LeftDockWidgetArea, scene);
+  window_->addDockWidget(Qt::RightDockWidgetArea, plots);
+  window_->addDockWidget(Qt::RightDockWidgetArea, margins);
+  window_->splitDockWidget(plots, margins, Qt::Vertical);
+  window_->tabifyDockWidget(margins, robots);
+  window_->tabifyDockWidget(robots, groups);
+  window_->tabifyDockWidget(groups, notes);
+  margins->raise();
+  window_->addDockWidget(Qt::BottomDockWidgetArea, timeline);
+  window_->addDockWidget(Qt::BottomDockWidgetArea, pairs);
+  window_->splitDockWidget(timeline, pairs, Qt::Vertical);
+  window_->tabifyDockWidget(pairs, events);
+  window_->tabifyDockWidget(events, bookmarks);
+  window_->tabifyDockWidget(bookmarks, recordings);
+  window_->tabifyDockWidget(recordings, curve);
+  pairs->raise();
+  for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    tabs->setAccessibleName(tr("Panels"));
+  window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+  window_->resizeDocks({timeline, pairs}, {kTimelineHeight, kTableHeight}, Qt::Vertical);
+  window_->resizeDocks({plots, margins}, {kPlotHeight, kMarginHeight}, Qt::Vertical);
+}
+
+void DockSet::raise(QDockWidget* dock) {
+  dock->show();
+  dock->raise();
+}
+
+}  // namespace abstand::ui

@@ -1,0 +1,39 @@
+// The panels of the window.
+#pragma once
+
+namespace abstand::ui {
+
+class BookmarkPanel;
+class EventPanel;
+class GroupPanel;
+class MarginCurve;
+class MarginPanel;
+class MarginTools;
+class NotePanel;
+class PairPanel;
+class PlotPanel;
+class RecordingPanel;
+class RobotPanel;
+class SceneTreePanel;
+class StatusPanel;
+class TimelinePanel;
+
+/// Each is owned by its dock, the status panel by the status bar.
+struct PanelSet {
+  SceneTreePanel* tree{nullptr};
+  PairPanel* pairs{nullptr};
+  TimelinePanel* timeline{nullptr};
+  PlotPanel* plots{nullptr};
+  MarginPanel* margins{nullptr};
+  MarginTools* margin_tools{nullptr};  ///< holds `margins`
+  RobotPanel* robots{nullptr};
+  GroupPanel* groups{nullptr};
+  NotePanel* notes{nullptr};
+  EventPanel* events{nullptr};
+  BookmarkPanel* bookmarks{nullptr};
+  RecordingPanel* recordings{nullptr};
+  MarginCurve* curve{nullptr};
+  StatusPanel* status{nullptr};
+};
+
+}  // namespace abstand::ui
