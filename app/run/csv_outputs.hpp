@@ -13,7 +13,7 @@ namespace abstand::run {
 
 /// Output paths; empty: not written.
 struct CsvPaths {
-  std::filesystem::path pairs, objects, joints, cycles;
+  std::filesystem::path pairs{}, objects{}, joints{}, cycles{};
   int cycles_every{1};  ///< rows of `cycles`: the first of so many cycles
 };
 

@@ -187,8 +187,7 @@ void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
   out_.endRow();
 }
 
-void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& options) {
-  if (!begun_) begin(tuned.pass);
+void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& options) {
   out_.attribute("recording", tuned.recording);
   out_.attribute("frames", static_cast<long long>(tuned.frames));
   out_.attribute("t0", tuned.t0);
@@ -212,24 +211,23 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   for (const PartClearance& p : tuned.pass.parts)
     if (p.contact_excluded) excluded.push_back(p.part);
   out_.texts("contact_excluded", excluded);
-  // The rows of the pairs are complete; later tables have their own.
-  out_.nextTables();
+}
+
+void ResultWriter::writeParts(const std::vector<PartClearance>& all) {
   const std::size_t t = out_.table("t", {});
-  const std::size_t parts = out_.table("part_values", {tuned.pass.parts.size(), kColumnCount});
+  const std::size_t parts = out_.table("part_values", {all.size(), kColumnCount});
   const std::size_t separation =
-      out_.table("part_separation", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t speeds =
-      out_.table("part_speeds", {tuned.pass.parts.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t contact =
-      out_.table("part_contact", {tuned.pass.parts.size()}, hdf5::Storage::kSteps32, kSpeedStep);
+      out_.table("part_separation", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
+  const std::size_t speeds = out_.table("part_speeds", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
+  const std::size_t contact = out_.table("part_contact", {all.size()}, hdf5::Storage::kSteps32, kSpeedStep);
   out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
-  for (std::size_t i = 0; i < tuned.pass.parts.front().track.frames(); ++i) {
-    out_.add(t, tuned.pass.parts.front().track.t[i]);
-    for (const PartClearance& p : tuned.pass.parts)
+  for (std::size_t i = 0; i < all.front().track.frames(); ++i) {
+    out_.add(t, all.front().track.t[i]);
+    for (const PartClearance& p : all)
       for (const double v : {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
                              p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i])})
         out_.add(parts, v);
-    for (const PartClearance& p : tuned.pass.parts) {
+    for (const PartClearance& p : all) {
       out_.add(speeds, p.robot_speed[i]);
       out_.add(speeds, p.person_speed[i]);
       const double missing = p.separation.missing[i];
@@ -239,10 +237,12 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
     }
     out_.endRow();
   }
-  out_.nextTables();
+}
+
+void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
   std::vector<std::string> regions;
   const std::size_t approaches = out_.table("approaches", {kApproachColumns});
-  for (const Approach& a : tuned.pass.approaches) {
+  for (const Approach& a : all) {
     const ContactShare& c = a.contact;
     for (const double v :
          {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance, a.clearance,
@@ -253,17 +253,21 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
     regions.push_back(c.region);
   }
   out_.texts("approach_regions", regions);
-  out_.nextTables();
+}
+
+void ResultWriter::writeNeeds(const PassResult& pass) {
   const std::size_t needs = out_.table("needs", {kNeedColumns});
-  for (const auto* list : {&tuned.pass.link_needs, &tuned.pass.pair_needs})
+  for (const auto* list : {&pass.link_needs, &pass.pair_needs})
     for (const MarginNeed& n : *list) {
       for (const double v : {n.margin, n.decided ? 1.0 : 0.0, n.t, n.clearance, n.bound, n.pose, n.sampling})
         out_.add(needs, v);
       out_.endRow();
     }
-  out_.nextTables();
+}
+
+void ResultWriter::writeSeparation(const std::vector<PartClearance>& all) {
   const std::size_t worst = out_.table("worst_separation", {kSeparationColumns});
-  for (const PartClearance& p : tuned.pass.parts) {
+  for (const PartClearance& p : all) {
     SeparationMoment none;
     none.t = kNaN;
     const SeparationMoment m = p.separation.worst.value_or(none);
@@ -273,8 +277,23 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
       out_.add(worst, v);
     out_.endRow();
   }
+}
+
+void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& options) {
+  const PassResult& pass = tuned.pass;
+  if (!begun_) begin(pass);
+  writeOptions(tuned, options);
+  // The rows of the pairs are complete; later tables have their own.
   out_.nextTables();
-  writeExposure(tuned.pass.exposure, out_);
+  writeParts(pass.parts);
+  out_.nextTables();
+  writeApproaches(pass.approaches);
+  out_.nextTables();
+  writeNeeds(pass);
+  out_.nextTables();
+  writeSeparation(pass.parts);
+  out_.nextTables();
+  writeExposure(pass.exposure, out_);
   out_.commit();
 }
 
