@@ -27,9 +27,9 @@ constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have
 
 /// Initial posture of a search.
 struct StartPosture {
-  double lower;        ///< m, of the pelvis below that of a person who stands as high as the head
-  bool bends_legs;     ///< else the legs are straight
-  Vector3d p_ankle{};  ///< m, from the hip, pelvis' axes
+  double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
+  bool bends_legs;  ///< else the legs are straight
+  Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
 };
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
 /// Bowed; seated; on the knees.
