@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/tracker/joint_uncertainty.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -21,7 +22,30 @@ constexpr int kBadImages = 5;
 constexpr double kOfStature = 0.25;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
-constexpr double kTurns = 1.0;  // s; a person out of sight for longer may have turned around
+constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
+constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have turned around
+
+/// Initial posture of a search.
+struct StartPosture {
+  double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
+  bool bends_legs;  ///< else the legs are straight
+  Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
+};
+const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
+/// Bowed; seated; on the knees.
+const std::array<StartPosture, 3> kLowStarts{
+    {{0.25, false}, {0.0, true, {0.43, 0.0, -0.42}}, {0.0, true, {-0.38, 0.0, -0.38}}}};
+// Share of the stature: lower heads do not belong to people who stand.
+constexpr double kStandingHead = 0.85;
+
+void bendLegs(const BodyRig& rig, const Vector3d& p_ankle, RigPose& pose) {
+  RigPlacement X_WS;
+  place(rig, pose, X_WS);
+  for (const Limb& leg : {kLimbs[2], kLimbs[3]}) {
+    const Vector3d hip = X_WS[0] * rig[leg.upper].p_parent;
+    reachFor(rig, leg, X_WS, hip + X_WS[0].linear() * p_ankle, 0.0, pose);
+  }
+}
 
 BodySolver::Vector priorsOf(const BodyRig& rig) {
   BodySolver::Vector w;
@@ -89,6 +113,18 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
   if (fit_.misfit(seen_, X_WS).cost < before) body_.pose = other;
 }
 
+/// Feet of a person of whose lower legs nothing has been seen for a while, as behind a bench. For shorter,
+/// legs hide each other, in the air, too.
+void BodyTracker::plantHiddenFeet() {
+  std::uint32_t feet = 0;
+  for (const Limb& leg : {kLimbs[2], kLimbs[3]}) {
+    if (body_.visible[index(leg.lower)] >= kSeen || body_.visible[index(leg.end)] >= kSeen)
+      legs_seen_t_ = last_t_;
+    feet |= DepthFit::bit(leg.end);
+  }
+  wide_.planted = narrow_.planted = last_t_ - legs_seen_t_ > kStands ? feet : 0;
+}
+
 void BodyTracker::follow(double dt) {
   const RigPose last = body_.pose;
   RigPose expected = last;
@@ -96,6 +132,7 @@ void BodyTracker::follow(double dt) {
   if (continues) advance(*rig_, kDamp * dt * velocity_, expected);
   for (const RigSegment hand : {RigSegment::kHandLeft, RigSegment::kHandRight})
     for (double& angle : expected.angle[index(hand)]) angle *= kHandRelaxes;
+  plantHiddenFeet();
   body_.pose = expected;
   fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
   fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
@@ -107,6 +144,7 @@ void BodyTracker::follow(double dt) {
 }
 
 void BodyTracker::find() {
+  wide_.planted = narrow_.planted = 0;
   const SeenPoints& points = seen_.points();
   Vector3d mean = Vector3d::Zero();
   double top = -kInfinity;
@@ -125,13 +163,17 @@ void BodyTracker::find() {
   const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
   const double above = (X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex]).z();
 
+  const bool is_low = top < kStandingHead * rig_->height;
+  const std::span<const StartPosture> postures =
+      is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
   TrackedBody best;
-  for (const double lower : {0.0, 0.25}) {
+  for (const StartPosture& posture : postures) {
     for (const double yaw : {0.0, 0.7, -0.7}) {
       RigPose pose;
       pose.X_WP.translation() = mean + kHalfBody * away;
-      pose.X_WP.translation().z() = top - above - lower;
+      pose.X_WP.translation().z() = top - above - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
+      if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
       body_.pose = pose;
       for (int round = 0; round < 3; ++round) {
         fit_.refine(seen_, body_.pose, wide_, 6, body_.pose);
@@ -154,7 +196,10 @@ void BodyTracker::finish(double t) {
   body_.frame.t = t;
   body_.visible.fill(0.0);
   if (!body_.found) {
-    if (t - found_t_ > kTurns) front_.reset();
+    if (t - found_t_ > kTurns) {
+      front_.reset();
+      facing_known_ = false;
+    }
     return;
   }
   found_t_ = t;
@@ -173,6 +218,10 @@ void BodyTracker::finish(double t) {
         std::hypot(tracked[j], kOfStature * stature_deviation_, is_seen ? 0.0 : hidden_.spread()[j]);
     if (!is_seen) body_.frame.state[j] = humanmodel::JointState::kInferred;
   }
+  if (facing_known_) return;
+  const humanmodel::SkeletonFrame other = flippedFacing(body_.frame);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    body_.frame.spread[j] += (body_.frame.p[j] - other.p[j]).norm() / humanmodel::kSpreadQuantile;
 }
 
 }  // namespace abstand::tracking

@@ -37,6 +37,10 @@ class BodyTracker {
                            std::span<const std::uint8_t> is_person);
   /// The initial search assumes that the person's back is to the camera.
   void expectAway() { away_ = true; }
+  /// Whether it is known which way the person faces. If not, the reach of each joint includes its place in a
+  /// person who faces the other way. Known at first; unknown again for a person who was lost for more than a
+  /// second.
+  void setFacingKnown(bool known) { facing_known_ = known; }
   /// Standard deviation (m) of the rig's stature; 0: known. Increases the uncertainty of every joint.
   void setStatureDeviation(double deviation) { stature_deviation_ = deviation; }
   /// Continues from a pose as if it had been found in the last image.
@@ -47,6 +51,7 @@ class BodyTracker {
  private:
   void find();
   void follow(double dt);
+  void plantHiddenFeet();
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
   void finish(double t);
 
@@ -60,10 +65,12 @@ class BodyTracker {
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body
+  double legs_seen_t_{-kInfinity};       ///< s, last image with a calf or a foot
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
-  bool away_{false};                     ///< until the person is found
-  int badly_{0};                         ///< consecutive images that the body did not explain
+  bool facing_known_{true};
+  bool away_{false};  ///< until the person is found
+  int badly_{0};      ///< consecutive images that the body did not explain
 };
 
 }  // namespace abstand::tracking

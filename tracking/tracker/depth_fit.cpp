@@ -17,6 +17,7 @@ constexpr double kBefore = 0.04;        // m, allowed distance of a sample in fr
 constexpr double kMaxViolation = 0.3;   // m
 constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3 cm
                                         // off
+constexpr double kPlantedWeight = 3.0;  // a hidden foot on the floor has the weight of this many points
 constexpr double kDamping = 1e-3;
 constexpr double kMaxTurn = 0.35;     // rad, m, for each step
 constexpr double kSeenWithin = 0.08;  // m
@@ -200,6 +201,13 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
         const Violation in = overlap(sample, p_W, o, X_WS[o]);
         if (in.depth > 0.0) solver_.addPlane(sample.segment, p_W, in.n, in.depth, kSampleWeight);
       }
+    }
+    for (const RigSegment foot : {RigSegment::kFootLeft, RigSegment::kFootRight}) {
+      if ((weights.planted & bit(foot)) == 0) continue;
+      const FitSurface& shape = surfaces_[index(foot)];
+      const Vector3d p_W = X_WS[index(foot)].translation();
+      const auto ankle = static_cast<double>(shape.semi.z() - shape.centre.z());
+      solver_.addPlane(foot, p_W, Vector3d::UnitZ(), p_W.z() - ankle, kPlantedWeight);
     }
     solver_.addPrior(expected, weights.prior);
     solver_.addLimits(kLimitWeight);

@@ -30,6 +30,7 @@ class DepthFit {
     BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< weight towards the expected pose
     double reach{0.10};  ///< m, scale of the robust weight: larger residuals lose influence (Geman, McClure
                          ///< 1985)
+    std::uint32_t planted{0};  ///< feet that rest on the floor z = 0, as hidden ones do
   };
   /// `steps` Gauss-Newton steps from `pose`, which is updated. `expected` may be `pose` itself: then every
   /// step is regularised towards its start.

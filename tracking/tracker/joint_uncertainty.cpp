@@ -33,7 +33,7 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.040, 0.0};
     case kElbowLeft:
     case kElbowRight:
-      return {0.032, 0.05};
+      return {0.032, 0.10};
     case kWristLeft:
     case kWristRight:
       return {0.027, 0.20};
@@ -45,7 +45,7 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.030, 0.0};
     case kKneeLeft:
     case kKneeRight:
-      return {0.027, 0.0};
+      return {0.027, 0.20};
     case kAnkleLeft:
     case kAnkleRight:
       return {0.027, 0.10};
@@ -63,6 +63,8 @@ bool isEnd(RigSegment s) {
   return s == kHandLeft || s == kHandRight || s == kFootLeft || s == kFootRight;
 }
 
+bool isThigh(RigSegment s) { return s == RigSegment::kThighLeft || s == RigSegment::kThighRight; }
+
 }  // namespace
 
 std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
@@ -73,6 +75,7 @@ std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, c
     const RigSegment s = rig.carrier[j];
     double share = visible[index(s)];
     if (isEnd(s)) share = std::min(share, visible[index(rig[s].parent)]);
+    if (isThigh(s)) share = std::max(share, visible[index(s) + 2]);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
     spread[j] = std::hypot(terms.shape, kNoise * residual * spread[j], (1.0 - share) * terms.hidden);
   }

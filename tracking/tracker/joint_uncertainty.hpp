@@ -12,7 +12,8 @@ namespace abstand::tracking {
 /// errors
 ///   of neighbouring points are correlated.
 /// - Occlusion: the less of a segment is visible, the likelier it is fitted to something else: depends on
-///   `visible` (for each segment; for hands and feet the worse of itself and the segment that carries it).
+///   `visible` (for each segment; for hands and feet the worse of itself and the segment that carries
+///   it; for knees the better of thigh and calf).
 /// The constants are calibrated so that kSpreadQuantile times the result contains 99 % of the raw errors of
 /// the simulated captures (tests/tracking/tracker, docs/tracking.md). Does not allocate or throw.
 std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,

@@ -25,12 +25,13 @@ std::string metres(double m) {
 VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera,
                               std::span<const std::uint8_t> is_person) {
   std::vector<double> heights;
-  bool cut = false;
+  bool cut = false, headless = false;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       const float z = image.at(u, v);
       if (z <= 0.0f || is_person[static_cast<std::size_t>(v * image.width + u)] == 0) continue;
       heights.push_back((camera.X_WC * camera.at(u, v, static_cast<double>(z))).z());
+      headless |= v == 0;
       cut |= v == 0 || v == image.height - 1;
     }
   }
@@ -38,7 +39,7 @@ VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera
   const double low = nearestQuantile(heights, kOutermost), top = nearestQuantile(heights, 1.0 - kOutermost);
   const bool to_floor = low < kFeet;
   // A person seen down to the feet stands on the floor, whose nearest pixels are classified as floor.
-  return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut};
+  return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut, headless};
 }
 
 double Stature::deviation() const { return known() ? 0.0 : (interval[1] - interval[0]) / std::sqrt(12.0); }
@@ -47,11 +48,12 @@ Stature Stature::given(double height) { return {Source::kGiven, height, {height,
 
 Stature measureStature(std::span<const VerticalExtent> images) {
   std::vector<double> heights, tops;
-  std::size_t whole = 0;
+  std::size_t whole = 0, headless = 0;
   for (const VerticalExtent& e : images) {
     heights.push_back(e.height);
     tops.push_back(e.top);
     whole += e.whole;
+    headless += e.headless;
   }
   Stature stature;
   stature.used = Stature::kUsual;
@@ -64,8 +66,8 @@ Stature measureStature(std::span<const VerticalExtent> images) {
   };
   const double seen = nearestQuantile(heights, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5) + kUnseen;
   if (2 * whole > images.size()) {
-    stature.used = std::clamp(seen, Stature::kShortest, Stature::kTallest);
     if (is_upright(seen)) {
+      stature.used = seen;
       stature.source = Stature::Source::kMeasured;
       stature.interval = {seen, seen};
       return stature;
@@ -74,7 +76,8 @@ Stature measureStature(std::span<const VerticalExtent> images) {
                      (seen < Stature::kShortestUpright ? "less" : "more") +
                      " than an adult who stands upright";
   } else {
-    if (is_upright(top)) stature.used = top;
+    const bool has_head = 2 * headless <= images.size();
+    if (is_upright(top)) stature.used = has_head ? top : std::max(top, Stature::kUsual);
     stature.reason = "most images do not show the person from head to feet";
   }
   // Raised arms increase the extent; nothing decreases it.

@@ -14,9 +14,10 @@ namespace abstand::tracking {
 
 /// The vertical extent of a person in one image.
 struct VerticalExtent {
-  double height{0.0};  ///< m, highest to lowest pixel (to the floor if the lowest is close to it)
-  double top{0.0};     ///< m, z of the highest pixel in the camera's world
-  bool whole{false};   ///< seen down to the floor, and not cut by the top or bottom of the image
+  double height{0.0};    ///< m, highest to lowest pixel (to the floor if the lowest is close to it)
+  double top{0.0};       ///< m, z of the highest pixel in the camera's world
+  bool whole{false};     ///< seen down to the floor, and not cut by the top or bottom of the image
+  bool headless{false};  ///< cut by the top of the image: the head is higher than `top`
 };
 
 /// Vertical extent without the outermost 0.5 % of the pixels. Height 0 without pixels. The floor is z = 0 of

@@ -1,6 +1,7 @@
 // Measure, fit, follow.
 #include "tracking/tracker/tracked_person.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "tracking/tracker/turned_round.hpp"
@@ -9,6 +10,8 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMeasured = 15;  // images
+constexpr double kUpright = 0.96;      // share of the stature between sole and vertex of who stands upright
+constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
 }  // namespace
 
@@ -35,6 +38,7 @@ void TrackedPerson::use(const humanmodel::HumanOptions& body) {
   tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
   tracker_->setStatureDeviation(stature_.deviation());
   if (facing_.away) tracker_->expectAway();
+  tracker_->setFacingKnown(facing_.decided());
   rig_ = std::move(rig);
 }
 
@@ -47,6 +51,8 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
     settle();
   }
   const TrackedBody* body = &tracker_->track(t, image, camera, is_person);
+  if (!stature_.known() && !fitting_.valid() && remeasure(image, camera, is_person))
+    return &tracker_->track(t, image, camera, is_person);
   if (fitted_) return body;
   if (!fitting_.valid()) {
     calibration_.add(t, *tracker_);
@@ -58,6 +64,43 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
     return body;
   settle();
   return &tracker_->track(t, image, camera, is_person);
+}
+
+bool TrackedPerson::standsUpright() const {
+  using enum humanmodel::Joint;
+  const humanmodel::SkeletonFrame& frame = tracker_->body().frame;
+  if (!tracker_->body().found) return false;
+  const double low =
+      std::min({frame[kAnkleLeft].z(), frame[kAnkleRight].z(), frame[kToeLeft].z(), frame[kToeRight].z()});
+  return frame[kHeadTop].z() - low > kUpright * rig_->height;
+}
+
+bool TrackedPerson::remeasure(const DepthImage& image, const DepthCamera& camera,
+                              std::span<const std::uint8_t> is_person) {
+  if (!standsUpright()) {
+    extents_.clear();
+    return false;
+  }
+  extents_.push_back(verticalExtent(image, camera, is_person));
+  if (extents_.size() < kMeasured) return false;
+  const auto [low, high] = std::minmax_element(
+      extents_.begin(), extents_.end(),
+      [](const VerticalExtent& a, const VerticalExtent& b) { return a.height < b.height; });
+  const Stature measured = measureStature(extents_);
+  const bool is_steady = high->height - low->height < kSteady;
+  extents_.erase(extents_.begin());
+  if (!measured.known() || !is_steady) return false;
+  extents_.clear();
+  stature_ = measured;
+  // Lengths that were fitted belong to the other stature.
+  const RigPose last = tracker_->body().pose;
+  humanmodel::HumanOptions body;
+  body.height = stature_.used;
+  use(body);
+  tracker_->resume(last);
+  calibration_ = BodyCalibration{};
+  fitted_ = !options_.fit_body;
+  return true;
 }
 
 void TrackedPerson::settle() {
@@ -75,7 +118,8 @@ void TrackedPerson::settle() {
 
 TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const humanmodel::HumanOptions& body,
                                       Facing facing) {
-  if (!facing.given) facing.ratio = images.whenTurned(body);
+  if (facing.decided()) return {images.fit(body), facing};
+  facing.ratio = images.whenTurned(body);
   if (facing.ratio < Facing::kBackBelow) {
     facing.away = true;
     images.flipFacing(body);

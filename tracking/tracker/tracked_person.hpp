@@ -30,8 +30,9 @@ struct KnownBody {
 
 /// Processes images of one person. The body is first made from the stature of the first images (median of the
 /// pixel extents, unless given) and tracked as facing the camera; then, from the images explained well,
-/// facing is decided, lengths and girths are fitted, and the person is tracked with these. One thread, and
-/// another one for fit_aside. May allocate until it is fitted().
+/// facing is decided, lengths and girths are fitted, and the person is tracked with these. A stature that is
+/// an interval is measured again as soon as the person stands upright in view, and the body fitted anew. One
+/// thread, and another one for fit_aside. May allocate until it is fitted() and the stature known.
 class TrackedPerson {
  public:
   struct Options {
@@ -70,9 +71,12 @@ class TrackedPerson {
   static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
   void use(const humanmodel::HumanOptions& body);
   void adopt(const Fit& fit);
+  /// Returns whether there is a new body, which has tracked nothing yet.
+  bool remeasure(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
+  bool standsUpright() const;
 
   Options options_;
-  std::vector<VerticalExtent> extents_;
+  std::vector<VerticalExtent> extents_;  ///< of the first images; later of the last ones, while needed
   std::optional<humanmodel::HumanOptions> body_;
   Facing facing_;
   Stature stature_;

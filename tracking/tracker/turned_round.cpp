@@ -25,19 +25,25 @@ double yawOf(const RigPose& pose) {
   return std::atan2(front.y(), front.x());
 }
 
+humanmodel::SkeletonFrame flippedFacing(const humanmodel::SkeletonFrame& frame) {
+  humanmodel::SkeletonFrame other = frame;
+  for (const auto& [left, right] : kSides)
+    std::swap(other.p[static_cast<std::size_t>(left)], other.p[static_cast<std::size_t>(right)]);
+  for (const auto& [ankle, toe] : {std::pair{humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kToeLeft},
+                                   {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight}}) {
+    Vector3d foot = other[toe] - other[ankle];
+    foot.head<2>() *= -1.0;
+    other.p[static_cast<std::size_t>(toe)] = other[ankle] + foot;
+  }
+  return other;
+}
+
 RigPose flippedFacing(const BodyRig& rig, const RigPose& pose) {
   RigPlacement X_WS;
   place(rig, pose, X_WS);
   humanmodel::SkeletonFrame frame;
   jointsOf(rig, X_WS, humanmodel::JointState::kTracked, frame);
-  for (const auto& [left, right] : kSides)
-    std::swap(frame.p[static_cast<std::size_t>(left)], frame.p[static_cast<std::size_t>(right)]);
-  for (const auto& [ankle, toe] : {std::pair{humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kToeLeft},
-                                   {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight}}) {
-    Vector3d foot = frame[toe] - frame[ankle];
-    foot.head<2>() *= -1.0;
-    frame.set(toe, frame[ankle] + foot);
-  }
+  frame = flippedFacing(frame);
   return fitJoints(rig, frame, startAt(frame)).pose;
 }
 

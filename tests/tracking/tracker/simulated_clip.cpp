@@ -58,22 +58,41 @@ humanmodel::Joint otherSide(humanmodel::Joint j) {
   return j;
 }
 
-}  // namespace
+using SkinPointer = std::shared_ptr<const tracking::SkinBody>;
 
-SimulatedClip simulate(const ClipPlan& plan) {
-  const tracking::Recording recording = tracking::openRecording(plan.recording);
-  SimulatedClip clip;
-  for (double t = plan.start; t < plan.end && t <= recording.frames.back().t; t += 1.0 / kRate) {
-    clip.truth.push_back(recording.at(t));
-    clip.truth.back().t = t;
-  }
+SkinPointer skinFor(const ClipPlan& plan, const std::vector<humanmodel::SkeletonFrame>& truth) {
   tracking::SkinOptions options;
   options.clothing = plan.clothing;
   options.seed = plan.body_seed;
-  const auto skin =
-      std::make_shared<const tracking::SkinBody>(tracking::statureOfLegs(clip.truth).value_or(1.75), options);
-  placeFrames(clip.truth, *skin, plan.turn);
+  return std::make_shared<const tracking::SkinBody>(tracking::statureOfLegs(truth).value_or(1.75), options);
+}
 
+void drawRoom(const ClipPlan& plan, const Transform& X_WC, tracking::DepthRender& render) {
+  const Transform X_CW = X_WC.inverse();
+  Vector3d ahead = X_WC.linear().col(2);
+  ahead.z() = 0.0;
+  ahead.normalize();
+  const Vector3d aside = 4.0 * ahead.cross(Vector3d::UnitZ()), up = 3.0 * Vector3d::UnitZ();
+  Vector3d near = plan.eye - ahead, foot = plan.look + 1.5 * ahead;
+  near.z() = foot.z() = 0.0;
+  render.draw(rectangle(near - aside, near + aside, foot + aside), X_CW);
+  render.draw(rectangle(foot - aside, foot + aside, foot + aside + up), X_CW);
+}
+
+void drawBox(const FurnitureBox& box, const Transform& X_CW, tracking::DepthRender& render) {
+  const Vector3d size = box.high - box.low;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d u = size[(k + 1) % 3] * Vector3d::Unit((k + 1) % 3),
+                   v = size[(k + 2) % 3] * Vector3d::Unit((k + 2) % 3);
+    render.draw(rectangle(box.low, box.low + u, box.low + u + v), X_CW);
+    render.draw(rectangle(box.high, box.high - u, box.high - u - v), X_CW);
+  }
+}
+
+SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFrame> truth,
+                       const SkinPointer& skin, std::vector<FurnitureBox> furniture) {
+  SimulatedClip clip;
+  clip.truth = std::move(truth);
   tracking::DepthSource source;
   source.camera.width = plan.width;
   source.camera.height = plan.width * 3 / 4;
@@ -84,25 +103,38 @@ SimulatedClip simulate(const ClipPlan& plan) {
   source.facts.format = "simulated";
   source.facts.camera_known = source.facts.pose_known = true;
   for (const humanmodel::SkeletonFrame& frame : clip.truth) source.t.push_back(frame.t);
-  source.load = [frames = clip.truth, skin, camera = source.camera, plan](std::size_t i) {
+  source.load = [frames = clip.truth, skin, camera = source.camera, plan,
+                 boxes = std::move(furniture)](std::size_t i) {
     tracking::DepthRender render(camera);
     render.clear();
     const Transform X_CW = camera.X_WC.inverse();
     for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
-    if (plan.room) {
-      Vector3d ahead = camera.X_WC.linear().col(2);
-      ahead.z() = 0.0;
-      ahead.normalize();
-      const Vector3d aside = 4.0 * ahead.cross(Vector3d::UnitZ()), up = 3.0 * Vector3d::UnitZ();
-      Vector3d near = plan.eye - ahead, foot = plan.look + 1.5 * ahead;
-      near.z() = foot.z() = 0.0;
-      render.draw(rectangle(near - aside, near + aside, foot + aside), X_CW);
-      render.draw(rectangle(foot - aside, foot + aside, foot + aside + up), X_CW);
-    }
+    if (plan.room) drawRoom(plan, camera.X_WC, render);
+    for (const FurnitureBox& box : boxes) drawBox(box, X_CW, render);
     return tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
   };
   clip.stream = std::make_unique<tracking::DepthStream>(std::move(source));
   return clip;
+}
+
+}  // namespace
+
+SimulatedClip simulate(const ClipPlan& plan) {
+  const tracking::Recording recording = tracking::openRecording(plan.recording);
+  std::vector<humanmodel::SkeletonFrame> truth;
+  for (double t = plan.start; t < plan.end && t <= recording.frames.back().t; t += 1.0 / kRate) {
+    truth.push_back(recording.at(t));
+    truth.back().t = t;
+  }
+  const SkinPointer skin = skinFor(plan, truth);
+  placeFrames(truth, *skin, plan.turn);
+  return seenClip(plan, std::move(truth), skin, {});
+}
+
+SimulatedClip simulate(const ClipPlan& plan, std::vector<humanmodel::SkeletonFrame> truth,
+                       std::vector<FurnitureBox> furniture) {
+  const SkinPointer skin = skinFor(plan, truth);
+  return seenClip(plan, std::move(truth), skin, std::move(furniture));
 }
 
 double JointErrors::mean(const std::vector<double>& errors) {

@@ -28,6 +28,14 @@ struct SimulatedClip {
 
 SimulatedClip simulate(const ClipPlan& plan);
 
+/// A box that stands in the way: corners, m, world.
+struct FurnitureBox {
+  Vector3d low, high;
+};
+/// Of `plan` the camera, the room and the body; `truth` is shown as it is.
+SimulatedClip simulate(const ClipPlan& plan, std::vector<humanmodel::SkeletonFrame> truth,
+                       std::vector<FurnitureBox> furniture);
+
 /// Distances (m) of joints that both have, without spine and thorax, which every recording has elsewhere.
 struct JointErrors {
   std::vector<double> raw;  ///< sorted

@@ -82,6 +82,19 @@ TEST(Stature, OfWhoIsCutByTheImageOrHiddenBelowIsAnInterval) {
   EXPECT_EQ(s.interval[0], Stature::kShortest);
 }
 
+TEST(Stature, OfWhoDoesNotStandOrHasNoHeadInTheImageIsNotThatOfWhatIsSeen) {
+  // Seated or kneeling; a body of 1.3 m would have its legs in the air.
+  EXPECT_EQ(of(0.0, 1.3).used, Stature::kUsual);
+  EXPECT_EQ(measureStature(std::vector<VerticalExtent>(15, {2.25, 2.25, true})).used, Stature::kUsual);
+  EXPECT_TRUE(Flat(0.0, 3.0).extent().headless);
+  EXPECT_FALSE(Flat(0.0, 1.8).extent().headless);
+  const auto cutAt = [](double top) {
+    return measureStature(std::vector<VerticalExtent>(15, {top, top, false, true})).used;
+  };
+  EXPECT_EQ(cutAt(1.6), Stature::kUsual);
+  EXPECT_NEAR(cutAt(1.8), 1.8, kNear);
+}
+
 TEST(Stature, OfNobodyIsNotKnown) {
   const Stature s = measureStature({});
   EXPECT_FALSE(s.known());

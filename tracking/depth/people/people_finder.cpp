@@ -29,7 +29,10 @@ constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m:
                                                                    // position
 constexpr double kJump = 0.3;   // m: limit of a person's motion between two images
 constexpr double kYoung = 1.0;  // s
-constexpr double kSplit = 0.4;  // m: new persons are at least this far from others
+// m: new persons are at least this far from others; farther if their heads are so low that they are likelier
+// the back of a chair, or a part of the other.
+constexpr double kSplit = 0.4, kSplitLow = 0.8;
+constexpr float kLowestOfNew = 1.2f;  // m
 constexpr std::size_t kMinPixels = 30;
 
 constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
@@ -105,6 +108,11 @@ void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
 }
 
 void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* known) {
+  project(image, known, false);
+  if (furniture_.find(plan_)) project(image, known, true);
+}
+
+void PeopleFinder::project(const DepthImage& image, const DepthImage* known, bool has_furniture) {
   plan_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
@@ -130,7 +138,7 @@ void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* know
       if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
       const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
                                         static_cast<double>(z * (A.x() * x + ahead_row)));
-      if (cell < 0) continue;
+      if (cell < 0 || (has_furniture && h < furniture_.topOf(cell))) continue;
       cell_of_[i] = cell;
       plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
     }
@@ -266,8 +274,9 @@ void PeopleFinder::follow(double t) {
   for (const Head& head : heads_) {
     const Place place = middleOfBody(head.place);
     bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
+    const double apart = plan_.cell(head.cell).top < kLowestOfNew ? kSplitLow : kSplit;
     for (const Track& track : tracks_)
-      is_new = is_new && !(track.here && track.id < first_new && (track.place - place).norm() < kSplit);
+      is_new = is_new && !(track.here && track.id < first_new && (track.place - place).norm() < apart);
     if (!is_new) continue;
     Track track;
     track.id = next_id_++;

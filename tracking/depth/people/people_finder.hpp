@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tracking/depth/people/floor_plane.hpp"
+#include "tracking/depth/people/furniture.hpp"
 #include "tracking/depth/people/plan_view.hpp"
 
 namespace abstand::tracking {
@@ -32,6 +33,8 @@ struct PeopleImage {
 /// is detected by a head: a peak of a head's breadth with free space beside it, above enough of a body.
 /// Touching people are separated by their heads and their earlier positions; people who overlap in the image
 /// but not on the floor are separate anyway. Detected people are followed without a visible head, too.
+///
+/// Surfaces too large and flat for a person (Furniture) belong to nobody.
 ///
 /// Background is learned for each pixel: the farthest depth of an unassigned surface that was stable for
 /// `learn_after`. A detected person is never learned; an undetected person who stands still is. Newly
@@ -81,6 +84,7 @@ class PeopleFinder {
   void findFloor(double t, const DepthImage& image);
   void estimateFloorFromScene(const DepthImage& image);
   void projectToPlan(const DepthImage& image, const DepthImage* known);
+  void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void findHeads();
   bool isHead(int cell) const;
   void dropHeadsWithoutBody();
@@ -102,6 +106,7 @@ class PeopleFinder {
   bool floor_given_{false};
   double next_floor_{-kInfinity};  ///< s, time of the next search
   PlanView plan_;
+  Furniture furniture_;
   std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
   std::vector<StablePixel> unassigned_;  ///< current unassigned surface
   std::vector<StablePixel> background_;  ///< learned; z 0: not learned

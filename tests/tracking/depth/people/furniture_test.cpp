@@ -1,0 +1,103 @@
+// Fronts and levels that no person has, in plan views made by hand.
+#include "tracking/depth/people/furniture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/no_alloc.hpp"
+
+namespace abstand::tracking {
+namespace furniture_test {
+
+using Place = PlanView::Place;
+
+/// A sheer surface from `a` to `b` (m, in plan view) between two heights (m).
+void addFront(PlanView& plan, const Place& a, const Place& b, double low, double high) {
+  constexpr double kStep = 0.01;  // m
+  const double length = (b - a).norm();
+  for (double s = 0.0; s < length; s += kStep)
+    for (double z = low; z < high; z += kStep) {
+      const Place p = a + s / length * (b - a);
+      plan.add(PlanView::cellAt(p.x(), p.y()), z, kStep * kStep);
+    }
+}
+void addLevel(PlanView& plan, const Place& low, const Place& high, double z) {
+  constexpr double kStep = 0.01;  // m
+  for (double x = low.x(); x < high.x(); x += kStep)
+    for (double y = low.y(); y < high.y(); y += kStep) plan.add(PlanView::cellAt(x, y), z, kStep * kStep);
+}
+/// What is seen of somebody who stands: two legs, 0.14 m broad, and a trunk above.
+void addPerson(PlanView& plan, const Place& at) {
+  for (const double side : {-0.17, 0.03})
+    addFront(plan, at + Place(side, 0.0), at + Place(side + 0.14, 0.0), 0.0, 0.85);
+  addFront(plan, at + Place(-0.22, 0.0), at + Place(0.22, 0.0), 0.85, 1.5);
+}
+float topAt(const Furniture& furniture, const Place& p) {
+  return furniture.topOf(PlanView::cellAt(p.x(), p.y()));
+}
+
+TEST(Furniture, IsABenchAndNotWhoStandsBehindIt) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addFront(plan, {-0.8, 1.8}, {0.8, 1.8}, 0.0, 0.9);
+  addLevel(plan, {-0.8, 1.86}, {0.8, 2.0}, 0.9);
+  addPerson(plan, {0.0, 2.3});
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_NEAR(topAt(furniture, {0.5, 1.81}), 0.95f, 0.03f);
+  EXPECT_GT(topAt(furniture, {0.5, 1.95}), 0.9f) << "its top";
+  EXPECT_EQ(topAt(furniture, {0.05, 2.31}), 0.0f) << "a leg";
+}
+
+TEST(Furniture, IsNoneOfPeopleSideBySide) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  for (const double x : {-0.9, -0.45, 0.0, 0.45, 0.9}) addPerson(plan, {x, 2.5});
+  plan.join();
+  EXPECT_FALSE(furniture.find(plan));
+}
+
+TEST(Furniture, IsAWallAlsoWhereSomebodyHidesItsLowerPart) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addFront(plan, {-1.5, 4.0}, {-0.4, 4.0}, 0.0, 2.2);
+  addFront(plan, {-0.4, 4.0}, {0.4, 4.0}, 1.6, 2.2);
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_GT(topAt(furniture, {0.1, 4.01}), 2.2f);
+}
+
+TEST(Furniture, IsATableAndNotABowedBack) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addLevel(plan, {-0.2, 2.0}, {0.2, 2.55}, 0.9);
+  plan.join();
+  EXPECT_FALSE(furniture.find(plan)) << "a back";
+  plan.clear();
+  addLevel(plan, {-2.0, 2.0}, {-1.2, 2.7}, 0.74);
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_GT(topAt(furniture, {-1.5, 2.3}), 0.74f);
+}
+
+TEST(Furniture, IsRememberedForSomeImagesAndForgotten) {
+  PlanView bench, empty;
+  Furniture furniture;
+  bench.clear();
+  empty.clear();
+  addFront(bench, {-0.8, 1.8}, {0.8, 1.8}, 0.0, 0.9);
+  bench.join();
+  empty.join();
+  testing::NoAlloc guard;
+  EXPECT_TRUE(furniture.find(bench));
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(furniture.find(empty)) << i;
+  EXPECT_FALSE(furniture.find(empty));
+  EXPECT_EQ(topAt(furniture, {0.5, 1.81}), 0.0f);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace furniture_test
+}  // namespace abstand::tracking

@@ -1,0 +1,171 @@
+// Straight runs of sheer cells, and cells of one height.
+#include "tracking/depth/people/furniture.hpp"
+
+#include "core/math/random.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+using Place = PlanView::Place;
+
+constexpr float kMinSheer = 2e-4f;    // m^2 in a slab, of a cell
+constexpr float kSheer = 0.003f;      // m^2 in a slab of 4 cm of a line; a sheer surface there has up to 0.01
+constexpr double kFront = 0.6;        // m, breadth
+constexpr double kFilled = 0.85;      // share of its cells that are sheer
+constexpr double kBeside = 0.05;      // m, distance from the line ...
+constexpr double kBesideFar = 0.006;  // ... and more by the square of the depth (1/m), as a Kinect's noise
+constexpr int kLines = 40;            // tries for each front
+constexpr int kFronts = 3;            // of a component
+constexpr int kGapCells = 2;
+constexpr std::uint8_t kKeptImages = 10;  // that furniture is remembered for, as a search may miss it
+constexpr float kWall = 1.0f;             // m, fronts higher than that are walls
+constexpr double kDeepest = 1.0;          // m, of the level top of a front
+constexpr float kAbove = 0.03f;           // m, of the surface that belongs to furniture above its top
+
+constexpr double kLevel = 0.3;  // m^2
+constexpr float kLowestLevel = 0.3f, kHighestLevel = 1.2f, kLevelBin = 0.04f;
+
+/// Points p with n . p = offset; `along` is perpendicular to n.
+struct FrontLine {
+  Place n{Place::Zero()}, along{Place::Zero()};
+  double offset{0.0};
+  double begin{0.0}, end{0.0};  ///< m along the line, of the longest run
+  double breadth() const { return end - begin; }
+  bool holds(const Place& p) const {
+    const double beside = kBeside + kBesideFar * p.y() * p.y();
+    return std::abs(n.dot(p) - offset) < beside;
+  }
+};
+
+/// Surface (m^2) in the lowest three slabs.
+using Slabs = std::array<float, 3>;
+
+bool isSheer(const Slabs& area, float limit) {
+  return area[1] > limit && (area[0] > limit || area[2] > limit);
+}
+Slabs lowestSlabs(const PlanView::Cell& c) { return {c.area[0], c.area[1], c.area[2]}; }
+
+}  // namespace
+
+Furniture::Furniture()
+    : top_(static_cast<std::size_t>(PlanView::kColumns) * PlanView::kRows, 0.0f),
+      age_(top_.size(), 0),
+      line_(static_cast<std::size_t>(4.0 * PlanView::kReach / PlanView::kCell)) {
+  marked_.reserve(top_.size());
+  sheer_.reserve(top_.size());
+  on_line_.reserve(top_.size());
+  tops_.reserve(top_.size());
+}
+
+bool Furniture::find(const PlanView& plan) {
+  std::erase_if(marked_, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (++age_[k] <= kKeptImages) return false;
+    top_[k] = 0.0f;
+    return true;
+  });
+  for (std::size_t k = 0; k < plan.components(); ++k) {
+    findFronts(plan, plan.component(k));
+    findLevels(plan, plan.component(k));
+  }
+  return !marked_.empty();
+}
+
+void Furniture::mark(int cell, float top) {
+  float& mine = top_[static_cast<std::size_t>(cell)];
+  if (mine == 0.0f) marked_.push_back(cell);
+  mine = std::max(mine, top + kAbove);
+  age_[static_cast<std::size_t>(cell)] = 0;
+}
+
+void Furniture::findFronts(const PlanView& plan, std::span<const int> component) {
+  sheer_.clear();
+  for (const int i : component)
+    if (isSheer(lowestSlabs(plan.cell(i)), kMinSheer)) sheer_.push_back(i);
+  Random random(1, 0);
+  const double middle = 0.5 * static_cast<double>(line_.size()) * PlanView::kCell;
+  for (int front = 0; front < kFronts; ++front) {
+    if (static_cast<double>(sheer_.size()) * PlanView::kCell < kFilled * kFront) return;
+    FrontLine best;
+    for (int k = 0; k < kLines; ++k) {
+      const Place a = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
+      const Place b = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
+      if ((b - a).norm() < 0.5 * kFront) continue;
+      FrontLine line;
+      line.along = (b - a).normalized();
+      line.n = {-line.along.y(), line.along.x()};
+      line.offset = line.n.dot(a);
+      std::fill(line_.begin(), line_.end(), Slabs{});
+      for (const int i : sheer_) {
+        const Place p = PlanView::placeOf(i);
+        if (!line.holds(p)) continue;
+        Slabs& sum = line_[static_cast<std::size_t>((line.along.dot(p) + middle) / PlanView::kCell)];
+        const Slabs area = lowestSlabs(plan.cell(i));
+        for (std::size_t slab = 0; slab < sum.size(); ++slab) sum[slab] += area[slab];
+      }
+      // The longest run.
+      int begin = -1, last = -1, filled = 0;
+      for (int i = 0; i < static_cast<int>(line_.size()); ++i) {
+        if (!isSheer(line_[static_cast<std::size_t>(i)], kSheer)) continue;
+        if (begin < 0 || i - last > kGapCells) begin = i, filled = 0;
+        last = i;
+        ++filled;
+        const double breadth = (last + 1 - begin) * PlanView::kCell;
+        if (breadth < std::max(kFront, best.breadth()) || filled * PlanView::kCell < kFilled * breadth)
+          continue;
+        best = line;
+        best.begin = begin * PlanView::kCell - middle;
+        best.end = best.begin + breadth;
+      }
+    }
+    if (best.breadth() < kFront) return;
+    on_line_.clear();
+    tops_.clear();
+    for (const int i : component) {
+      const Place p = PlanView::placeOf(i);
+      const double along = best.along.dot(p);
+      if (!best.holds(p) || along < best.begin - PlanView::kCell || along > best.end + PlanView::kCell)
+        continue;
+      on_line_.push_back(i);
+      tops_.push_back(plan.cell(i).top);
+    }
+    std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
+                     tops_.end());
+    const float top = tops_[tops_.size() / 2];
+    for (const int i : on_line_) mark(i, top);
+    std::erase_if(sheer_, [&](int i) { return topOf(i) > 0.0f; });
+    // A wall goes on where somebody hides its lower part. What is level with the top of a lower front and
+    // beside it is, for instance, the top of a bench that is seen at a low angle.
+    for (const int i : plan.used()) {
+      const Place p = PlanView::placeOf(i);
+      if (top > kWall) {
+        if (best.holds(p)) mark(i, static_cast<float>(PlanView::kHighest));
+        continue;
+      }
+      const double along = best.along.dot(p);
+      if (std::abs(plan.cell(i).top - top) < kLevelBin && std::abs(best.n.dot(p) - best.offset) < kDeepest &&
+          along > best.begin && along < best.end)
+        mark(i, plan.cell(i).top);
+    }
+  }
+}
+
+void Furniture::findLevels(const PlanView& plan, std::span<const int> component) {
+  constexpr auto kBins = static_cast<std::size_t>((kHighestLevel - kLowestLevel) / kLevelBin);
+  std::array<int, kBins + 2> count{};
+  const auto binOf = [](float top) { return static_cast<std::size_t>((top - kLowestLevel) / kLevelBin); };
+  const auto inside = [](float top) { return top > kLowestLevel && top < kHighestLevel; };
+  for (const int i : component)
+    if (inside(plan.cell(i).top)) ++count[binOf(plan.cell(i).top)];
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const double area = (count[bin] + count[bin + 1]) * PlanView::kCell * PlanView::kCell;
+    if (area < kLevel) continue;
+    const float top = kLowestLevel + static_cast<float>(bin + 2) * kLevelBin;
+    for (const int i : component) {
+      const float mine = plan.cell(i).top;
+      if (inside(mine) && (binOf(mine) == bin || binOf(mine) == bin + 1)) mark(i, top);
+    }
+  }
+}
+
+}  // namespace abstand::tracking

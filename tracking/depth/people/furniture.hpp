@@ -1,0 +1,36 @@
+// Furniture and walls in plan view: flat surfaces that are larger than any of a person.
+#pragma once
+
+#include <vector>
+
+#include "tracking/depth/people/plan_view.hpp"
+
+namespace abstand::tracking {
+
+/// Two kinds of surfaces are furniture: sheer ones below 0.75 m, straight in plan view and at least 0.6 m
+/// broad without a gap (benches, cupboards; if higher than 1 m: walls, with all that continues them), and
+/// level ones between 0.3 and 1.2 m of at least 0.3 m^2 (tables). Legs are no such front, since there is a
+/// gap between them, and a bowed back is smaller. Chairs are smaller, too, and not found.
+///
+/// Not shared between threads. find() does not allocate or throw.
+class Furniture {
+ public:
+  Furniture();
+  /// Adds what is found to what the last ten images had; returns whether there is any. After plan.join().
+  bool find(const PlanView& plan);
+  /// m above the floor: surface of this cell below that height is furniture; 0: none is.
+  float topOf(int cell) const { return top_[static_cast<std::size_t>(cell)]; }
+
+ private:
+  void findFronts(const PlanView& plan, std::span<const int> component);
+  void findLevels(const PlanView& plan, std::span<const int> component);
+  void mark(int cell, float top);
+
+  std::vector<float> top_;         ///< m, of every cell
+  std::vector<std::uint8_t> age_;  ///< images since a cell was last found to be furniture
+  std::vector<int> marked_, sheer_, on_line_;
+  std::vector<float> tops_;
+  std::vector<std::array<float, 3>> line_;  ///< m^2 in the lowest slabs, by cells along a line
+};
+
+}  // namespace abstand::tracking
