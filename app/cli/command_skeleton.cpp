@@ -87,14 +87,14 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"scale", r.scale},
           {"up", r.up.axis},
           {"up_reason", r.up.reason},
-          {"sides", r.sides},
-          {"sides_reason", r.sides_reason},
+          {"sides", r.sides.found},
+          {"sides_reason", r.sides.reason},
           {"stature", known(r.stature)},
-          {"stature_reason", r.stature_reason},
-          {"subject", r.subject.empty() ? nlohmann::ordered_json() : subjectJson(r.subject)},
+          {"stature_reason", r.person.stature_reason},
+          {"subject", r.person.subject.empty() ? nlohmann::ordered_json() : subjectJson(r.person.subject)},
           {"joint_map", r.joint_map},
-          {"joint_map_reason", r.joint_map_reason},
-          {"joints_guessed", r.joints_guessed},
+          {"joint_map_reason", r.map_use.reason},
+          {"joints_guessed", r.map_use.is_guess},
           {"markers", r.markers.reason.empty() ? nlohmann::ordered_json() : markersJson(r.markers)},
           {"joints", r.joints},
           {"mapped", r.mapped},
@@ -102,7 +102,7 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"missing_parts", r.missing_parts},
           {"gaps", r.gaps},
           {"swaps", r.swaps},
-          {"proportions", proportionsJson(r.proportions)},
+          {"proportions", proportionsJson(r.person.proportions)},
           {"repairs", r.repairs},
           {"notes", r.notes},
           {"warnings", r.warnings}};
@@ -164,12 +164,12 @@ std::string reportText(const tracking::Recording& recording, const std::string& 
   text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units.name.c_str(), r.scale,
                  r.units.reason.c_str());
   text += format("up: %s: %s (--up)\n", r.up.axis.c_str(), r.up.reason.c_str());
-  text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
-  text += r.stature > 0.0 ? format("stature: %.3f m: %s\n", r.stature, r.stature_reason.c_str())
+  text += format("left and right: %s: %s (--mirror)\n", r.sides.found.c_str(), r.sides.reason.c_str());
+  text += r.stature > 0.0 ? format("stature: %.3f m: %s\n", r.stature, r.person.stature_reason.c_str())
                           : "stature: not known\n";
-  text += subjectText(r.subject);
+  text += subjectText(r.person.subject);
   text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) +
-          (r.joint_map_reason.empty() ? "" : ": " + r.joint_map_reason) + " (--joint-map)\n";
+          (r.map_use.reason.empty() ? "" : ": " + r.map_use.reason) + " (--joint-map)\n";
   text += markersText(r.markers);
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";

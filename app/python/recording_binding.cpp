@@ -47,13 +47,13 @@ py::dict factsOf(const tracking::RecordingReport& r) {
       "format"_a = r.format, "rate"_a = r.rate, "rate_reason"_a = r.rate_reason, "duration"_a = r.duration,
       "units"_a = r.units.name, "units_reason"_a = r.units.reason, "units_guessed"_a = r.units.guessed,
       "scale"_a = r.scale, "up"_a = r.up.axis, "up_reason"_a = r.up.reason, "up_guessed"_a = r.up.guessed,
-      "sides"_a = r.sides, "sides_reason"_a = r.sides_reason, "stature"_a = r.stature,
-      "stature_reason"_a = r.stature_reason, "subject"_a = subjectOf(r.subject), "joint_map"_a = r.joint_map,
-      "joints"_a = r.joints, "mapped"_a = r.mapped, "not_mapped"_a = r.not_mapped,
-      "missing_parts"_a = r.missing_parts, "frames_missing"_a = r.frames_missing, "gaps"_a = r.gaps,
-      "swaps"_a = r.swaps, "lowest_foot"_a = r.lowest_foot, "repairs"_a = r.repairs,
-      "joint_map_reason"_a = r.joint_map_reason, "joints_guessed"_a = r.joints_guessed, "notes"_a = r.notes,
-      "warnings"_a = r.warnings);
+      "sides"_a = r.sides.found, "sides_reason"_a = r.sides.reason, "stature"_a = r.stature,
+      "stature_reason"_a = r.person.stature_reason, "subject"_a = subjectOf(r.person.subject),
+      "joint_map"_a = r.joint_map, "joints"_a = r.joints, "mapped"_a = r.mapped,
+      "not_mapped"_a = r.not_mapped, "missing_parts"_a = r.missing_parts,
+      "frames_missing"_a = r.frames_missing, "gaps"_a = r.gaps, "swaps"_a = r.swaps,
+      "lowest_foot"_a = r.lowest_foot, "repairs"_a = r.repairs, "joint_map_reason"_a = r.map_use.reason,
+      "joints_guessed"_a = r.map_use.is_guess, "notes"_a = r.notes, "warnings"_a = r.warnings);
 }
 
 py::tuple jointNames() {

@@ -15,9 +15,10 @@ view::RecordingCard recordingCard(const std::string& person, const std::filesyst
   card.rate_reason = report.rate_reason;
   card.units = {report.units.name, report.units.reason, report.units.guessed};
   card.up = {report.up.axis, report.up.reason, report.up.guessed};
-  card.sides = {report.sides, report.sides_reason, false};
+  card.sides = {report.sides.found, report.sides.reason, false};
   card.stature = report.stature;
-  card.joint_map = report.joint_map;
+  card.stature_reason = report.person.stature_reason;
+  card.joint_map = {report.joint_map, report.map_use.reason, report.map_use.is_guess};
   card.moved_parts = report.mapped.size();
   card.missing_parts = report.missing_parts;
   card.frames_missing = report.frames_missing;

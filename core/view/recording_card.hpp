@@ -24,8 +24,9 @@ struct RecordingCard {
   std::string rate_reason;
   ReadValue units, up;
   ReadValue sides;      ///< left and right: "agree", "mirrored" or "unknown"
-  double stature{0.0};  ///< m, by the bones
-  std::string joint_map;
+  double stature{0.0};  ///< m
+  std::string stature_reason;
+  ReadValue joint_map;
   std::size_t moved_parts{0};  ///< body parts that it moves
   std::vector<std::string> missing_parts;
   std::size_t frames_missing{0};  ///< stated by the file, but not there or not complete

@@ -23,6 +23,8 @@ view::RecordingCard boxer() {
   card.units = {"cm", "along the bones the person is 173 units tall", true};
   card.up = {"y", "said in the scene", false};
   card.stature = 1.7352;
+  card.stature_reason = "along the bones";
+  card.joint_map = {"guessed by the shape", "no map knows the names", true};
   return card;
 }
 
@@ -48,6 +50,8 @@ TEST(RecordingPanelTest, SaysHowTheFileWasReadAndWhy) {
   EXPECT_NE(row(panel, QStringLiteral("Vertical axis"))->foreground(1).color(), QColor(kVermillion));
   EXPECT_EQ(row(panel, QStringLiteral("Stature"))->text(1), QStringLiteral("1.735 m"));
   EXPECT_EQ(row(panel, QStringLiteral("Length"))->text(1), QStringLiteral("30.68 s, 3069 frames"));
+  EXPECT_EQ(row(panel, QStringLiteral("Stature"))->text(2), QStringLiteral("along the bones"));
+  EXPECT_EQ(row(panel, QStringLiteral("Joint map"))->foreground(1).color(), QColor(kVermillion));
   EXPECT_FALSE(row(panel, QStringLiteral("Warning")));
 }
 

@@ -91,11 +91,11 @@ void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
 void describeSolved(RecordingReport& report) {
   const MarkerReport& m = report.markers;
   report.joint_map.clear();
-  report.joint_map_reason = "markers were solved to joint centres";
-  report.joint_names = {};
+  report.map_use.reason = "markers were solved to joint centres";
+  report.map_use.names = {};
   if (!(report.stature > 0.0)) {
     report.stature = m.stature;
-    report.stature_reason = "of the body under the markers";
+    report.person.stature_reason = "of the body under the markers";
   }
   if (m.unseen > 0)
     report.notes.push_back("in " + std::to_string(m.unseen) + " frames no marker of the set is there");
@@ -112,20 +112,20 @@ void describeSolved(RecordingReport& report) {
 
 /// Says which joints were used and whether they are guesses.
 void describeChoice(const JointChoice& choice, RecordingReport& report) {
-  report.joint_map_reason = choice.reason;
-  report.joints_guessed = choice.is_guess;
+  report.map_use.reason = choice.reason;
+  report.map_use.is_guess = choice.is_guess;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const int i = choice.match.joint[j];
     if (i < 0) continue;
-    auto& names = report.joint_names[j];
+    auto& names = report.map_use.names[j];
     if (static_cast<std::size_t>(i) < report.joints.size())
       names.push_back(report.joints[static_cast<std::size_t>(i)]);
     else
       for (const int point : choice.match.means[static_cast<std::size_t>(i) - report.joints.size()])
         names.push_back(report.joints[static_cast<std::size_t>(point)]);
   }
-  report.joints_of_markers = choice.match.of_markers;
-  report.head_is_middle = choice.match.head == HeadPoint::kMiddle;
+  report.map_use.of_markers = choice.match.of_markers;
+  report.map_use.head_is_middle = choice.match.head == HeadPoint::kMiddle;
   report.notes.insert(report.notes.end(), choice.notes.begin(), choice.notes.end());
   if (choice.is_guess)
     report.warnings.push_back("which joint is which is a guess: " + choice.reason +

@@ -126,13 +126,13 @@ void reportSides(const RawRecording& raw, RecordingReport& report) {
   const Sides sides = countSides(raw.frames);
   const int all = sides.agree + sides.contradict;
   if (all == 0 || (!raw.is_canonical && !toesWereFound(raw.frames))) {
-    report.sides = "unknown";
-    report.sides_reason = "no toes that were measured together with hips and ankles";
+    report.sides.found = "unknown";
+    report.sides.reason = "no toes that were measured together with hips and ankles";
     return;
   }
   const bool mirrored = sides.contradict > sides.agree;
-  report.sides = mirrored ? "mirrored" : "agree";
-  report.sides_reason = "the left hip is on the left of where the toes point in " +
+  report.sides.found = mirrored ? "mirrored" : "agree";
+  report.sides.reason = "the left hip is on the left of where the toes point in " +
                         std::to_string(sides.agree) + " of " + std::to_string(all) + " frames";
   if (mirrored)
     report.warnings.push_back(
@@ -186,12 +186,12 @@ void warnOfPlace(const std::vector<humanmodel::SkeletonFrame>& frames, Recording
 
 /// The stature that the file states, otherwise `measured` along the bones (m; 0: unknown).
 void setStature(double measured, RecordingReport& report) {
-  const double stated = report.subject.height;
+  const double stated = report.person.subject.height;
   report.stature = stated > 0.0 ? stated : measured;
   if (stated > 0.0)
-    report.stature_reason = "the file states it";
+    report.person.stature_reason = "the file states it";
   else if (measured > 0.0)
-    report.stature_reason = "along the bones";
+    report.person.stature_reason = "along the bones";
   if (stated > 0.0 && measured > 0.0 && std::abs(measured - stated) > kStaturesDiffer * stated)
     report.warnings.push_back("along the bones the person is " + text::rounded(measured, 2) +
                               " m tall, but the file states " + text::rounded(stated, 2) + " m");
@@ -244,7 +244,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.up.reason = up.reason;
   report.units.guessed = !raw.unit && text::lowerCase(options.units) == "auto";
   report.up.guessed = !raw.up && text::lowerCase(options.up) == "auto";
-  report.subject = raw.subject;
+  report.person.subject = raw.subject;
   setStature(stature ? *stature * unit.scale : 0.0, report);
 
   Matrix3d R_WF = rotationToZUp(up.axis);
@@ -258,8 +258,8 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
     add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
         " times: left and right may be swapped there");
   warnOfPlace(raw.frames, report);
-  report.proportions = proportionsOf(raw.frames);
-  add(oddProportions(report.proportions));
+  report.person.proportions = proportionsOf(raw.frames);
+  add(oddProportions(report.person.proportions));
   if (const auto turn = leadingTPose(raw.frames))
     report.notes.push_back("the first frame is a T-pose, from which an arm turns by " +
                            text::rounded(*turn * 180.0 / kPi, 0) +

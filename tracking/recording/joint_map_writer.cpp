@@ -37,8 +37,8 @@ void checkMap(const std::string& text, const RecordingReport& report) {
     fail("names that do not fit into a joint map (" + e.message() + ")");
   }
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-    if (namesOf(match, j, report.joints) != report.joint_names[j])
-      fail("the name " + text::inQuotes(report.joint_names[j].front()) + " more than once in the file");
+    if (namesOf(match, j, report.joints) != report.map_use.names[j])
+      fail("the name " + text::inQuotes(report.map_use.names[j].front()) + " more than once in the file");
 }
 
 std::string mapToFillIn(const RecordingReport& report) {
@@ -62,11 +62,11 @@ std::string jointMapText(const RecordingReport& report) {
   if (report.mapped.empty()) return mapToFillIn(report);
   std::string text = "# Written by abstand skeleton --write-map.\nname: ";
   text += report.joint_map.empty() ? "canonical names" : report.joint_map;
-  text += std::string("\nhead_is: ") + (report.head_is_middle ? "middle" : "base") + "\n";
-  if (report.joints_of_markers) text += "points: markers\n";
+  text += std::string("\nhead_is: ") + (report.map_use.head_is_middle ? "middle" : "base") + "\n";
+  if (report.map_use.of_markers) text += "points: markers\n";
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     std::string sum;
-    for (const std::string& name : report.joint_names[j])
+    for (const std::string& name : report.map_use.names[j])
       sum += (sum.empty() ? "" : " + ") + writtenName(name);
     if (!sum.empty())
       text += std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + ": " + sum + "\n";

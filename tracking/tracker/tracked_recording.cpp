@@ -36,10 +36,10 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.units.reason = "of the depth camera: " + facts.camera_reason;
   r.up.axis = "z";
   r.up.reason = track.world;
-  r.sides = "agree";
-  r.sides_reason = facingReason(tracked.facing);
+  r.sides.found = "agree";
+  r.sides.reason = facingReason(tracked.facing);
   r.stature = tracked.stature.known() ? tracked.stature.used : 0.0;
-  if (tracked.stature.known()) r.stature_reason = statureReason(tracked.stature);
+  if (tracked.stature.known()) r.person.stature_reason = statureReason(tracked.stature);
   r.joint_map = "tracked";
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     r.joints.emplace_back(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));

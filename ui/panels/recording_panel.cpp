@@ -62,10 +62,11 @@ void addRows(QTreeWidget* tree, const view::RecordingCard& card) {
   rows.add(RecordingPanel::tr("Units"), card.units);
   rows.add(RecordingPanel::tr("Vertical axis"), card.up);
   rows.add(RecordingPanel::tr("Left and right"), card.sides);
-  rows.add(RecordingPanel::tr("Stature"), card.stature > 0.0
-                                              ? RecordingPanel::tr("%1 m").arg(card.stature, 0, 'f', 3)
-                                              : RecordingPanel::tr("not known"));
-  if (!card.joint_map.empty()) rows.add(RecordingPanel::tr("Joint map"), text(card.joint_map));
+  rows.add(RecordingPanel::tr("Stature"),
+           card.stature > 0.0 ? RecordingPanel::tr("%1 m").arg(card.stature, 0, 'f', 3)
+                              : RecordingPanel::tr("not known"),
+           text(card.stature_reason));
+  if (!card.joint_map.value.empty()) rows.add(RecordingPanel::tr("Joint map"), card.joint_map);
   rows.add(RecordingPanel::tr("Moved parts"), QString::number(card.moved_parts));
   if (!card.missing_parts.empty()) {
     QStringList parts;

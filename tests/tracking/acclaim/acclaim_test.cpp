@@ -160,7 +160,7 @@ TEST(Acclaim, ReadsACmuCapture) {
   EXPECT_EQ(r.frames.size(), 597u);
   EXPECT_EQ(r.report.units.name, "cmu");
   EXPECT_EQ(r.report.up.axis, "y");
-  EXPECT_EQ(r.report.sides, "agree");
+  EXPECT_EQ(r.report.sides.found, "agree");
   EXPECT_EQ(r.report.mapped.size(), 14u);
   EXPECT_EQ(r.report.joint_map, "CMU, Acclaim names");
   EXPECT_GT(r.report.stature, 1.4);

@@ -63,7 +63,7 @@ TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
   const Recording r =
       read(bvhOf({.rename = [](const std::string& n) { return "Ch7_rig_" + n + "_jnt.003"; }}));
   EXPECT_EQ(r.report.joint_map, "guessed by the names");
-  EXPECT_TRUE(r.report.joints_guessed);
+  EXPECT_TRUE(r.report.map_use.is_guess);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
   EXPECT_EQ(limbsApart(plain, r), 0.0);
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: 12 of 12")));
@@ -71,7 +71,7 @@ TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
 
 TEST(JointGuess, NumbersAndForeignLettersGoByShape) {
   const Recording plain = read(bvhOf({}));
-  EXPECT_FALSE(plain.report.joints_guessed);
+  EXPECT_FALSE(plain.report.map_use.is_guess);
   for (const auto& name :
        {std::function<std::string(int)>([](int i) { return "bone" + std::to_string(i); }),
         std::function<std::string(int)>([](int i) { return "\xe9\xaa\xa8" + std::to_string(i); })}) {
@@ -90,7 +90,7 @@ TEST(JointGuess, AUsersMapAlwaysWins) {
   const Recording r =
       read(renamed(bvhOf({}), [](int i) { return "bone" + std::to_string(i); }), {.joint_map = map});
   EXPECT_EQ(r.report.joint_map, "Own");
-  EXPECT_FALSE(r.report.joints_guessed);
+  EXPECT_FALSE(r.report.map_use.is_guess);
   EXPECT_THROW(requirePerson(r.report, "t.bvh"), ParseError);
 }
 
@@ -141,8 +141,8 @@ TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
     const Recording r = read(bvh);
     const std::string text = jointMapText(r.report);
     const Recording again = read(bvh, {.joint_map = folder.write("own.map", text)});
-    EXPECT_FALSE(again.report.joints_guessed);
-    EXPECT_EQ(again.report.joint_names, r.report.joint_names);
+    EXPECT_FALSE(again.report.map_use.is_guess);
+    EXPECT_EQ(again.report.map_use.names, r.report.map_use.names);
     EXPECT_EQ(again.report.mapped, r.report.mapped);
     EXPECT_EQ(limbsApart(r, again), 0.0);
     EXPECT_EQ(jointMapText(again.report), text);

@@ -180,7 +180,7 @@ TEST_P(RealKinect, IsUnderstood) {
   EXPECT_EQ(r.report.units.name, GetParam().units);
   EXPECT_EQ(r.report.up.axis, "y");
   EXPECT_EQ(r.report.mapped.size(), 14u);
-  EXPECT_EQ(r.report.sides, "agree");
+  EXPECT_EQ(r.report.sides.found, "agree");
   EXPECT_GE(r.report.stature, 1.4);
   EXPECT_LE(r.report.stature, 2.1);
   EXPECT_EQ(r.frames.front().t, 0.0);

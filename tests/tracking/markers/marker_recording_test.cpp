@@ -60,7 +60,7 @@ TEST(MarkerRecording, UnitsAndUpAreFoundAndJointsAreCentres) {
   const Recording r = readPoints(reader, "m", {});
   EXPECT_EQ(r.report.units.name, "mm");
   EXPECT_EQ(r.report.up.axis, "y");
-  EXPECT_EQ(r.report.sides, "agree");
+  EXPECT_EQ(r.report.sides.found, "agree");
   EXPECT_EQ(r.report.markers.set, "Plug-in-Gait");
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
   EXPECT_NEAR(r.report.stature, m.body.height, 0.05);
@@ -137,7 +137,7 @@ TEST_P(RealMarkers, AreSolved) {
   EXPECT_LT(r.report.markers.rms, GetParam().rms);
   EXPECT_NEAR(r.report.markers.stature, GetParam().stature, kStatureTolerance);
   EXPECT_EQ(r.report.markers.lost, GetParam().lost);
-  EXPECT_EQ(r.report.sides, "agree");
+  EXPECT_EQ(r.report.sides.found, "agree");
   EXPECT_EQ(r.report.swaps, 0u);
   EXPECT_TRUE(r.report.mapped.contains("torso") && r.report.mapped.contains("foot_left"));
 }

@@ -48,8 +48,8 @@ TEST(Proportions, InferredJointsDoNotCount) {
 
 TEST(Proportions, AreInTheReport) {
   const Recording r = readBvhRecording(testing::bvhOf({}), "t.bvh", {});
-  EXPECT_GE(r.report.proportions.size(), 8u);
-  for (const auto& bone : r.report.proportions) EXPECT_GT(bone.usual, 0.0);
+  EXPECT_GE(r.report.person.proportions.size(), 8u);
+  for (const auto& bone : r.report.person.proportions) EXPECT_GT(bone.usual, 0.0);
 }
 
 }  // namespace proportions_test

@@ -142,7 +142,7 @@ TEST(Trc, MarkersMakeABody) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);
   EXPECT_EQ(r.report.up.axis, "y");
-  EXPECT_EQ(r.report.sides, "agree");
+  EXPECT_EQ(r.report.sides.found, "agree");
   EXPECT_GT(r.report.stature, 1.4);
   EXPECT_LT(r.report.stature, 2.1);
   const humanmodel::SkeletonFrame& f = r.frames[40];
