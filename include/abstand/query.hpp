@@ -69,8 +69,8 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
 
 /// How a batch goes about.
 struct BatchOptions {
-  QueryOptions query{};
-  int threads{1};  ///< 0: all cores. The bits do not depend on it.
+  QueryOptions query{};  ///< of each pair
+  int threads{1};        ///< 0: all cores. The bits do not depend on it.
   /// The poses follow each other like the frames of a motion: warm starts within blocks of kBatchBlock poses.
   bool sequence{false};
 };
