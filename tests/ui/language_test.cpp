@@ -1,12 +1,16 @@
 // The window in German: words, numbers, menus; and the plurals of English.
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <map>
+#include <set>
 
 #include "tests/ui/shown_window.hpp"
 #include "ui/model/playback.hpp"
@@ -45,6 +49,53 @@ void expectMnemonicsAreUnique(const QWidget& menu) {
   }
 }
 
+/// What a window shows and says, also of what is hidden.
+std::set<QString> textsOf(const QWidget& window) {
+  std::set<QString> texts;
+  const auto take = [&](const QObject* object) {
+    for (const char* property :
+         {"text", "toolTip", "statusTip", "windowTitle", "accessibleName", "placeholderText", "title"})
+      texts.insert(object->property(property).toString());
+  };
+  for (const auto* widget : window.findChildren<QWidget*>()) take(widget);
+  for (const auto* action : window.findChildren<QAction*>()) take(action);
+  for (const auto* box : window.findChildren<QComboBox*>())
+    for (int i = 0; i < box->count(); ++i) texts.insert(box->itemText(i));
+  for (const auto* view : window.findChildren<QAbstractItemView*>())
+    for (int i = 0; view->model() && i < view->model()->columnCount(); ++i)
+      for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+        texts.insert(view->model()->headerData(i, Qt::Horizontal, role).toString());
+  return texts;
+}
+
+/// The same in both languages, or not of the program.
+bool isNoWord(const QString& text, const FakeSession& session) {
+  static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{3}"));
+  if (!text.contains(kWord) || text.startsWith("qt_") || text.endsWith("English") || text.endsWith("Deutsch"))
+    return true;
+  for (const auto& group : session.outline().pair_groups)
+    if (text == QString::fromStdString(group)) return true;
+  for (const auto& object : session.outline().objects)
+    if (text.contains(QString::fromStdString(object.group)) ||
+        QString::fromStdString(object.name).endsWith(text))
+      return true;
+  return false;
+}
+
+TEST_F(GermanWindow, NoTextIsTheSameAsInEnglish) {
+  std::set<QString> english;
+  {
+    applyLanguage(*qApp, Language::kEnglish);
+    MainWindow other;
+    other.setSession(&session);
+    english = textsOf(other);
+    other.setSession(nullptr);
+  }
+  applyLanguage(*qApp, Language::kGerman);
+  for (const QString& text : textsOf(window))
+    EXPECT_TRUE(isNoWord(text, session) || english.count(text) == 0) << text.toStdString();
+}
+
 TEST_F(GermanWindow, MenusAndDocksAreInGerman) {
   QStringList menus;
   for (const QAction* top : window.menuBar()->actions()) menus << withoutMnemonic(top->text());
@@ -52,8 +103,7 @@ TEST_F(GermanWindow, MenusAndDocksAreInGerman) {
             QStringList({"Datei", "Bearbeiten", "Ansicht", "Sicherheitsabstände", "Wiedergabe", "Hilfe"}));
   QStringList docks;
   for (const auto* dock : window.findChildren<QDockWidget*>()) docks << dock->windowTitle();
-  for (const char* title :
-       {"Szene", "Paare", "Zeitleiste", "Sicherheitsabstände", "Ereignisse", "Lesezeichen"})
+  for (const char* title : {"Szene", "Paare", "Zeitleiste", "Abstände", "Ereignisse", "Lesezeichen"})
     EXPECT_TRUE(docks.contains(QString::fromUtf8(title))) << title;
   EXPECT_EQ(withoutMnemonic(action(ActionId::kQuit)->text()), "Beenden");
 }

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Margins</source>
-        <translation>Sicherheitsabstände</translation>
+        <translation>Abstände</translation>
     </message>
     <message>
         <source>Show or hide the margins</source>
@@ -61,7 +61,7 @@
     </message>
     <message>
         <source>Reservations</source>
-        <translation>Vorbehalte</translation>
+        <translation>Zweifel</translation>
     </message>
     <message>
         <source>Show or hide what to know of the scene before believing it</source>
@@ -102,6 +102,17 @@
     <message>
         <source>Panels</source>
         <translation>Bereiche</translation>
+    </message>
+</context>
+<context>
+    <name>QDockWidget</name>
+    <message>
+        <source>Float</source>
+        <translation>Loslösen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -146,7 +157,7 @@
     </message>
     <message>
         <source>touch between frames</source>
-        <translation>Berührung zwischen Einzelbildern</translation>
+        <translation>Berührung zwischen Bildern</translation>
     </message>
     <message>
         <source>near miss</source>
@@ -1651,7 +1662,7 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
     <name>abstand::ui::MainWindow</name>
     <message>
         <source>Clearance person – robot</source>
-        <translation>Gesicherter Abstand Person – Roboter</translation>
+        <translation>Abstand Person – Roboter</translation>
     </message>
     <message>
         <source>Smallest distance</source>
@@ -2085,7 +2096,7 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     </message>
     <message>
         <source>Reservations</source>
-        <translation>Vorbehalte</translation>
+        <translation>Zweifel</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2101,7 +2112,7 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     </message>
     <message>
         <source>⚠ Reservations (%1)</source>
-        <translation>⚠ Vorbehalte (%1)</translation>
+        <translation>⚠ Zweifel (%1)</translation>
     </message>
 </context>
 <context>
@@ -2625,7 +2636,7 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
     <name>abstand::ui::RobotPanel</name>
     <message>
         <source>Reset protective stops</source>
-        <translation>Sicherheitshalte quittieren</translation>
+        <translation>Stopps quittieren</translation>
     </message>
     <message>
         <source>Let every robot that waits for it go on</source>
@@ -2653,7 +2664,7 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
     </message>
     <message>
         <source>Restarted on their planned motion at %1; reacting since then</source>
-        <translation>Bei %1 auf ihrer geplanten Bewegung neu gestartet; seitdem reagieren sie</translation>
+        <translation>Bei %1 neu gestartet; reagieren seitdem</translation>
     </message>
     <message>
         <source>Not reacting: robots follow their recorded motion.</source>
@@ -2772,7 +2783,7 @@ Was auch immer übersprungen wird, der wahre Abstand ist nie kleiner als Abstand
     </message>
     <message>
         <source>Analysis tool, not a safety function</source>
-        <translation>Analysewerkzeug, keine Sicherheitsfunktion</translation>
+        <translation>Nur Analyse, keine Sicherheitsfunktion</translation>
     </message>
     <message>
         <source>Nearest pair</source>
@@ -2824,7 +2835,7 @@ Was auch immer übersprungen wird, der wahre Abstand ist nie kleiner als Abstand
     </message>
     <message>
         <source>Overruns %1 of %2</source>
-        <translation>Überschreitungen: %1 von %2</translation>
+        <translation>Überläufe %1 von %2</translation>
     </message>
     <message>
         <source>Cycles that took longer than the step that the loop has chosen, %1 ms, of all
