@@ -194,7 +194,7 @@ void MainWindow::setSession(SessionPort* session) {
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
   const bool can = outline.cannot_react.empty();
   (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
-  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport})
+  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots})
     (*actions_)[id]->setEnabled(session_ != nullptr);
   (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
   (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
@@ -327,7 +327,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  if (autosave_) autosave_->finish();
+  if (kept_.autosave) kept_.autosave->finish();
   save();
   QMainWindow::closeEvent(event);
 }

@@ -128,6 +128,7 @@ class MainWindow : public QMainWindow {
   void showMoment();
   void refreshSlow();
   void goToEvent(bool next);
+  void savePlotsAs();
   void saveScreenshot();
 
   std::unique_ptr<RunHistory> history_;
@@ -139,8 +140,10 @@ class MainWindow : public QMainWindow {
   ProjectCommands* projects_;
   ReportCommands* reports_;
   MarginCommands* margin_commands_{nullptr};
-  Autosave* autosave_{nullptr};
-  std::unique_ptr<LeftOver> recovered_;  // until its work is in an autosave of this program
+  struct {
+    Autosave* autosave{nullptr};
+    std::unique_ptr<LeftOver> recovered;  ///< until its work is in an autosave of this program
+  } kept_;
   SessionFollower follower_;
   KeptSelection kept_selection_;
   bool fresh_document_{true};  // no session was shown since it was opened

@@ -23,6 +23,7 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/panels/command_palette.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/lane_view.hpp"
@@ -31,6 +32,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/plots/plot_export.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
@@ -60,12 +62,15 @@ void MainWindow::connectFile() {
     QAction* action = (*actions_)[static_cast<Id>(static_cast<int>(Id::kRecent1) + i)];
     connect(action, &QAction::triggered, this, [this, action] { openFile(action->data().toString()); });
   }
+  connect((*actions_)[Id::kSavePlots], &QAction::triggered, this, &MainWindow::savePlotsAs);
   connect((*actions_)[Id::kScreenshot], &QAction::triggered, this, &MainWindow::saveScreenshot);
   connect((*actions_)[Id::kCopyPicture], &QAction::triggered, this, [this] {
     QApplication::clipboard()->setImage(viewport_->picture());
     statusBar()->showMessage(tr("The picture is on the clipboard"), kFeedbackMs);
   });
   connect((*actions_)[Id::kQuit], &QAction::triggered, this, &QWidget::close);
+  connect((*actions_)[Id::kPalette], &QAction::triggered, this,
+          [this] { (new CommandPalette(*actions_, this))->open(); });
   connect((*actions_)[Id::kShortcuts], &QAction::triggered, this, [this] { showShortcuts(*actions_, this); });
   connect((*actions_)[Id::kAbout], &QAction::triggered, this, [this] { showAbout(this); });
 }
@@ -266,6 +271,27 @@ void MainWindow::showRecent() {
                         .arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))
                         .replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setStatusTip(files[i]);
+  }
+}
+
+void MainWindow::savePlotsAs() {
+  QFileDialog dialog(this, tr("Save plots"), recentFolder(),
+                     tr("Table (*.csv);;Drawing (*.svg);;Picture (*.png)"));
+  dialog.setObjectName(QStringLiteral("save_plots"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QStringLiteral("csv"));
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
+  });
+  dialog.selectFile(QStringLiteral("plots"));
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  const QString path = dialog.selectedFiles().constFirst();
+  rememberFolder(path);
+  try {
+    savePlots(panels_.plots->charts(), path);
+    statusBar()->showMessage(tr("Saved %1").arg(path), kFeedbackMs);
+  } catch (const std::exception& e) {
+    showProblem(tr("Save plots"), QString::fromUtf8(e.what()));
   }
 }
 

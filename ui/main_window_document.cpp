@@ -104,10 +104,10 @@ void MainWindow::showDocument() {
   fresh_document_ = true;
   showView();
   showBookmarks();
-  if (!recovered_) return;
-  autosave_->write();
-  if (QFileInfo::exists(autosave_->file())) recovered_->remove();
-  recovered_.reset();
+  if (!kept_.recovered) return;
+  kept_.autosave->write();
+  if (QFileInfo::exists(kept_.autosave->file())) kept_.recovered->remove();
+  kept_.recovered.reset();
 }
 
 void MainWindow::attachDocument() {
@@ -139,16 +139,16 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::keepAutosaves(const QString& folder) {
-  autosave_ = new Autosave(*document_, folder, this);
-  connect(autosave_, &Autosave::aboutToWrite, projects_, &ProjectCommands::aboutToSave);
-  connect(autosave_, &Autosave::failed, this, [this](const QString& problem) {
+  kept_.autosave = new Autosave(*document_, folder, this);
+  connect(kept_.autosave, &Autosave::aboutToWrite, projects_, &ProjectCommands::aboutToSave);
+  connect(kept_.autosave, &Autosave::failed, this, [this](const QString& problem) {
     showProblem(tr("Autosave"), tr("Work is not kept for the case of a crash:\n%1").arg(problem));
   });
   std::optional<LeftOver> left = offerRecovery(folder, this);
   if (!left) return;
-  recovered_ = std::make_unique<LeftOver>(std::move(*left));
-  const ProjectFile content = recovered_->content;
-  if (!projects_->recover(content.project, content.saved_as)) recovered_.reset();
+  kept_.recovered = std::make_unique<LeftOver>(std::move(*left));
+  const ProjectFile content = kept_.recovered->content;
+  if (!projects_->recover(content.project, content.saved_as)) kept_.recovered.reset();
 }
 
 }  // namespace abstand::ui

@@ -211,6 +211,12 @@ void addRun(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair"));
   line.output(command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object"));
   line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame"));
+  line.output(command->add_option("--cycles-out", args->run.csv.cycles,
+                                  "CSV, one row a cycle: its working time, and how many pairs collided"));
+  command
+      ->add_option("--cycles-every", args->run.csv.cycles_every,
+                   "rows of --cycles-out: the first of so many cycles (default: 1)")
+      ->check(CLI::Range(1, 1000000000));
   command->add_flag("--profile", args->run.profile,
                     "processor time of the cycles, and the delays of empty loops of the same length");
   line.output(

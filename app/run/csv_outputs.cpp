@@ -1,6 +1,8 @@
 #include "app/run/csv_outputs.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace abstand::run {
 namespace {
@@ -63,13 +65,25 @@ CsvOutputs::CsvOutputs(const CsvPaths& paths, const session::Session& session, c
                                    "ax,ay,az,bx,by,bz,reach" + (live ? ",age" : ""))),
       objects_(open(paths.objects,
                     "t,object,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,fx,fy,fz,tx,ty,tz,colliding,reach")),
-      joints_(open(paths.joints, jointsHeader(session, loop))) {}
+      joints_(open(paths.joints, jointsHeader(session, loop))),
+      cycles_(open(paths.cycles, "cycle,t,work_us,colliding_pairs")),
+      cycles_every_(paths.cycles_every) {}
+
+void CsvOutputs::addCycle(double t, double worked, const std::vector<query::PairResult>& results) {
+  if (!cycles_) return;
+  const long number = cycle_count_++;
+  if (number % cycles_every_ != 0) return;
+  const auto colliding =
+      std::count_if(results.begin(), results.end(), [](const auto& r) { return r.contacts > 0; });
+  kept_.push_back({number, t, worked, colliding});
+}
 
 void CsvOutputs::write(double t, double shown, const session::Session& session,
                        const std::vector<query::PairResult>& results) {
   if (pairs_) writePairs(t, shown, session, results);
   if (objects_) writeObjects(t, session);
   if (joints_) writeJoints(t, session);
+  if (cycles_) writeCycles();
 }
 
 void CsvOutputs::writePairs(double t, double shown, const session::Session& session,
@@ -132,13 +146,25 @@ void CsvOutputs::writeJoints(double t, const session::Session& session) {
   joints_->stream() << line_;
 }
 
+void CsvOutputs::writeCycles() {
+  for (const Cycle& cycle : kept_) {
+    line_ = std::to_string(cycle.number);
+    addNumber(line_, cycle.t);
+    addNumber(line_, std::round(1e9 * cycle.worked) / 1e3);
+    line_ += ',' + std::to_string(cycle.colliding) + '\n';
+    cycles_->stream() << line_;
+  }
+  kept_.clear();
+}
+
 void CsvOutputs::finish() {
-  for (auto* file : {&pairs_, &objects_, &joints_})
+  if (cycles_) writeCycles();
+  for (auto* file : {&pairs_, &objects_, &joints_, &cycles_})
     if (*file) (*file)->finish();
 }
 
 void CsvOutputs::commit() {
-  for (auto* file : {&pairs_, &objects_, &joints_})
+  for (auto* file : {&pairs_, &objects_, &joints_, &cycles_})
     if (*file) (*file)->commit();
 }
 

@@ -70,6 +70,7 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
   const CycleSource::CycleDone done = [&](double t, double worked) {
     shown = t;
     statistics.add(worked);
+    csv.addCycle(t, worked, state.results);
     extremes.frame(t, state.results, first ? state.all : source.updated(), summary);
     poses.cycle(t);
     if (last && options.on_cycle) options.on_cycle(t, state.results);

@@ -39,6 +39,7 @@ class PlotPanel : public QWidget {
   /// Shown as a band in the distance chart, m; 0: none.
   void setMargin(double metres);
   void refresh();
+  std::vector<StripChart*> charts() const { return {charts_.begin(), charts_.end()}; }
   bool following() const { return follow_; }
 
  public Q_SLOTS:

@@ -5,6 +5,7 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
+#include <qwt_plot_renderer.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
@@ -13,6 +14,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QTextDocument>
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
@@ -223,6 +226,45 @@ void StripChart::refresh() {
     value_->setFixedSize(room + kSpareWidth / 2, value_->fontMetrics().height() + 2);
   value_->setText(text);
   plot_->replot();
+}
+
+const FrameSeries* StripChart::series(std::size_t line) const { return traces_[line]->series; }
+
+QString StripChart::lineName(std::size_t line) const {
+  return names_.size() > 1 ? tr("%1: %2 [%3]").arg(text_.quantity, names_[line], text_.unit)
+                           : tr("%1 [%2]").arg(text_.quantity, text_.unit);
+}
+
+void StripChart::paint(QPainter& painter, const QRectF& area) {
+  dirty_ = true;
+  refresh();
+  painter.save();
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.setFont(title_->font());
+  const QMarginsF beside(6.0, 2.0, 8.0, 0.0);
+  QRectF rest = area.marginsRemoved(beside);
+  QRectF head = rest;
+  head.setHeight(title_->height());
+  painter.drawText(head, Qt::AlignLeft, title_->text());
+  if (names_.size() <= 1) painter.drawText(head, Qt::AlignRight, value_->text());
+  rest.setTop(head.bottom());
+  if (names_.size() > 1) {
+    QTextDocument values;
+    values.setDefaultFont(values_->font());
+    values.setDocumentMargin(0.0);
+    values.setTextWidth(rest.width());
+    values.setHtml(QStringLiteral("<span style='color:%1'>%2</span>")
+                       .arg(palette().color(QPalette::WindowText).name(), valuesText()));
+    painter.translate(rest.topLeft());
+    values.drawContents(&painter);
+    painter.translate(-rest.topLeft());
+    rest.setTop(rest.top() + values_box_->height());
+  }
+  painter.restore();
+  QwtPlotRenderer renderer;
+  renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
+  renderer.setDiscardFlag(QwtPlotRenderer::DiscardCanvasBackground);
+  renderer.render(plot_, &painter, QRectF(area.left(), rest.top(), area.width(), area.bottom() - rest.top()));
 }
 
 void StripChart::fitValues() {

@@ -9,6 +9,7 @@
 #include "ui/model/frame_series.hpp"
 
 class QLabel;
+class QPainter;
 class QwtPlot;
 class QwtPlotGrid;
 
@@ -53,6 +54,15 @@ class StripChart : public QWidget {
   double shownNow(std::size_t line = 0) const;
   /// In the unit of the series; 0 for no band.
   void setBand(double high, const QString& text);
+  /// One or more, as setLines() says.
+  std::size_t lines() const { return traces_.size(); }
+  const FrameSeries* series(std::size_t line) const;
+  /// "Distance [mm]"; of a chart with several "Joint torques: gravity [N·m]".
+  QString lineName(std::size_t line) const;
+  /// From the unit of the series to that of the chart.
+  double factor() const { return text_.factor; }
+  /// Title, values and plot as they are shown, as lines and letters.
+  void paint(QPainter& painter, const QRectF& area);
   /// Draws when something has changed since the last call.
   void refresh();
 

@@ -45,6 +45,8 @@ const Spec kSpecs[] = {
     {Id::kSaveAs, In::kFile, TEXT("Save project &as…"), TEXT("Save into another project file"), "Ctrl+Alt+S"},
     {Id::kReport, In::kFile, TEXT("Re&port…"),
      TEXT("Make a page of the recording with these margins, to be signed"), "Ctrl+Alt+R"},
+    {Id::kSavePlots, In::kFile, TEXT("Sa&ve plots…"), TEXT("Save the plots as a table or a picture"),
+     "Ctrl+Alt+P"},
     {Id::kScreenshot, In::kFile, TEXT("Screens&hot…"), TEXT("Save a picture of the window"), "Ctrl+Shift+S",
      Kind::kPlain, Glyph::kCamera},
     {Id::kCopyPicture, In::kFile, TEXT("&Copy picture"),
@@ -183,6 +185,8 @@ const Spec kSpecs[] = {
     {Id::kResetStops, In::kPlayback, TEXT("Reset protective st&ops"),
      TEXT("Let every robot that waits for a reset go on"), "Shift+R"},
 
+    {Id::kPalette, In::kHelp, TEXT("&Find a command…"), TEXT("Find a command by its words, and run it"),
+     "Ctrl+K"},
     {Id::kShortcuts, In::kHelp, TEXT("&Shortcuts"), TEXT("All keys on one page"), "F1", Kind::kPlain,
      Glyph::kHelp},
     {Id::kAbout, In::kHelp, TEXT("&About Abstand"), TEXT("What this program is, and what it is not"),

@@ -23,6 +23,7 @@ enum class ActionId {
   kSave,
   kSaveAs,
   kReport,
+  kSavePlots,
   kScreenshot,
   kCopyPicture,
   kQuit,
@@ -101,6 +102,7 @@ enum class ActionId {
   kSaveMargins,
   kProposeMargins,
   kCompareMargins,
+  kPalette,
   kShortcuts,
   kAbout,
   kCount

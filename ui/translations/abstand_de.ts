@@ -1227,6 +1227,22 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>What this program is, and what it is not</source>
         <translation>Was dieses Programm ist und was nicht</translation>
     </message>
+    <message>
+        <source>Sa&amp;ve plots…</source>
+        <translation>Diagra&amp;mme speichern…</translation>
+    </message>
+    <message>
+        <source>Save the plots as a table or a picture</source>
+        <translation>Die Diagramme als Tabelle oder Bild speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words, and run it</source>
+        <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -1354,6 +1370,29 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>Note</source>
         <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>%1 › %2</source>
+        <translation>%1 › %2</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
     </message>
 </context>
 <context>
@@ -1856,6 +1895,14 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
     <message>
         <source>add %1 – %2 to a group</source>
         <translation>%1 – %2 in eine Gruppe aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save plots</source>
+        <translation>Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Drawing (*.svg);;Picture (*.png)</source>
+        <translation>Tabelle (*.csv);;Zeichnung (*.svg);;Bild (*.png)</translation>
     </message>
 </context>
 <context>
@@ -2909,6 +2956,10 @@ ein Einzelbild zurück und eine neue Runde starten sie neu. Gründe und Zeiten s
     <message>
         <source>%1 over time</source>
         <translation>%1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>%1: %2 [%3]</source>
+        <translation>%1: %2 [%3]</translation>
     </message>
 </context>
 <context>

@@ -331,12 +331,12 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
   if (watched != my.gl) return QWidget::eventFilter(watched, event);
   switch (event->type()) {
     case QEvent::MouseButtonPress:
-      my.press = my.last_mouse = static_cast<QMouseEvent*>(event)->pos();
+      my.mouse.pressed = my.mouse.last = static_cast<QMouseEvent*>(event)->pos();
       return true;
     case QEvent::MouseMove: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      const QPoint moved = mouse->pos() - my.last_mouse;
-      my.last_mouse = mouse->pos();
+      const QPoint moved = mouse->pos() - my.mouse.last;
+      my.mouse.last = mouse->pos();
       if (mouse->buttons() & Qt::LeftButton && !(mouse->modifiers() & Qt::ShiftModifier))
         orbit(moved.x(), moved.y());
       else if (mouse->buttons() != Qt::NoButton)
@@ -345,7 +345,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseButtonRelease: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() != Qt::LeftButton || (mouse->pos() - my.press).manhattanLength() > kClickSlack)
+      if (mouse->button() != Qt::LeftButton ||
+          (mouse->pos() - my.mouse.pressed).manhattanLength() > kClickSlack)
         return true;
       const double scale = my.gl->devicePixelRatioF();
       const int object = my.objects.pick(mouse->x() * scale, (my.gl->height() - 1 - mouse->y()) * scale);

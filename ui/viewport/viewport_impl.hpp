@@ -63,15 +63,20 @@ struct Viewport::Impl {
   CameraView drawn_camera;        // of the last picture
   long frames{0};
   long shown_step{-1};
-  QPoint press, last_mouse;
+  struct {
+    QPoint pressed, last;
+  } mouse;
 
  private:
   void addClosest();
   void addContactLabels();
   void addLegend();
 
-  std::vector<int> order_;    // of the pairs by key, kept from frame to frame
-  std::vector<double> keys_;  // of the pairs: which line is drawn before which
+  /// Which lines are drawn.
+  struct {
+    std::vector<int> order;    ///< of the pairs by key, kept from frame to frame
+    std::vector<double> keys;  ///< of the pairs
+  } closest_;
 };
 
 }  // namespace abstand::ui

@@ -43,9 +43,9 @@ void Viewport::Impl::fillOverlay() {
 }
 
 void Viewport::Impl::addClosest() {
-  if (order_.size() != snapshot.pairs.size()) {
-    order_.resize(snapshot.pairs.size());
-    std::iota(order_.begin(), order_.end(), 0);
+  if (closest_.order.size() != snapshot.pairs.size()) {
+    closest_.order.resize(snapshot.pairs.size());
+    std::iota(closest_.order.begin(), closest_.order.end(), 0);
   }
   const auto distance = [&](int pair) {
     const view::PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
@@ -61,25 +61,26 @@ void Viewport::Impl::addClosest() {
   };
   // The selected pair comes first, then those of people and robots, then the others, each by distance; pairs
   // of hidden bodies come last. What is inside its margin goes before what is not.
-  keys_.resize(order_.size());
-  for (std::size_t i = 0; i < keys_.size(); ++i) {
+  closest_.keys.resize(closest_.order.size());
+  for (std::size_t i = 0; i < closest_.keys.size(); ++i) {
     const auto pair = static_cast<int>(i);
     const PairLevel level = pairLevel(snapshot, snapshot.pairs[i], outline->pairs[i]);
     const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
     const bool first = contact || pairClassOf(*outline, outline->pairs[i]) == PairClass::kPersonRobot;
     const double d = distance(pair);
-    keys_[i] = hidden(pair)               ? kInfinity
-               : pair == selection.pair() ? -kInfinity
-               : first || !(d < kFarLine) ? d
-                                          : d + kFarLine;
+    closest_.keys[i] = hidden(pair)               ? kInfinity
+                       : pair == selection.pair() ? -kInfinity
+                       : first || !(d < kFarLine) ? d
+                                                  : d + kFarLine;
   }
-  const auto key = [&](int pair) { return keys_[static_cast<std::size_t>(pair)]; };
-  const std::size_t shown = std::min(kClosestPairs, order_.size());
-  std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(shown), order_.end(),
+  const auto key = [&](int pair) { return closest_.keys[static_cast<std::size_t>(pair)]; };
+  const std::size_t shown = std::min(kClosestPairs, closest_.order.size());
+  std::partial_sort(closest_.order.begin(), closest_.order.begin() + static_cast<std::ptrdiff_t>(shown),
+                    closest_.order.end(),
                     [&](int a, int b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
   OverlayContent& content = overlay->content();
   for (std::size_t k = 0; k < shown; ++k) {
-    const int pair = order_[k];
+    const int pair = closest_.order[k];
     const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const query::PairResult& result = now.result;
     if (now.paused || hidden(pair)) continue;

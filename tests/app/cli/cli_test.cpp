@@ -1,6 +1,8 @@
 // The contract of the command line: exit codes, one line of error, JSON keys.
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <sstream>
 
 #include "tests/app/ball_and_wall.hpp"
 #include "tests/app/program.hpp"
@@ -180,6 +182,50 @@ TEST_F(Cli, BuildOfGoodAndBadIsPartlyDone) {
   const json j = json::parse(a.out);
   EXPECT_EQ(j["structures"].size(), 1u);
   EXPECT_EQ(j["failed"][0]["name"], "missing.stl");
+}
+
+TEST_F(Cli, CyclesOutHasTheWorkOfEachCycle) {
+  std::string text = kBallAndWall;
+  text.replace(text.find("{voxel"), 1, "{margin: 0.03, ");
+  const std::string scene = write("s.yaml", text), poses = write("m.csv", ballPoses(-0.01));
+  const std::string file = (folder_.path() / "c.csv").string();
+  long contacts = 0;
+  const auto rows = [&](const std::string& options) {
+    const json j = runJson("run " + scene + " --poses " + poses + " --cycles-out " + file + options);
+    std::istringstream in(readFile(file));
+    std::vector<std::array<double, 4>> found;
+    std::string line;
+    std::getline(in, line);
+    EXPECT_EQ(line, "cycle,t,work_us,colliding_pairs");
+    double longest = 0.0;
+    while (std::getline(in, line)) {
+      found.emplace_back();
+      char comma = 0;
+      auto& [cycle, t, work, colliding] = found.back();
+      std::istringstream(line) >> cycle >> comma >> t >> comma >> work >> comma >> colliding;
+      longest = std::max(longest, work);
+    }
+    if (options.empty()) {
+      EXPECT_NEAR(longest, j["cycle_us"]["max"].get<double>(), 0.001) << "rounded to ns";
+      contacts = j["contacts"].get<long>();
+    }
+    return found;
+  };
+  const auto all = rows("");
+  ASSERT_EQ(all.size(), 101u);
+  long colliding = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i][0], static_cast<double>(i));
+    EXPECT_GT(all[i][2], 0.0);
+    colliding += static_cast<long>(all[i][3]);
+  }
+  EXPECT_EQ(colliding, contacts);
+  EXPECT_GT(colliding, 0);
+  EXPECT_LT(colliding, 101);
+  const auto some = rows(" --cycles-every 10");
+  ASSERT_EQ(some.size(), 11u);
+  EXPECT_EQ(some[3][0], 30.0);
+  EXPECT_EQ(some[3][1], all[30][1]);
 }
 
 TEST_F(Cli, RunAndCheckAgreeWithAKnownApproach) {

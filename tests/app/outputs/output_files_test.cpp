@@ -84,8 +84,8 @@ TEST_F(OutputFiles, APipeGetsTheSameBytes) {
                            "; code=$?; wait; exit $code");
     EXPECT_EQ(a.code, 0) << o.name << ": " << a.err;
     EXPECT_TRUE(fs::is_fifo(in(pipe))) << o.name;
-    // An HDF5 file and a page hold the time at which they were made, a benchmark's row what it measured.
-    if (o.option == "--session" || o.option == "--report" || o.appends) {
+    // An HDF5 file and a page hold the time at which they were made, benchmarks and cycles what was measured.
+    if (o.option == "--session" || o.option == "--cycles-out" || o.option == "--report" || o.appends) {
       EXPECT_GT(fs::file_size(in("got")), 100u) << o.name;
     } else {
       EXPECT_EQ(run(commandOf(o, plain)).code, 0) << o.name;

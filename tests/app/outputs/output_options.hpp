@@ -24,6 +24,7 @@ inline const std::vector<Output> kFiles{
     {"run pairs", "run scene.yaml", "--pairs-out", "scene.yaml"},
     {"run objects", "run scene.yaml", "--objects-out", "scene.yaml"},
     {"run joints", "run scene.yaml", "--joints-out", "scene.yaml"},
+    {"run cycles", "run scene.yaml", "--cycles-out", "scene.yaml"},
     {"run session", "run scene.yaml", "--session", "scene.yaml"},
     {"check junit", "check scene.yaml --min-distance 0.01", "--junit", "scene.yaml"},
     {"check report", "check scene.yaml --min-distance 0.01", "--report", "scene.yaml"},
