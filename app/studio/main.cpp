@@ -79,9 +79,7 @@ ui::Language languageFor(const QStringList& arguments) {
   return language;
 }
 
-/// False, with a sentence on stderr, for wrong usage.
-bool parse(const QStringList& arguments, Arguments& args) {
-  QCommandLineParser parser;
+void describeOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription(QCoreApplication::translate(
       "main",
       "Shows how close people come to robots. An analysis tool, not a safety function.\n"
@@ -112,6 +110,12 @@ bool parse(const QStringList& arguments, Arguments& args) {
        "SECONDS"});
   parser.addOption(
       {"language", QCoreApplication::translate("main", "language of texts and numbers"), "system|en|de"});
+}
+
+/// False, with a sentence on stderr, for wrong usage.
+bool parse(const QStringList& arguments, Arguments& args) {
+  QCommandLineParser parser;
+  describeOptions(parser);
   if (!parser.parse(arguments)) {
     fail(kWrongUsage, "abstand-studio: error: " + parser.errorText());
     return false;
