@@ -13,7 +13,7 @@ static void time(const char* what, const Structure& a, const Structure& b, const
   const std::vector<Pose> at_rest{Pose::Identity()};  // one pose of A for all of B's
   std::vector<PairResult> results(poses.size());
   const auto start = std::chrono::steady_clock::now();
-  queryPoses(a, at_rest, b, poses, {}, results, batch);
+  queryPoses(a, at_rest, b, poses, batch, results);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   double least = results[0].distance;
   for (const PairResult& r : results) least = std::fmin(least, r.distance);

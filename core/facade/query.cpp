@@ -66,32 +66,30 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
 }
 
 void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
-                std::span<const Pose> X_WB, const QueryOptions& options, std::span<PairResult> results,
-                const BatchOptions& batch) {
+                std::span<const Pose> X_WB, const BatchOptions& options, std::span<PairResult> results) {
   const std::size_t count = batchSize(X_WA.size(), X_WB.size());
   if (results.size() != count)
     throw UsageError("found room for " + std::to_string(results.size()) + " results, expected " +
                      std::to_string(count));
-  if (batch.threads < 0) throw UsageError("found a negative number of threads, expected 0 or more");
+  if (options.threads < 0) throw UsageError("found a negative number of threads, expected 0 or more");
   checkPoses(X_WA);
   checkPoses(X_WB);
-  const query::PairOptions pair_options = facade::pairOptions(options);
+  const query::PairOptions pair_options = facade::pairOptions(options.query);
   const SequentialQuery sequence{*a.impl().made, *b.impl().made, X_WA, X_WB, pair_options, results};
   const auto runBlock = [&](std::size_t block) {
     kernels::PairScratch scratch;
     query::PairMemory memory;
     const std::size_t end = std::min(count, (block + 1) * kBatchBlock);
     for (std::size_t i = block * kBatchBlock; i < end; ++i)
-      sequence.run(i, batch.sequence ? &memory : nullptr, scratch);
+      sequence.run(i, options.sequence ? &memory : nullptr, scratch);
   };
-  parallelFor(batch.threads, (count + kBatchBlock - 1) / kBatchBlock, runBlock);
+  parallelFor(options.threads, (count + kBatchBlock - 1) / kBatchBlock, runBlock);
 }
 
 std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
-                                   std::span<const Pose> X_WB, const QueryOptions& options,
-                                   const BatchOptions& batch) {
+                                   std::span<const Pose> X_WB, const BatchOptions& options) {
   std::vector<PairResult> results(batchSize(X_WA.size(), X_WB.size()));
-  queryPoses(a, X_WA, b, X_WB, options, results, batch);
+  queryPoses(a, X_WA, b, X_WB, options, results);
   return results;
 }
 

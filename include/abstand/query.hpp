@@ -69,6 +69,7 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
 
 /// How a batch goes about.
 struct BatchOptions {
+  QueryOptions query{};
   int threads{1};  ///< 0: all cores. The bits do not depend on it.
   /// The poses follow each other like the frames of a motion: warm starts within blocks of kBatchBlock poses.
   bool sequence{false};
@@ -81,11 +82,9 @@ inline constexpr std::size_t kBatchBlock = 128;
 /// thread; no allocation with one thread. Throws as queryPair(), before anything is asked, and for sizes that
 /// do not fit.
 void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
-                std::span<const Pose> X_WB, const QueryOptions& options, std::span<PairResult> results,
-                const BatchOptions& batch = {});
+                std::span<const Pose> X_WB, const BatchOptions& options, std::span<PairResult> results);
 /// The same into a new array of max(X_WA.size(), X_WB.size()) results.
 std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
-                                   std::span<const Pose> X_WB, const QueryOptions& options = {},
-                                   const BatchOptions& batch = {});
+                                   std::span<const Pose> X_WB, const BatchOptions& options = {});
 
 }  // namespace abstand

@@ -59,59 +59,84 @@ void addHinge(RigPart& part, int i, const Vector3d& axis, double lower, double u
   part.upper[static_cast<std::size_t>(i)] = upper;
 }
 
-}  // namespace
+/// Builds a rig, segment by segment from the root outwards.
+class RigBuilder {
+ public:
+  explicit RigBuilder(const humanmodel::HumanModel& model)
+      : model_(model),
+        rest_(model.rest),
+        bend_(rest_[humanmodel::Joint::kPelvis] +
+              kBendShare * (rest_[humanmodel::Joint::kNeck] - rest_[humanmodel::Joint::kPelvis])) {
+    rig_.height = model.height;
+  }
 
-std::string_view segmentName(RigSegment s) { return kNames[index(s)]; }
+  BodyRig build() {
+    addTrunk();
+    for (const int side : {1, -1}) {
+      addArm(side);
+      addLeg(side);
+      dressLimbs(side);
+    }
+    dressTrunk();
+    int column = 0;
+    for (RigPart& part : rig_.parts) {
+      part.column = column;
+      column += part.freedoms;
+    }
+    carryJoints();
+    return rig_;
+  }
 
-BodyRig makeRig(const humanmodel::HumanModel& model) {
-  BodyRig rig;
-  rig.height = model.height;
-  std::array<Vector3d, kRigSegments> p_WS;  // origins in the rest pose
-  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
-  const humanmodel::SkeletonFrame& rest = model.rest;
-  const auto hang = [&](RigSegment s, RigSegment parent, const Vector3d& p_W) -> RigPart& {
-    p_WS[index(s)] = p_W;
-    RigPart& part = rig.parts[index(s)];
+ private:
+  RigPart& hang(RigSegment s, RigSegment parent, const Vector3d& p_W) {
+    p_WS_[index(s)] = p_W;
+    RigPart& part = rig_.parts[index(s)];
     part.parent = parent;
-    part.p_parent = p_W - p_WS[index(parent)];
+    part.p_parent = p_W - p_WS_[index(parent)];
     return part;
-  };
-  const auto dress = [&](RigSegment s, humanmodel::BodyPart from) {
-    rig.parts[index(s)].shape = model.part(from).shape;
-    rig.parts[index(s)].p_shape = centre(model, from) - p_WS[index(s)];
-  };
-
-  const Vector3d pelvis = rest[humanmodel::Joint::kPelvis], neck = rest[humanmodel::Joint::kNeck];
-  const Vector3d bend = pelvis + kBendShare * (neck - pelvis);
-  RigPart& root = hang(kPelvis, kPelvis, pelvis);
-  root.joint = RigJoint::kFree;
-  root.freedoms = 6;
-  root.p_parent.setZero();
-  addBall(hang(kChest, kPelvis, bend), z, z, kBack, kBackTwist);
-  addBall(hang(kHead, kChest, neck), z, z, kNeckCone, kNeckTwist);
-  dress(kHead, humanmodel::BodyPart::kHead);
-  for (const int side : {1, -1}) {
-    const Vector3d out = side * y;
-    addBall(hang(onSide(kUpperArmLeft, side), kChest,
-                 rest[jointOf(model, onSide(humanmodel::BodyPart::kBicepsLeft, side))]),
-            -z, x + 0.7 * out - 0.3 * z, kShoulderCone, kShoulderTwist);
-    addHinge(hang(onSide(kForearmLeft, side), onSide(kUpperArmLeft, side),
-                  rest[jointOf(model, onSide(humanmodel::BodyPart::kForearmLeft, side))]),
-             0, -y, -kOverstretch, kElbow);
-    RigPart& hand = hang(onSide(kHandLeft, side), onSide(kForearmLeft, side),
-                         rest[jointOf(model, onSide(humanmodel::BodyPart::kHandLeft, side))]);
+  }
+  /// At the proximal end of the part of the body.
+  RigPart& hangPart(RigSegment s, RigSegment parent, humanmodel::BodyPart from) {
+    return hang(s, parent, rest_[jointOf(model_, from)]);
+  }
+  void dress(RigSegment s, humanmodel::BodyPart from) {
+    rig_.parts[index(s)].shape = model_.part(from).shape;
+    rig_.parts[index(s)].p_shape = centre(model_, from) - p_WS_[index(s)];
+  }
+  void addTrunk() {
+    const Vector3d z = Vector3d::UnitZ();
+    RigPart& root = hang(kPelvis, kPelvis, rest_[humanmodel::Joint::kPelvis]);
+    root.joint = RigJoint::kFree;
+    root.freedoms = 6;
+    root.p_parent.setZero();
+    addBall(hang(kChest, kPelvis, bend_), z, z, kBack, kBackTwist);
+    addBall(hang(kHead, kChest, rest_[humanmodel::Joint::kNeck]), z, z, kNeckCone, kNeckTwist);
+    dress(kHead, humanmodel::BodyPart::kHead);
+  }
+  /// `side`: 1 left, -1 right.
+  void addArm(int side) {
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    const RigSegment upper = onSide(kUpperArmLeft, side), forearm = onSide(kForearmLeft, side);
+    addBall(hangPart(upper, kChest, onSide(humanmodel::BodyPart::kBicepsLeft, side)), -z,
+            x + 0.7 * side * y - 0.3 * z, kShoulderCone, kShoulderTwist);
+    addHinge(hangPart(forearm, upper, onSide(humanmodel::BodyPart::kForearmLeft, side)), 0, -y, -kOverstretch,
+             kElbow);
+    RigPart& hand = hangPart(onSide(kHandLeft, side), forearm, onSide(humanmodel::BodyPart::kHandLeft, side));
     addHinge(hand, 0, x, -kWristFlexion, kWristFlexion);
     addHinge(hand, 1, y, -kWristDeviation, kWristDeviation);
-    addBall(hang(onSide(kThighLeft, side), kPelvis,
-                 rest[jointOf(model, onSide(humanmodel::BodyPart::kThighLeft, side))]),
-            -z, x + 0.3 * out - 0.8 * z, kHipCone, kHipTwist);
-    addHinge(hang(onSide(kCalfLeft, side), onSide(kThighLeft, side),
-                  rest[jointOf(model, onSide(humanmodel::BodyPart::kCalfLeft, side))]),
-             0, y, -kOverstretch, kKnee);
-    RigPart& foot = hang(onSide(kFootLeft, side), onSide(kCalfLeft, side),
-                         rest[jointOf(model, onSide(humanmodel::BodyPart::kFootLeft, side))]);
+  }
+  void addLeg(int side) {
+    const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
+    const RigSegment thigh = onSide(kThighLeft, side), calf = onSide(kCalfLeft, side);
+    addBall(hangPart(thigh, kPelvis, onSide(humanmodel::BodyPart::kThighLeft, side)), -z,
+            x + 0.3 * side * y - 0.8 * z, kHipCone, kHipTwist);
+    addHinge(hangPart(calf, thigh, onSide(humanmodel::BodyPart::kCalfLeft, side)), 0, y, -kOverstretch,
+             kKnee);
+    RigPart& foot = hangPart(onSide(kFootLeft, side), calf, onSide(humanmodel::BodyPart::kFootLeft, side));
     addHinge(foot, 0, y, -kAnkleUp, kAnkleDown);
     addHinge(foot, 1, x, -kAnkleRoll, kAnkleRoll);
+  }
+  void dressLimbs(int side) {
     dress(onSide(kUpperArmLeft, side), onSide(humanmodel::BodyPart::kBicepsLeft, side));
     dress(onSide(kForearmLeft, side), onSide(humanmodel::BodyPart::kForearmLeft, side));
     dress(onSide(kHandLeft, side), onSide(humanmodel::BodyPart::kHandLeft, side));
@@ -119,47 +144,56 @@ BodyRig makeRig(const humanmodel::HumanModel& model) {
     dress(onSide(kCalfLeft, side), onSide(humanmodel::BodyPart::kCalfLeft, side));
     dress(onSide(kFootLeft, side), onSide(humanmodel::BodyPart::kFootLeft, side));
   }
-
-  const humanmodel::HumanPart& torso = model.part(humanmodel::BodyPart::kTorso);
-  const Vector3d trunk = centre(model, humanmodel::BodyPart::kTorso);
-  const double top = trunk.z() + 0.5 * torso.length, bottom = trunk.z() - 0.5 * torso.length;
-  const auto drum = [&](RigSegment s, double from, double to) {
-    const Vector3d middle{trunk.x(), trunk.y(), 0.5 * (from + to)};
-    rig.parts[index(s)].shape = geometry::Ellipsoid{
-        {0.5 * kTrunkDepth * torso.depth, 0.5 * kTrunkBreadth * torso.breadth, 0.5 * kDrum * (to - from)}};
-    rig.parts[index(s)].p_shape = middle - p_WS[index(s)];
-  };
-  drum(kPelvis, bottom, bend.z());
-  drum(kChest, bend.z(), top);
-
-  int column = 0;
-  for (RigPart& part : rig.parts) {
-    part.column = column;
-    column += part.freedoms;
+  /// Two ellipsoids in place of the model's one piece.
+  void dressTrunk() {
+    const humanmodel::HumanPart& torso = model_.part(humanmodel::BodyPart::kTorso);
+    const Vector3d trunk = centre(model_, humanmodel::BodyPart::kTorso);
+    const double top = trunk.z() + 0.5 * torso.length, bottom = trunk.z() - 0.5 * torso.length;
+    const auto drum = [&](RigSegment s, double from, double to) {
+      const Vector3d middle{trunk.x(), trunk.y(), 0.5 * (from + to)};
+      rig_.parts[index(s)].shape = geometry::Ellipsoid{
+          {0.5 * kTrunkDepth * torso.depth, 0.5 * kTrunkBreadth * torso.breadth, 0.5 * kDrum * (to - from)}};
+      rig_.parts[index(s)].p_shape = middle - p_WS_[index(s)];
+    };
+    drum(kPelvis, bottom, bend_.z());
+    drum(kChest, bend_.z(), top);
+  }
+  void carryJoints() {
+    const auto carry = [&](humanmodel::Joint j, RigSegment s) {
+      rig_.carrier[static_cast<std::size_t>(j)] = s;
+      rig_.p_joint[static_cast<std::size_t>(j)] = rest_[j] - p_WS_[index(s)];
+    };
+    using enum humanmodel::Joint;
+    for (const humanmodel::Joint j : {kPelvis, kHipLeft, kHipRight}) carry(j, RigSegment::kPelvis);
+    for (const humanmodel::Joint j : {kSpine, kThorax, kNeck, kShoulderLeft, kShoulderRight})
+      carry(j, kChest);
+    for (const humanmodel::Joint j : {humanmodel::Joint::kHead, kHeadTop}) carry(j, RigSegment::kHead);
+    carry(kElbowLeft, kUpperArmLeft);
+    carry(kElbowRight, kUpperArmRight);
+    carry(kWristLeft, kForearmLeft);
+    carry(kWristRight, kForearmRight);
+    carry(humanmodel::Joint::kHandLeft, RigSegment::kHandLeft);
+    carry(humanmodel::Joint::kHandRight, RigSegment::kHandRight);
+    carry(kKneeLeft, kThighLeft);
+    carry(kKneeRight, kThighRight);
+    carry(kAnkleLeft, kCalfLeft);
+    carry(kAnkleRight, kCalfRight);
+    carry(kToeLeft, kFootLeft);
+    carry(kToeRight, kFootRight);
   }
 
-  const auto carry = [&](humanmodel::Joint j, RigSegment s) {
-    rig.carrier[static_cast<std::size_t>(j)] = s;
-    rig.p_joint[static_cast<std::size_t>(j)] = rest[j] - p_WS[index(s)];
-  };
-  using enum humanmodel::Joint;
-  for (const humanmodel::Joint j : {kPelvis, kHipLeft, kHipRight}) carry(j, RigSegment::kPelvis);
-  for (const humanmodel::Joint j : {kSpine, kThorax, kNeck, kShoulderLeft, kShoulderRight}) carry(j, kChest);
-  for (const humanmodel::Joint j : {humanmodel::Joint::kHead, kHeadTop}) carry(j, RigSegment::kHead);
-  carry(kElbowLeft, kUpperArmLeft);
-  carry(kElbowRight, kUpperArmRight);
-  carry(kWristLeft, kForearmLeft);
-  carry(kWristRight, kForearmRight);
-  carry(humanmodel::Joint::kHandLeft, RigSegment::kHandLeft);
-  carry(humanmodel::Joint::kHandRight, RigSegment::kHandRight);
-  carry(kKneeLeft, kThighLeft);
-  carry(kKneeRight, kThighRight);
-  carry(kAnkleLeft, kCalfLeft);
-  carry(kAnkleRight, kCalfRight);
-  carry(kToeLeft, kFootLeft);
-  carry(kToeRight, kFootRight);
-  return rig;
-}
+  const humanmodel::HumanModel& model_;
+  const humanmodel::SkeletonFrame& rest_;
+  Vector3d bend_;  // where the trunk bends, rest pose
+  BodyRig rig_;
+  std::array<Vector3d, kRigSegments> p_WS_;  // origins in the rest pose
+};
+
+}  // namespace
+
+std::string_view segmentName(RigSegment s) { return kNames[index(s)]; }
+
+BodyRig makeRig(const humanmodel::HumanModel& model) { return RigBuilder(model).build(); }
 
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS) {
   X_WS[0] = pose.X_WP;

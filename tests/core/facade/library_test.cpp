@@ -100,8 +100,8 @@ TEST(Library, ABatchHasTheBitsOfSingleQueries) {
   const Structure b = Structure::build(Shape::ellipsoid({0.05, 0.1, 0.07}), kCoarse);
   const std::vector<Pose> X_WA{at(0.1, 0.0, 0.0)}, X_WB = somePoses(400);
   const QueryOptions options{.margin = 0.02};
-  const auto one = queryPoses(a, X_WA, b, X_WB, options);
-  const auto several = queryPoses(a, X_WA, b, X_WB, options, {.threads = 3});
+  const auto one = queryPoses(a, X_WA, b, X_WB, {.query = options});
+  const auto several = queryPoses(a, X_WA, b, X_WB, {.query = options, .threads = 3});
   ASSERT_EQ(one.size(), 400u);
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_TRUE(same(one[i], queryPair(a, X_WA[0], b, X_WB[i], options))) << i;
@@ -115,8 +115,8 @@ TEST(Library, ASequenceHasTheBitsOfAPairWithAState) {
   std::vector<Pose> path;
   for (int i = 0; i < 300; ++i) path.push_back(at(0.3 - 1e-3 * i, 1e-3 * i, 0.0));
   const std::vector<Pose> rest{Pose::Identity()};
-  const auto one = queryPoses(a, rest, b, path, {}, {.threads = 1, .sequence = true});
-  const auto several = queryPoses(a, rest, b, path, {}, {.threads = 4, .sequence = true});
+  const auto one = queryPoses(a, rest, b, path, {.threads = 1, .sequence = true});
+  const auto several = queryPoses(a, rest, b, path, {.threads = 4, .sequence = true});
   PairState state;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i % kBatchBlock == 0) state.reset();
@@ -143,9 +143,10 @@ TEST(Library, SaysWhatIsWrong) {
   EXPECT_NE(errorOf([&] { Structure::build(Mesh{}); }), "nothing");
   const std::vector<Pose> two(2, Pose::Identity()), three(3, Pose::Identity());
   EXPECT_NE(errorOf([&] { queryPoses(ball, two, ball, three); }).find("poses"), std::string::npos);
-  EXPECT_NE(errorOf([&] { queryPoses(ball, two, ball, {}); }).find("poses"), std::string::npos);
+  EXPECT_NE(errorOf([&] { queryPoses(ball, two, ball, std::span<const Pose>{}); }).find("poses"),
+            std::string::npos);
   const std::vector<Pose> one(1, Pose::Identity());
-  EXPECT_TRUE(queryPoses(ball, one, ball, {}).empty());
+  EXPECT_TRUE(queryPoses(ball, one, ball, std::span<const Pose>{}).empty());
 }
 
 TEST(Library, AMechanismOfAFile) {
