@@ -68,11 +68,11 @@ std::set<QString> textsOf(const QWidget& window) {
   return texts;
 }
 
-/// The same in both languages, or not of the program.
+/// The same in both languages, or not of the program but of Qt or the scene.
 bool isNoWord(const QString& text, const FakeSession& session) {
   static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{3}"));
-  if (!text.contains(kWord) || text.startsWith("qt_") || text.endsWith("English") || text.endsWith("Deutsch"))
-    return true;
+  static const QStringList kKept{"&English", "English", "&Deutsch", "Deutsch", "Close", "Float"};
+  if (!text.contains(kWord) || kKept.contains(text) || text.startsWith("qt_")) return true;
   for (const auto& group : session.outline().pair_groups)
     if (text == QString::fromStdString(group)) return true;
   for (const auto& object : session.outline().objects)

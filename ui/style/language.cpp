@@ -17,10 +17,6 @@ const QString kLanguageKey = QStringLiteral("window/language");
 const QString kTranslatorName = QStringLiteral("abstand_translator");
 constexpr std::array<const char*, 3> kLanguageWords{"system", "en", "de"};
 
-/// Words of Qt that its own translation lacks.
-[[maybe_unused]] constexpr const char* kWordsOfQt[] = {QT_TRANSLATE_NOOP("QDockWidget", "Float"),
-                                                       QT_TRANSLATE_NOOP("QDockWidget", "Close")};
-
 void install(QCoreApplication& app, const QString& file, const QString& folder) {
   auto* translator = new QTranslator(&app);
   translator->setObjectName(kTranslatorName);

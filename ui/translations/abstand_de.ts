@@ -105,17 +105,6 @@
     </message>
 </context>
 <context>
-    <name>QDockWidget</name>
-    <message>
-        <source>Float</source>
-        <translation>Loslösen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
     <name>abstand::studio::ReportJob</name>
     <message>
         <source>%1 cannot be started</source>
