@@ -50,6 +50,7 @@
 #include "ui/style/format.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 
 namespace abstand::ui {
@@ -81,7 +82,6 @@ MainWindow::MainWindow(QWidget* parent)
       history_{std::make_unique<RunHistory>()},
       document_{new Document(this)},
       projects_{new ProjectCommands(*document_, this)},
-      reports_{new ReportCommands(this)},
       actions_{new Actions(this)},
       playback_{new Playback(this)},
       review_{new RecordingReview(this)},
@@ -98,6 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   viewport_ = new Viewport(*selection_, this);
+  outputs_ = {new ReportCommands(this), new VideoRecorder(*playback_, *viewport_, this)};
   setCentralWidget(viewport_);
   new FocusKeys(this);
   buildPanels();
@@ -108,6 +109,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectPlayback();
   connectPanels();
   connectReview();
+  connectVideo();
   connectDocument();
   resize(1440, 900);
   docks_->arrange();
@@ -153,6 +155,7 @@ void MainWindow::buildPanels() {
 }
 
 void MainWindow::setSession(SessionPort* session) {
+  outputs_.videos->cancel();
   if (session_) kept_selection_.keep(*selection_, session_->outline());
   session_ = session;
   selection_->clear();
@@ -196,6 +199,7 @@ void MainWindow::setSession(SessionPort* session) {
   (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
   for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots})
     (*actions_)[id]->setEnabled(session_ != nullptr);
+  (*actions_)[Id::kVideo]->setEnabled(session_ != nullptr && outputs_.videos->canRecord());
   (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
   (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
@@ -248,6 +252,7 @@ void MainWindow::showMoment() {
     statusBar()->showMessage(
         tr("Robots were restarted on their planned motion at %1").arg(secondsWithUnit(snapshot_.loop_start)),
         kMessageMs);
+  outputs_.videos->onMoment(snapshot_.t);
   Q_EMIT momentShown();
 }
 

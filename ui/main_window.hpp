@@ -28,6 +28,7 @@ class RunHistory;
 class SceneTreeModel;
 class Selection;
 class TimeAxis;
+class VideoRecorder;
 class Viewport;
 struct LeftOver;
 struct Opening;
@@ -59,7 +60,8 @@ class MainWindow : public QMainWindow {
 
   Document& document() const { return *document_; }
   ProjectCommands& projects() const { return *projects_; }
-  ReportCommands& reports() const { return *reports_; }
+  VideoRecorder& videos() const { return *outputs_.videos; }
+  ReportCommands& reports() const { return *outputs_.reports; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
   Selection& selection() const { return *selection_; }
@@ -128,6 +130,7 @@ class MainWindow : public QMainWindow {
   void showMoment();
   void refreshSlow();
   void goToEvent(bool next);
+  void connectVideo();
   void savePlotsAs();
   void saveScreenshot();
 
@@ -138,7 +141,10 @@ class MainWindow : public QMainWindow {
 
   Document* document_;
   ProjectCommands* projects_;
-  ReportCommands* reports_;
+  struct {
+    ReportCommands* reports;
+    VideoRecorder* videos;
+  } outputs_;
   MarginCommands* margin_commands_{nullptr};
   struct {
     Autosave* autosave{nullptr};

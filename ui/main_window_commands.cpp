@@ -40,6 +40,7 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/picture_file.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 #include "ui/window_grab.hpp"
 
@@ -272,6 +273,22 @@ void MainWindow::showRecent() {
                         .replace(QLatin1Char('&'), QLatin1String("&&")));
     action->setStatusTip(files[i]);
   }
+}
+
+void MainWindow::connectVideo() {
+  connect((*actions_)[Id::kVideo], &QAction::triggered, this, [this] {
+    QFileDialog dialog(this, tr("Save video"), recentFolder(), tr("Videos (*.avi)"));
+    dialog.setObjectName(QStringLiteral("save_video"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("avi"));
+    dialog.selectFile(QStringLiteral("abstand.avi"));
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+    rememberFolder(dialog.selectedFiles().constFirst());
+    outputs_.videos->start(dialog.selectedFiles().constFirst(), axis_->range().value_or(axis_->whole()));
+  });
+  connect(outputs_.videos, &VideoRecorder::failed, this, &MainWindow::showProblem);
+  connect(outputs_.videos, &VideoRecorder::done, this,
+          [this](const QString& file) { statusBar()->showMessage(tr("Saved %1").arg(file), kFeedbackMs); });
 }
 
 void MainWindow::savePlotsAs() {

@@ -141,9 +141,9 @@ void MainWindow::connectEdits() {
   connect(panels_.curve, &MarginCurve::released, panels_.margins, &MarginPanel::release);
   connect((*actions_)[ActionId::kReport], &QAction::triggered, this, [this] {
     const std::string margins = margin_commands_->presentSet();
-    if (!margins.empty()) reports_->ask(margins, document_->work().scene);
+    if (!margins.empty()) outputs_.reports->ask(margins, document_->work().scene);
   });
-  connect(reports_, &ReportCommands::failed, this, &MainWindow::showProblem);
+  connect(outputs_.reports, &ReportCommands::failed, this, &MainWindow::showProblem);
   connect((*actions_)[ActionId::kFindMargin], &QAction::triggered, this, [this] {
     DockSet::raise(docks_->margins);
     panels_.margin_tools->search()->setFocus(Qt::ShortcutFocusReason);

@@ -2,9 +2,12 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/doctor_text.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/compact/compact_recording.hpp"
+#include "tracking/recording/joint_map_writer.hpp"
 #include "tracking/recording/recording.hpp"
+#include "tracking/recording/required_person.hpp"
 #include "tracking/registry/open_recording.hpp"
 #include "tracking/table/skeleton_csv.hpp"
 
@@ -12,7 +15,7 @@ namespace abstand::cli {
 namespace {
 
 struct SkeletonArguments {
-  std::string file, out, compact, filter;
+  std::string file, out, compact, filter, map;
   double fill{0.0};  ///< s
   bool doctor{false}, fit_lengths{false}, predict{false};
   safety::MotionBounds bounds{2.0, kInfinity, 0.0, 0.0};
@@ -37,9 +40,39 @@ nlohmann::ordered_json markersJson(const tracking::MarkerReport& m) {
   for (const auto& [label, why] : m.ignored) ignored.push_back({{"marker", label}, {"why", why}});
   for (const auto& s : m.swaps) swaps.push_back({{"a", s.a}, {"b", s.b}, {"frames", s.frames}});
   for (const auto& [bone, length] : m.bones) bones[bone] = length;
-  return {{"set", m.set},         {"reason", m.reason}, {"rms", known(m.rms)}, {"stature", known(m.stature)},
-          {"bones", bones},       {"used", used},       {"ignored", ignored},  {"swaps", swaps},
-          {"frames_lost", m.lost}};
+  return {{"set", m.set},          {"reason", m.reason},
+          {"rms", known(m.rms)},   {"stature", known(m.stature)},
+          {"bones", bones},        {"used", used},
+          {"ignored", ignored},    {"swaps", swaps},
+          {"frames_lost", m.lost}, {"frames_unseen", m.unseen}};
+}
+
+nlohmann::ordered_json proportionsJson(const std::vector<tracking::BoneProportion>& bones) {
+  nlohmann::ordered_json all = nlohmann::json::array();
+  for (const auto& bone : bones)
+    all.push_back({{"part", humanmodel::partName(bone.part)},
+                   {"length", bone.length},
+                   {"usual", bone.usual},
+                   {"off", bone.off()},
+                   {"odd", bone.isOdd()}});
+  return all;
+}
+
+nlohmann::ordered_json subjectJson(const tracking::SubjectFacts& s) {
+  nlohmann::ordered_json sizes = nlohmann::ordered_json::object();
+  for (const auto& [name, size] : s.sizes) sizes[name] = size;
+  return {{"name", s.name}, {"height", known(s.height)}, {"mass", known(s.mass)}, {"sizes", sizes}};
+}
+
+std::string subjectText(const tracking::SubjectFacts& s) {
+  if (s.empty()) return {};
+  std::string text = "the file says of the person:";
+  if (!s.name.empty()) text += " " + s.name + ";";
+  if (s.height > 0.0) text += format(" stature %.3f m;", s.height);
+  if (s.mass > 0.0) text += format(" %.1f kg;", s.mass);
+  for (const auto& [name, size] : s.sizes) text += format(" %s %.3f m;", name.c_str(), size);
+  text.back() = '\n';
+  return text;
 }
 
 nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
@@ -57,7 +90,11 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"sides", r.sides},
           {"sides_reason", r.sides_reason},
           {"stature", known(r.stature)},
+          {"stature_reason", r.stature_reason},
+          {"subject", r.subject.empty() ? nlohmann::ordered_json() : subjectJson(r.subject)},
           {"joint_map", r.joint_map},
+          {"joint_map_reason", r.joint_map_reason},
+          {"joints_guessed", r.joints_guessed},
           {"markers", r.markers.reason.empty() ? nlohmann::ordered_json() : markersJson(r.markers)},
           {"joints", r.joints},
           {"mapped", r.mapped},
@@ -65,6 +102,8 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"missing_parts", r.missing_parts},
           {"gaps", r.gaps},
           {"swaps", r.swaps},
+          {"proportions", proportionsJson(r.proportions)},
+          {"repairs", r.repairs},
           {"notes", r.notes},
           {"warnings", r.warnings}};
 }
@@ -126,8 +165,11 @@ std::string reportText(const tracking::Recording& recording, const std::string& 
                  r.units.reason.c_str());
   text += format("up: %s: %s (--up)\n", r.up.axis.c_str(), r.up.reason.c_str());
   text += format("left and right: %s: %s (--mirror)\n", r.sides.c_str(), r.sides_reason.c_str());
-  text += r.stature > 0.0 ? format("stature: %.3f m\n", r.stature) : "stature: not known\n";
-  text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) + " (--joint-map)\n";
+  text += r.stature > 0.0 ? format("stature: %.3f m: %s\n", r.stature, r.stature_reason.c_str())
+                          : "stature: not known\n";
+  text += subjectText(r.subject);
+  text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) +
+          (r.joint_map_reason.empty() ? "" : ": " + r.joint_map_reason) + " (--joint-map)\n";
   text += markersText(r.markers);
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
@@ -142,6 +184,11 @@ int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
   tracking::Recording recording = tracking::openRecording(args.file, args.options);
   auto json = reportJson(recording);
   std::string text = reportText(recording, args.file);
+  if (recording.report.mapped.empty()) {
+    if (!args.map.empty()) writeFile(args.map, tracking::jointMapText(recording.report));
+    line.print(json, text);
+    tracking::requirePerson(recording.report, args.file);
+  }
   if (args.doctor) {
     const tracking::DoctorReport doctor = tracking::examine(recording);
     json["doctor"] = doctorJson(doctor);
@@ -168,6 +215,7 @@ int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
       throw UsageError("filter: found a single frame, expected a recording");
     tracking::smooth(recording.frames, recording.report.rate, *tracking::parseSmoothing(args.filter));
   }
+  if (!args.map.empty()) writeFile(args.map, tracking::jointMapText(recording.report));
   if (!args.out.empty()) tracking::writeSkeletonCsv(std::filesystem::path(args.out), recording);
   if (!args.compact.empty()) tracking::writeCompact(std::filesystem::path(args.compact), recording);
   line.print(json, text);
@@ -195,6 +243,12 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)"));
   line.output(
       command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own"));
+  line.output(command->add_option(
+      "--write-map", args->map,
+      "the joint map that was used, in the form that --joint-map reads; if no part moves, one to fill in"));
+  command->add_flag_callback(
+      "--no-repair", [args] { args->options.repair = false; },
+      "bones that a conversion to BVH has lost are not put in");
   command->add_flag("--doctor", args->doctor,
                     "bones, gaps, jitter, jumps and swaps, and what filters would do");
   command->add_flag("--predict", args->predict,

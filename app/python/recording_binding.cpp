@@ -35,17 +35,25 @@ Recording read(const std::filesystem::path& path, const tracking::RecordingOptio
   return recording;
 }
 
+py::object subjectOf(const tracking::SubjectFacts& s) {
+  using namespace py::literals;
+  if (s.empty()) return py::none();
+  return py::dict("name"_a = s.name, "height"_a = s.height, "mass"_a = s.mass, "sizes"_a = s.sizes);
+}
+
 py::dict factsOf(const tracking::RecordingReport& r) {
   using namespace py::literals;
-  return py::dict("format"_a = r.format, "rate"_a = r.rate, "rate_reason"_a = r.rate_reason,
-                  "duration"_a = r.duration, "units"_a = r.units.name, "units_reason"_a = r.units.reason,
-                  "units_guessed"_a = r.units.guessed, "scale"_a = r.scale, "up"_a = r.up.axis,
-                  "up_reason"_a = r.up.reason, "up_guessed"_a = r.up.guessed, "sides"_a = r.sides,
-                  "sides_reason"_a = r.sides_reason, "stature"_a = r.stature, "joint_map"_a = r.joint_map,
-                  "joints"_a = r.joints, "mapped"_a = r.mapped, "not_mapped"_a = r.not_mapped,
-                  "missing_parts"_a = r.missing_parts, "frames_missing"_a = r.frames_missing,
-                  "gaps"_a = r.gaps, "swaps"_a = r.swaps, "lowest_foot"_a = r.lowest_foot,
-                  "notes"_a = r.notes, "warnings"_a = r.warnings);
+  return py::dict(
+      "format"_a = r.format, "rate"_a = r.rate, "rate_reason"_a = r.rate_reason, "duration"_a = r.duration,
+      "units"_a = r.units.name, "units_reason"_a = r.units.reason, "units_guessed"_a = r.units.guessed,
+      "scale"_a = r.scale, "up"_a = r.up.axis, "up_reason"_a = r.up.reason, "up_guessed"_a = r.up.guessed,
+      "sides"_a = r.sides, "sides_reason"_a = r.sides_reason, "stature"_a = r.stature,
+      "stature_reason"_a = r.stature_reason, "subject"_a = subjectOf(r.subject), "joint_map"_a = r.joint_map,
+      "joints"_a = r.joints, "mapped"_a = r.mapped, "not_mapped"_a = r.not_mapped,
+      "missing_parts"_a = r.missing_parts, "frames_missing"_a = r.frames_missing, "gaps"_a = r.gaps,
+      "swaps"_a = r.swaps, "lowest_foot"_a = r.lowest_foot, "repairs"_a = r.repairs,
+      "joint_map_reason"_a = r.joint_map_reason, "joints_guessed"_a = r.joints_guessed, "notes"_a = r.notes,
+      "warnings"_a = r.warnings);
 }
 
 py::tuple jointNames() {
@@ -59,7 +67,8 @@ constexpr const char* kReadDoc =
     R"doc(Reads a recorded person: BVH, Acclaim, C3D, TRC, Kinect, CSV, JSON lines, depth images.
 
 format, units, up, mirror, marker_set: 'auto' (mirror: 'none') or what `abstand skeleton --help` names; rate: Hz, 0: what the file
-says; joint_map: a file; skeleton: the ASF of an AMC; stature: m, of the body that is fitted to depth images. What was guessed,
+says; joint_map: a file; skeleton: the ASF of an AMC; stature: m, of the body that is fitted to depth images;
+repair: bones that a conversion to BVH has lost are put in. What was guessed,
 and why, is in `facts`. ParseError for the file, UsageError for the options. Releases the GIL.)doc";
 
 }  // namespace
@@ -105,7 +114,7 @@ The arrays are read-only views without copies. A joint that is not known in a fr
       [](const std::filesystem::path& path, const std::string& format, const std::string& units,
          const std::string& up, double rate, const std::optional<std::filesystem::path>& joint_map,
          const std::string& mirror, const std::optional<std::filesystem::path>& skeleton,
-         const std::string& marker_set, std::optional<double> stature) {
+         const std::string& marker_set, std::optional<double> stature, bool repair) {
         tracking::RecordingOptions options;
         options.format = format;
         options.units = units;
@@ -115,13 +124,14 @@ The arrays are read-only views without copies. A joint that is not known in a fr
         options.mirror = mirror;
         options.skeleton = skeleton.value_or("");
         options.marker_set = marker_set;
+        options.repair = repair;
         const py::gil_scoped_release release;
         return read(path, options, stature);
       },
       py::arg("path"), py::kw_only(), py::arg("format") = "auto", py::arg("units") = "auto",
       py::arg("up") = "auto", py::arg("rate") = 0.0, py::arg("joint_map") = py::none(),
       py::arg("mirror") = "none", py::arg("skeleton") = py::none(), py::arg("marker_set") = "auto",
-      py::arg("stature") = py::none(), kReadDoc);
+      py::arg("stature") = py::none(), py::arg("repair") = true, kReadDoc);
 }
 
 }  // namespace abstand::python

@@ -24,9 +24,9 @@ void checkPerson(const humanmodel::HumanOptions& body, const SourcePos& pos) {
 }  // namespace
 
 RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
-  const config::YamlFields fields(
-      node, file_, "`recording`",
-      {"file", "format", "units", "up", "rate", "mirror", "joint_map", "marker_set", "place", "cut_things"});
+  const config::YamlFields fields(node, file_, "`recording`",
+                                  {"file", "format", "units", "up", "rate", "mirror", "joint_map",
+                                   "marker_set", "repair", "place", "cut_things"});
   RecordingDescription r;
   tracking::RecordingOptions& o = r.options;
   r.pos = fields.pos();
@@ -47,6 +47,7 @@ RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
     if (o.marker_set != "auto" && o.marker_set != "none")
       o.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
   }
+  o.repair = fields.choice("repair", {"true", "false"}).value_or("true") == "true";
   r.cut_things = readFlag(fields, "cut_things");
   if (const auto* place = fields.find("place")) {
     const config::YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});

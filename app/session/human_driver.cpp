@@ -7,6 +7,7 @@
 #include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/recording/mirrored_person.hpp"
+#include "tracking/recording/required_person.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::session {
@@ -18,10 +19,7 @@ std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescriptio
   if (d.recording.file.empty()) return std::nullopt;
   tracking::Recording recording =
       tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, known, monitor);
-  if (recording.report.mapped.empty())
-    throw ParseError({d.recording.file.string()},
-                     "found no joints that move a part of a person, expected at least both ends of one",
-                     "abstand skeleton says what was understood of the file");
+  tracking::requirePerson(recording.report, d.recording.file.string());
   if (d.recording.mirrored) {
     try {
       tracking::mirrorPerson(recording.frames);

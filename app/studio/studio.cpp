@@ -6,11 +6,13 @@
 #include <QTimer>
 #include <utility>
 
+#include "app/studio/avi_file.hpp"
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
+#include "ui/video_recorder.hpp"
 
 namespace abstand::studio {
 
@@ -42,6 +44,7 @@ struct Studio::Request {
 
 Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
     : window_(window), packages_(packages), loader_(packages) {
+  window.videos().setMaker(makeAviFile);
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);

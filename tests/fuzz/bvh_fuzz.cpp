@@ -1,21 +1,43 @@
-// Fuzzes the BVH reader and its kinematics: only ParseError may come out, and only finite positions.
+// Fuzzes the BVH reader, its kinematics, the repair of lost bones, and the guess of joints: only ParseError
+// may come out, only finite positions, and only joints that exist.
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 #include "core/base/error.hpp"
-#include "tracking/bvh/bvh_pose.hpp"
-#include "tracking/bvh/bvh_reader.hpp"
+#include "tests/fuzz/read_all.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
+#include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/joint_guess/shape_guess.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+namespace {
+
+using namespace abstand::tracking;
+
+void checkJoints(const JointMatch& match, std::size_t joints) {
+  for (const int i : match.joint) ABSTAND_CHECK(i >= -1 && i < static_cast<int>(joints));
+}
+
+void guess(const std::string& text) {
   try {
-    abstand::tracking::BvhReader reader(std::string(reinterpret_cast<const char*>(data), size), "fuzz");
-    abstand::tracking::BvhPose pose(reader.hierarchy());
-    while (const auto values = reader.next()) {
-      pose.set(*values);
-      for (const auto& p : pose.positions()) ABSTAND_CHECK(p.allFinite());
-    }
+    BvhPoints points(text, "fuzz", true);
+    const auto names = points.names();
+    const auto parents = points.parents();
+    const auto rest = points.rest();
+    PointFrame frame;
+    const bool has_frame = points.next(frame);
+    checkJoints(guessByNames(names, true), names.size());
+    checkJoints(guessByShape({names, parents, rest, {&frame, has_frame ? 1u : 0u}}).match, names.size());
   } catch (const abstand::ParseError&) {
   }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  for (const bool repair : {false, true})
+    abstand::testing::readAll([&] { return BvhPoints(text, "fuzz", repair); });
+  guess(text);
   return 0;
 }

@@ -19,7 +19,7 @@ FENCES = [
     (r"yaml-cpp/", r"core/config/yaml_document\.cpp"),
     (r"urdf_|console_bridge", r"core/robot_file/.*\.cpp"),
     (r"ode/", r"core/physics/.*\.cpp"),
-    (r"opencv2/", r"tracking/depth/(calibration|formats)/.*\.cpp"),
+    (r"opencv2/", r"tracking/depth/(calibration|formats)/.*\.cpp|app/studio/avi_file\.cpp"),
     (r"pcl/", r"tracking/depth/people/floor_consensus\.cpp"),
     (r"libfreenect", r"tracking/depth/live/.*\.cpp"),
     (r"zlib", r"tracking/kinect/.*\.cpp|app/results/mcap_writer\.cpp"),

@@ -94,6 +94,13 @@ std::vector<Vector3d> AcclaimPoints::rest() const {
   return p;
 }
 
+std::vector<int> AcclaimPoints::parents() const {
+  std::vector<int> parents;
+  for (const AsfBone& bone : skeleton_.bones) parents.push_back(bone.parent);
+  for (const std::size_t leaf : leaves_) parents.push_back(static_cast<int>(leaf));
+  return parents;
+}
+
 bool AcclaimPoints::next(PointFrame& frame) {
   if (motion_ ? !motion_->next(values_) : frames_ > 0) return false;
   if (!motion_) values_.assign(channels_, 0.0);

@@ -28,6 +28,7 @@ class AcclaimPoints : public PointReader {
   const PointFacts& facts() const override { return facts_; }
   std::span<const std::string> names() const override { return names_; }
   std::vector<Vector3d> rest() const override;
+  std::vector<int> parents() const override;
   bool next(PointFrame& frame) override;
   std::vector<FileWarning> warnings() const override;
 

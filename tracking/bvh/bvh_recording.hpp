@@ -6,6 +6,7 @@
 
 #include "tracking/bvh/bvh_pose.hpp"
 #include "tracking/bvh/bvh_reader.hpp"
+#include "tracking/bvh/lost_bones.hpp"
 #include "tracking/recording/point_reader.hpp"
 #include "tracking/recording/recording.hpp"
 
@@ -17,16 +18,21 @@ bool looksLikeBvh(std::string_view text);
 /// Positions of joints and end sites; frame times are t = i * frame time.
 class BvhPoints : public PointReader {
  public:
-  BvhPoints(std::string text, std::string file);
+  /// With `repair`, lost bones are put in (repairLostBones).
+  BvhPoints(std::string text, std::string file, bool repair = false);
 
   const PointFacts& facts() const override { return facts_; }
   std::span<const std::string> names() const override { return names_; }
   std::vector<Vector3d> rest() const override;
+  std::vector<int> parents() const override;
   bool next(PointFrame& frame) override;
+  const std::vector<LostBone>& repairs() const { return repairs_; }
   std::vector<FileWarning> warnings() const override { return reader_.warnings(); }
 
  private:
   BvhReader reader_;
+  BvhHierarchy hierarchy_;  ///< that of the reader, repaired
+  std::vector<LostBone> repairs_;
   BvhPose pose_;
   PointFacts facts_;
   std::vector<std::string> names_;

@@ -6,6 +6,7 @@
 #include "core/base/number.hpp"
 #include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
+#include "tracking/c3d/c3d_subject.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
 namespace abstand::tracking {
@@ -136,17 +137,16 @@ C3dReader::Point C3dReader::point(std::size_t frame, std::size_t i) const {
   // The low byte is the residual in units of the scale, the high one the camera mask; negative: not measured.
   const bool is_word = std::isfinite(fourth) && std::abs(fourth) <= 32768.0;
   const int word = is_word ? static_cast<int>(fourth) : -1;
-  out.residual = (word & 0xff) * std::abs(scale_);
+  out.residual = word < 0 ? -1.0 : (word & 0xff) * std::abs(scale_);
   const bool is_number = out.p.allFinite() && out.p.cwiseAbs().maxCoeff() < kLargestCoordinate;
-  out.is_valid = is_number && (trust_residuals_ ? word >= 0 : !out.p.isZero(0.0));
-  if (word < 0) out.residual = -1.0;
+  out.is_measured = is_number && (!trust_residuals_ || word >= 0);
   return out;
 }
 
 void C3dReader::checkResiduals() {
   for (std::size_t f = 0; f < frames_; ++f)
     for (std::size_t i = 0; i < points_; ++i)
-      if (point(f, i).is_valid) return;
+      if (point(f, i).is_measured) return;
   trust_residuals_ = false;
   warnings_.push_back(
       {0,
@@ -165,6 +165,17 @@ void C3dReader::describe() {
   if (up == "x" || up == "y" || up == "z" || up == "-x" || up == "-y" || up == "-z")
     facts_.up = UpChoice{up, "POINT:Y_SCREEN of the file", ""};
 
+  facts_.subject = subjectOf(parameters_);
+  std::size_t at_origin = 0;
+  for (std::size_t f = 0; f < frames_; ++f)
+    for (std::size_t i = 0; i < points_; ++i) {
+      const Point p = point(f, i);
+      at_origin += p.is_measured && !p.isSeen() ? 1 : 0;
+    }
+  if (at_origin > 0 && trust_residuals_)
+    facts_.notes.push_back(std::to_string(at_origin) +
+                           " times a point lies at (0, 0, 0): it counts as not seen there");
+
   constexpr const char* kProcessors[]{"Intel", "DEC", "MIPS"};
   facts_.notes.push_back(
       std::string(kProcessors[static_cast<int>(bytes_.processor) - 84]) +
@@ -175,7 +186,7 @@ void C3dReader::describe() {
   std::vector<double> residuals;
   for (const auto f : sampleIndices(frames_))
     for (std::size_t i = 0; i < points_; ++i)
-      if (const Point p = point(f, i); p.is_valid && p.residual > 0.0) residuals.push_back(p.residual);
+      if (const Point p = point(f, i); p.isSeen() && p.residual > 0.0) residuals.push_back(p.residual);
   if (!residuals.empty())
     facts_.notes.push_back("residuals: median " + text::rounded(nearestQuantile(residuals, 0.5), 2) +
                            ", largest " + text::rounded(nearestQuantile(residuals, 1.0), 2) + " units");
@@ -186,7 +197,7 @@ bool C3dReader::next(PointFrame& frame) {
   frame.clear(points_);
   frame.t = static_cast<double>(next_) / facts_.rate;
   for (std::size_t i = 0; i < points_; ++i)
-    if (const Point p = point(next_, i); p.is_valid) frame.set(i, p.p);
+    if (const Point p = point(next_, i); p.isSeen()) frame.set(i, p.p);
   ++next_;
   return true;
 }

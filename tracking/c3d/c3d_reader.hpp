@@ -15,9 +15,9 @@ namespace abstand::tracking {
 bool looksLikeC3d(std::string_view bytes);
 
 /// Supports Intel, DEC and MIPS; integers (POINT:SCALE above 0) and floats (below). Analog samples are
-/// skipped. A point with a negative residual is a gap; if all residuals of a file are negative, they are
-/// ignored, and only points at the origin are gaps. The header states the locations; frames are those present
-/// in the file, and a differing stated number is a warning.
+/// skipped. A point with a negative residual is a gap, and so is one at the origin; if all residuals of a
+/// file are negative, they are ignored. The header states the locations; frames are those present in the
+/// file, and a differing stated number is a warning.
 class C3dReader : public PointReader {
  public:
   /// `bytes` must outlive this object. Throws ParseError with the offset.
@@ -31,8 +31,10 @@ class C3dReader : public PointReader {
  private:
   struct Point {
     Vector3d p;
-    bool is_valid;
-    double residual;  ///< in units of the file
+    bool is_measured;  ///< finite, and not a gap by its residual
+    double residual;   ///< in units of the file; negative: not measured
+    /// Programs write gaps as points at the origin, too.
+    bool isSeen() const { return is_measured && !p.isZero(0.0); }
   };
   /// -1 if the parameter does not exist.
   double numberOf(const std::string& name, std::size_t i = 0) const;

@@ -9,6 +9,7 @@ namespace {
 
 using enum RigSegment;
 
+constexpr double kStatedSpread = 0.01;  // of a known stature
 constexpr double kStatureSpread = 0.10, kBoneSpread = 0.05, kBreadthSpread = 0.08;
 constexpr double kMinSize = 0.4, kMaxSize = 2.0;  // of the base, each size
 constexpr double kIndependentMoments = 10.0;
@@ -36,8 +37,13 @@ Vector3d grown(const FoundMarker& m, const SizeVector& sizes) {
 /// The body and a pose for each moment; each round improves both.
 class Calibration {
  public:
-  Calibration(const BodyRig& base, std::span<const FoundMarker> found)
+  Calibration(const BodyRig& base, std::span<const FoundMarker> found, std::optional<double> stature)
       : base_{base}, found_{found}, shift_(found.size(), Vector3d::Zero()) {
+    if (stature) {
+      usual_[0] = std::clamp(*stature / base.height, kMinSize, kMaxSize);
+      stature_spread_ = kStatedSpread * usual_[0];
+    }
+    body_.sizes = usual_;
     remake();
   }
 
@@ -122,16 +128,15 @@ class Calibration {
   }
 
   void addPriors(Dense& H, Eigen::VectorXd& g) const {
-    const SizeVector usual = sameSizes();
     for (int i = 0; i < kSizes; ++i) {
       const auto size = static_cast<BodySize>(i);
       const bool is_breadth = size == BodySize::kHips || size == BodySize::kShoulders;
-      const double spread = size == BodySize::kStature ? kStatureSpread
+      const double spread = size == BodySize::kStature ? stature_spread_
                             : is_breadth               ? kBreadthSpread
                                                        : kBoneSpread;
       const double w = 1.0 / (spread * spread);
       H(i, i) += w;
-      g(i) += w * (body_.sizes[i] - usual[i]);
+      g(i) += w * (body_.sizes[i] - usual_[i]);
     }
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const double w = 1.0 / (found_[k].spread * found_[k].spread);
@@ -161,6 +166,8 @@ class Calibration {
   const BodyRig& base_;
   std::span<const FoundMarker> found_;
   std::vector<Vector3d> shift_;  ///< offset of each marker from the set's position, m
+  SizeVector usual_{sameSizes()};
+  double stature_spread_{kStatureSpread};
   MarkerBody body_;
   std::vector<const MarkerPlaces*> moments_;
   std::vector<RigPose> poses_;
@@ -188,8 +195,8 @@ BodySolver::Vector restWeights(const BodyRig& rig, std::span<const RigMarker> ma
 }
 
 MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
-                     std::span<const MarkerPlaces> moments) {
-  Calibration calibration(base, found);
+                     std::span<const MarkerPlaces> moments, std::optional<double> stature) {
+  Calibration calibration(base, found, stature);
   const auto evenly = [&](std::size_t max_count) {
     std::vector<const MarkerPlaces*> picked;
     const std::size_t count = std::min(max_count, moments.size());

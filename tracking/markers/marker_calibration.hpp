@@ -1,6 +1,7 @@
 // Calibrates body sizes and marker positions of a person.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,11 +24,12 @@ struct MarkerBody {
 ///
 /// Joint least squares over everything: the poses are eliminated moment by moment (Schur complement), so that
 /// a longer thigh is found although every single pose could bend to fit a short one. Priors decide what the
-/// markers leave undetermined: stature +- 10 % of the base, bones +- 5 % beyond it (breadths 8 %), and each
-/// marker within its spread around the set's position. As the moments of one movement have correlated errors,
-/// they count as at most ten against the priors. Robust weights exclude outliers.
+/// markers leave undetermined: stature +- 10 % of the base (of `stature`, m, if known: +- 1 % of that), bones
+/// +- 5 % beyond it (breadths 8 %), and each marker within its spread around the set's position. As the
+/// moments of one movement have correlated errors, they count as at most ten against the priors. Robust
+/// weights exclude outliers.
 MarkerBody calibrate(const BodyRig& base, std::span<const FoundMarker> found,
-                     std::span<const MarkerPlaces> moments);
+                     std::span<const MarkerPlaces> moments, std::optional<double> stature = std::nullopt);
 
 /// Segments with markers, or with a descendant that has markers.
 std::array<bool, kRigSegments> observedSegments(const BodyRig& rig, std::span<const RigMarker> markers);

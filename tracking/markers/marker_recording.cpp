@@ -25,13 +25,22 @@ constexpr double kHeadHeight = 0.90, kChestHeight = 0.72, kPelvisHeight = 0.53;
 /// trochanters.
 constexpr double kHipFromMiddle = 0.36 * 0.24 / 1.75;
 
-/// Rig of mean stature with hip joints at that distance.
+/// Shoulder joint centres lie under the acromion markers, which the sets place at this share of half the
+/// chest's breadth. The model's lie below the outer ends of the acromia, some 35 mm farther out.
+constexpr double kShoulderPerChest = 1.06;
+
+/// Rig of mean stature with hip and shoulder joints at these distances.
 const BodyRig& usualRig() {
   static const BodyRig rig = [] {
     BodyRig made = makeRig(humanmodel::makeHuman({}));
-    for (const auto& [segment, joint, side] : {std::tuple(kThighLeft, humanmodel::Joint::kHipLeft, 1.0),
-                                               std::tuple(kThighRight, humanmodel::Joint::kHipRight, -1.0)}) {
-      made.parts[index(segment)].p_parent.y() = side * kHipFromMiddle * made.height;
+    const double hip = kHipFromMiddle * made.height;
+    const double shoulder = kShoulderPerChest * halfExtent(made[kChest].shape, 1);
+    for (const auto& [segment, joint, y] :
+         {std::tuple(kThighLeft, humanmodel::Joint::kHipLeft, hip),
+          std::tuple(kThighRight, humanmodel::Joint::kHipRight, -hip),
+          std::tuple(kUpperArmLeft, humanmodel::Joint::kShoulderLeft, shoulder),
+          std::tuple(kUpperArmRight, humanmodel::Joint::kShoulderRight, -shoulder)}) {
+      made.parts[index(segment)].p_parent.y() = y;
       made.p_joint[static_cast<std::size_t>(joint)] = made.parts[index(segment)].p_parent;
     }
     return made;
@@ -164,14 +173,17 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
     }
   std::vector<double> t;
   for (const auto& f : raw.frames) t.push_back(f.t);
-  MarkerSolution solution = solveMarkers(usualRig(), match_->markers, t, moments);
+  const std::optional<double> stature =
+      raw.subject.height > 0.0 ? std::optional(raw.subject.height) : std::nullopt;
+  MarkerSolution solution = solveMarkers(usualRig(), match_->markers, t, moments, stature);
   MarkerReport report = std::move(solution.report);
   report.set = match_->set;
   report.reason = reason_;
-  if (2 * report.lost > raw.frames.size()) {
+  const std::size_t seen = raw.frames.size() - report.unseen;
+  if (2 * report.lost > seen || seen == 0) {
     MarkerReport none;
     none.reason = "the set '" + match_->set + "' shows no body in " + std::to_string(report.lost) + " of " +
-                  std::to_string(raw.frames.size()) + " frames";
+                  std::to_string(seen) + " frames with its markers";
     return none;
   }
   for (auto& f : solution.frames)

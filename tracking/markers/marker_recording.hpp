@@ -29,8 +29,8 @@ class MarkerTrack {
   void add(const PointFrame& frame);
 
   /// Solves all frames and writes the joint centres to raw.frames, in the axes and units of the file, with
-  /// the selected unit and up axis. If more than half of the frames show no body, `raw` is unchanged and the
-  /// report has no set.
+  /// the selected unit and up axis. If more than half of the frames with markers show no body, `raw` is
+  /// unchanged and the report has no set.
   MarkerReport solveInto(RawRecording& raw, const RecordingOptions& options) const;
 
  private:

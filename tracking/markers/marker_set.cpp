@@ -81,12 +81,6 @@ SetMarker parseMarker(std::string_view line, std::size_t colon, SourcePos pos) {
   return marker;
 }
 
-double halfExtent(const geometry::Shape& shape, int axis) {
-  if (const auto* e = std::get_if<geometry::Ellipsoid>(&shape)) return e->semi_axes[axis];
-  if (const auto* c = std::get_if<geometry::Cuboid>(&shape)) return 0.5 * c->size[axis];
-  ABSTAND_CHECK(!"parts are ellipsoids or cuboids");
-}
-
 Vector3d placeOn(const BodyRig& rig, const SetMarker& marker) {
   const RigSegment s = marker.segment;
   const Vector3d far = farJoint(rig, s);
@@ -97,6 +91,12 @@ Vector3d placeOn(const BodyRig& rig, const SetMarker& marker) {
 }
 
 }  // namespace
+
+double halfExtent(const geometry::Shape& shape, int axis) {
+  if (const auto* e = std::get_if<geometry::Ellipsoid>(&shape)) return e->semi_axes[axis];
+  if (const auto* c = std::get_if<geometry::Cuboid>(&shape)) return 0.5 * c->size[axis];
+  ABSTAND_CHECK(!"parts are ellipsoids or cuboids");
+}
 
 Vector3d farJoint(const BodyRig& rig, RigSegment s) {
   const auto joint = [&](humanmodel::Joint j) { return rig.p_joint[static_cast<std::size_t>(j)]; };

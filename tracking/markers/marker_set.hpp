@@ -67,4 +67,7 @@ std::optional<MarkerMatch> chooseMarkerSet(std::span<const MarkerSet> sets, cons
 /// their tips, the foot at the toe, pelvis and chest at the joint above.
 Vector3d farJoint(const BodyRig& rig, RigSegment s);
 
+/// Half the extent of a part's shape along x (0), y or z, m.
+double halfExtent(const geometry::Shape& shape, int axis);
+
 }  // namespace abstand::tracking

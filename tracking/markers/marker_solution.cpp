@@ -23,6 +23,7 @@ constexpr double kMaxMisplaced = 0.4;     // share of the visible ones
 constexpr double kLost = 0.5;             // share of its misplaced frames above which a marker is ignored
 constexpr std::size_t kLongestWait = 64;  // moments between two searches
 constexpr double kAlone = 0.050;          // m, spread of joints of a chest extrapolated from the pelvis
+constexpr double kShoulderPlace = 0.015;  // m, of the joint below the acromion: no marker shows it
 constexpr double kTracked = 0.030, kInferred = 0.120;  // m
 
 int countSeen(const MarkerPlaces& places) {
@@ -48,6 +49,10 @@ std::array<double, humanmodel::kJointCount> spreadsOf(const BodyRig& rig, const 
                                                       double rms) {
   auto spread = jointSpreads(rig, solver.problem(), solver.information());
   for (double& s : spread) s *= std::max(1.0, rms / kSkinMotion);
+  for (const auto j : {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight}) {
+    double& s = spread[static_cast<std::size_t>(j)];
+    s = std::hypot(s, kShoulderPlace);
+  }
   return spread;
 }
 
@@ -157,9 +162,10 @@ bool isGood(const MarkerPose& pose) {
 }  // namespace
 
 MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
-                            std::span<const double> t, std::span<const MarkerPlaces> moments) {
+                            std::span<const double> t, std::span<const MarkerPlaces> moments,
+                            std::optional<double> stature) {
   MarkerSolution out;
-  out.body = calibrate(base, found, completeMoments(moments));
+  out.body = calibrate(base, found, completeMoments(moments), stature);
   const BodyRig& rig = out.body.rig;
   MarkerSolver solver(rig);
   Ledger ledger(found);
@@ -172,6 +178,10 @@ MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> fo
   for (std::size_t i = 0; i < moments.size(); ++i) {
     humanmodel::SkeletonFrame& frame = out.frames[i];
     frame.t = t[i];
+    if (countSeen(moments[i]) == 0) {
+      ++out.report.unseen;
+      continue;
+    }
     MarkerPose pose;
     if (hold.last) {
       const double dt = std::clamp(t[i] - last_t, kShortStep, kLongStep);

@@ -1,6 +1,7 @@
 // Solves a whole marker recording: a body, and its joint centres in every frame.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct MarkerSolution {
 /// the previous one, or by a search after a loss. A joint is tracked if its standard deviation, from the
 /// visible markers, is below 30 mm, inferred below 120 mm, missing above and on segments without markers;
 /// only the chest is extrapolated from the pelvis, as inferred. `t` (s) increases; `moments` in world axes,
-/// m.
+/// m; `stature` (m), if known, is nearly kept. Moments without any marker are not lost but unseen.
 MarkerSolution solveMarkers(const BodyRig& base, std::span<const FoundMarker> found,
-                            std::span<const double> t, std::span<const MarkerPlaces> moments);
+                            std::span<const double> t, std::span<const MarkerPlaces> moments,
+                            std::optional<double> stature = std::nullopt);
 
 }  // namespace abstand::tracking

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
-#include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/math/quantile.hpp"
 #include "core/text/message_text.hpp"
 #include "humanmodel/part_uncertainty.hpp"
+#include "tracking/joint_guess/joint_choice.hpp"
 #include "tracking/markers/marker_recording.hpp"
 #include "tracking/recording/conversion.hpp"
-#include "tracking/recording/joint_map.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -24,54 +23,21 @@ JointMatch canonicalNames(std::span<const std::string> names) {
   return match;
 }
 
-JointMatch matchNames(const PointFacts& facts, std::span<const std::string> names,
-                      const RecordingOptions& options, const std::string& file) {
-  const auto maps = options.joint_map.empty() ? loadJointMaps(dataFolder() / "joint_maps")
-                                              : std::vector<JointMap>{loadJointMap(options.joint_map)};
-  JointMatch match = chooseJointMap(maps, names);
-  if (match.mapped > 0) return match;
-  if (facts.of_markers) {
-    match.map.clear();
-    return match;
-  }
+/// Frames from which joints may be guessed.
+std::vector<PointFrame> readFirst(PointReader& reader) {
+  constexpr std::size_t kFirstFrames = 64;
+  std::vector<PointFrame> first;
+  PointFrame frame;
+  while (first.size() < kFirstFrames && reader.next(frame)) first.push_back(frame);
+  return first;
+}
+
+/// The first names of a file, for messages.
+std::string someOf(const std::vector<std::string>& names) {
   std::string some;
   for (std::size_t i = 0; i < names.size() && i < 3; ++i)
     some += (i > 0 ? ", " : "") + text::inQuotes(names[i]);
-  throw ParseError(
-      {file}, "found joints that no joint map knows (" + some + "...), expected names of a known convention",
-      "write a joint map for them as data/joint_maps/README.md says");
-}
-
-/// Mean of several points; missing if one of them is missing, inferred if one of them is inferred.
-void setMean(const PointFrame& from, const std::vector<int>& points, humanmodel::Joint j,
-             humanmodel::SkeletonFrame& to) {
-  Vector3d sum = Vector3d::Zero();
-  humanmodel::JointState state = humanmodel::JointState::kTracked;
-  double spread = 0.0;
-  for (const int i : points) {
-    sum += from.p[static_cast<std::size_t>(i)];
-    spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
-    state = std::min(state, from.state[static_cast<std::size_t>(i)]);
-  }
-  if (state == humanmodel::JointState::kMissing) return;
-  to.set(j, sum / static_cast<double>(points.size()), state);
-  to.spread[static_cast<std::size_t>(j)] = spread;
-}
-
-humanmodel::SkeletonFrame pick(const PointFrame& from, const JointMatch& match) {
-  humanmodel::SkeletonFrame frame;
-  frame.t = from.t;
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    if (match.joint[j] < 0) continue;
-    const auto i = static_cast<std::size_t>(match.joint[j]);
-    if (i >= from.p.size())
-      setMean(from, match.means[i - from.p.size()], static_cast<humanmodel::Joint>(j), frame);
-    else if (from.state[i] != humanmodel::JointState::kMissing) {
-      frame.set(static_cast<humanmodel::Joint>(j), from.p[i], from.state[i]);
-      frame.spread[j] = from.spreadOf(i);
-    }
-  }
-  return frame;
+  return some + (names.size() > 3 ? ", ..." : "");
 }
 
 humanmodel::SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMatch& match) {
@@ -79,7 +45,7 @@ humanmodel::SkeletonFrame pickRest(const std::vector<Vector3d>& p, const JointMa
   PointFrame rest;
   rest.p = p;
   rest.state.assign(p.size(), humanmodel::JointState::kTracked);
-  return pick(rest, match);
+  return pickJoints(rest, match);
 }
 
 /// Marks inferred joints without a spread; their spread is set in metres later.
@@ -125,7 +91,14 @@ void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
 void describeSolved(RecordingReport& report) {
   const MarkerReport& m = report.markers;
   report.joint_map.clear();
-  if (!(report.stature > 0.0)) report.stature = m.stature;
+  report.joint_map_reason = "markers were solved to joint centres";
+  report.joint_names = {};
+  if (!(report.stature > 0.0)) {
+    report.stature = m.stature;
+    report.stature_reason = "of the body under the markers";
+  }
+  if (m.unseen > 0)
+    report.notes.push_back("in " + std::to_string(m.unseen) + " frames no marker of the set is there");
   if (m.lost > 0)
     report.warnings.push_back("the markers show no body in " + std::to_string(m.lost) + " frames");
   for (const auto& swap : m.swaps)
@@ -137,6 +110,29 @@ void describeSolved(RecordingReport& report) {
   if (!ignored.empty()) report.warnings.push_back("markers that were not used: " + ignored);
 }
 
+/// Says which joints were used and whether they are guesses.
+void describeChoice(const JointChoice& choice, RecordingReport& report) {
+  report.joint_map_reason = choice.reason;
+  report.joints_guessed = choice.is_guess;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const int i = choice.match.joint[j];
+    if (i < 0) continue;
+    auto& names = report.joint_names[j];
+    if (static_cast<std::size_t>(i) < report.joints.size())
+      names.push_back(report.joints[static_cast<std::size_t>(i)]);
+    else
+      for (const int point : choice.match.means[static_cast<std::size_t>(i) - report.joints.size()])
+        names.push_back(report.joints[static_cast<std::size_t>(point)]);
+  }
+  report.joints_of_markers = choice.match.of_markers;
+  report.head_is_middle = choice.match.head == HeadPoint::kMiddle;
+  report.notes.insert(report.notes.end(), choice.notes.begin(), choice.notes.end());
+  if (choice.is_guess)
+    report.warnings.push_back("which joint is which is a guess: " + choice.reason +
+                              "; check the parts, and give a joint map if one is wrong (--write-map writes "
+                              "the one that was used)");
+}
+
 }  // namespace
 
 Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
@@ -145,10 +141,18 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.format = facts.format;
   raw.joints.assign(reader.names().begin(), reader.names().end());
   raw.is_canonical = facts.is_canonical;
-  raw.match = facts.is_canonical ? canonicalNames(raw.joints) : matchNames(facts, raw.joints, options, file);
-  raw.rest = pickRest(reader.rest(), raw.match);
+  const std::vector<Vector3d> rest = reader.rest();
+  const std::vector<PointFrame> first = readFirst(reader);
+  JointChoice choice;
+  if (facts.is_canonical)
+    choice.match = canonicalNames(raw.joints);
+  else
+    choice = chooseJoints({raw.joints, reader.parents(), rest, first}, options, !facts.of_markers);
+  raw.match = choice.match;
+  raw.rest = pickRest(rest, raw.match);
   raw.unit = facts.unit;
   raw.up = facts.up;
+  raw.subject = facts.subject;
 
   std::optional<MarkerTrack> markers;
   const bool may_be_markers = facts.of_markers || raw.match.of_markers;
@@ -158,11 +162,12 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
       raw.match.mapped >= markers->found())
     markers.reset();
-  PointFrame frame;
-  while (reader.next(frame)) {
-    raw.frames.push_back(pick(frame, raw.match));
+  const auto add = [&](const PointFrame& frame) {
+    raw.frames.push_back(pickJoints(frame, raw.match));
     if (markers && markers->hasSet()) markers->add(frame);
-  }
+  };
+  for (const PointFrame& frame : first) add(frame);
+  for (PointFrame frame; reader.next(frame);) add(frame);
   if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
   raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
   raw.rate_reason = facts.rate_reason;
@@ -185,11 +190,15 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   recording.report.units.guessed = !facts.unit && text::lowerCase(options.units) == "auto";
   recording.report.up.guessed = !facts.up && text::lowerCase(options.up) == "auto";
   spreadGuesses(recording.frames);
+  describeChoice(choice, recording.report);
   recording.report.markers = std::move(solved);
   if (!recording.report.markers.set.empty())
     describeSolved(recording.report);
   else if (facts.of_markers || by_marker_map)
     warnOfMarkers(by_marker_map, recording.report);
+  else if (recording.report.joint_map.empty() && !facts.is_canonical)
+    recording.report.warnings.push_back("no joint map knows the joints of this file (" +
+                                        someOf(recording.report.joints) + ")");
   return recording;
 }
 

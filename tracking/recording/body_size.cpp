@@ -63,6 +63,29 @@ class Lengths {
   std::vector<const humanmodel::SkeletonFrame*> samples_;
 };
 
+struct UsualBone {
+  humanmodel::Joint a, b;
+  double share;  // of the stature
+};
+/// The unit in which a stature is one of a person; nullptr: none.
+const Unit* fittingUnit(double stature, double min, double max) {
+  for (const auto& unit : kUnits)
+    if (stature * unit.metres >= min && stature * unit.metres <= max) return &unit;
+  return nullptr;
+}
+
+UnitChoice unitByBones(const BoneStature& by) {
+  const std::string measured = "by " + std::to_string(by.bones) + " of the usual bones the person is about " +
+                               text::rounded(by.stature, 3) + " units tall: ";
+  if (const Unit* unit = fittingUnit(by.stature, kShortestByBones, kTallestByBones))
+    return {unit->name, measured + text::rounded(by.stature * unit->metres, 2) + " m in " + unit->name,
+            unit->metres, ""};
+  return {"free", measured + "in no usual unit a person's stature", kAssumedStature / by.stature,
+          measured + "no usual unit gives " + text::rounded(kShortestByBones, 1) + " to " +
+              text::rounded(kTallestByBones, 1) + " m, so it is scaled to about " +
+              text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
+}
+
 UnitChoice wantedUnit(const std::string& wanted) {
   std::string name = text::lowerCase(wanted);
   if (name == "in" || name == "inch") name = "inches";
@@ -92,7 +115,27 @@ std::optional<double> measureStature(const humanmodel::SkeletonFrame& rest,
   return stature;
 }
 
-UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature) {
+std::optional<BoneStature> statureByBones(const std::vector<humanmodel::SkeletonFrame>& frames) {
+  using J = humanmodel::Joint;
+  static constexpr UsualBone kUsualBones[]{
+      {J::kHipLeft, J::kKneeLeft, 0.245},       {J::kHipRight, J::kKneeRight, 0.245},
+      {J::kKneeLeft, J::kAnkleLeft, 0.246},     {J::kKneeRight, J::kAnkleRight, 0.246},
+      {J::kShoulderLeft, J::kElbowLeft, 0.186}, {J::kShoulderRight, J::kElbowRight, 0.186},
+      {J::kElbowLeft, J::kWristLeft, 0.146},    {J::kElbowRight, J::kWristRight, 0.146},
+      {J::kShoulderLeft, J::kHipLeft, 0.288},   {J::kShoulderRight, J::kHipRight, 0.288}};
+  const humanmodel::SkeletonFrame no_rest;
+  const Lengths lengths(no_rest, frames);
+  std::vector<double> statures;
+  for (const UsualBone& bone : kUsualBones)
+    if (const double length = lengths.median(bone.a, bone.b); std::isfinite(length) && length > 0.0)
+      statures.push_back(length / bone.share);
+  if (statures.empty()) return std::nullopt;
+  const int bones = static_cast<int>(statures.size());
+  return BoneStature{nearestQuantile(std::move(statures), 0.5), bones};
+}
+
+UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
+                      std::optional<BoneStature> by_bones) {
   const std::string range =
       text::rounded(kShortestAdult, 1) + " to " + text::rounded(kTallestAdult, 1) + " m";
   const auto plausible = [](double metres) { return metres >= kShortestAdult && metres <= kTallestAdult; };
@@ -103,17 +146,17 @@ UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature) 
                        " m tall, not " + range;
     return choice;
   }
+  if (!stature && by_bones) return unitByBones(*by_bones);
   if (!stature)
-    return {"cm", "the joints that give a stature are not all in the file; centimetres are the most usual",
-            0.01, "the units are not known: centimetres are assumed; give them if that is wrong"};
+    return {"cm", "no bone that gives a stature is in the file; centimetres are the most usual", 0.01,
+            "the units are not known: centimetres are assumed; give them if that is wrong"};
   const std::string measured =
       "along the bones the person is " + text::rounded(*stature, 3) + " units tall: ";
-  for (const auto& unit : kUnits)
-    if (plausible(*stature * unit.metres))
-      return {
-          unit.name,
-          measured + text::rounded(*stature * unit.metres, 3) + " m in " + unit.name + ", an adult's stature",
-          unit.metres, ""};
+  if (const Unit* unit = fittingUnit(*stature, kShortestAdult, kTallestAdult))
+    return {
+        unit->name,
+        measured + text::rounded(*stature * unit->metres, 3) + " m in " + unit->name + ", an adult's stature",
+        unit->metres, ""};
   const double scale = kAssumedStature / *stature;
   return {"free", measured + "in no usual unit an adult's stature (" + range + ")", scale,
           measured + "no usual unit gives " + range + ", so it is scaled to " +

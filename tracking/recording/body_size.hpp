@@ -17,6 +17,17 @@ namespace abstand::tracking {
 std::optional<double> measureStature(const humanmodel::SkeletonFrame& rest,
                                      const std::vector<humanmodel::SkeletonFrame>& frames);
 
+/// Stature by the bones that are known.
+struct BoneStature {
+  double stature{0.0};  ///< units of the frames
+  int bones{0};
+};
+
+/// Median over thighs, calves, upper arms, forearms and both sides of the trunk (shoulder to hip) of the
+/// bone's length (median over sampled frames) over its usual share of stature (Drillis and Contini 1966,
+/// ibid.). Rough, as people and the joints of files differ. nullopt if none of these bones is in any frame.
+std::optional<BoneStature> statureByBones(const std::vector<humanmodel::SkeletonFrame>& frames);
+
 /// Metres per unit of a file, with the reason.
 struct UnitChoice {
   std::string name;  ///< "cm", ..., a number, or "free": scaled to an assumed stature
@@ -27,12 +38,16 @@ struct UnitChoice {
 
 /// m; range of adult statures. A unit that gives a stature outside is rejected.
 inline constexpr double kShortestAdult = 1.4, kTallestAdult = 2.1;
+/// m; the same for a stature by bones.
+inline constexpr double kShortestByBones = 1.2, kTallestByBones = 2.4;
 /// m; if no usual unit fits, the person is scaled to this stature.
 inline constexpr double kAssumedStature = 1.75;
 
 /// Selects the unit of a file: `wanted` is "auto" or the user's choice: m, cm, mm, inches, cmu (the CMU data
 /// base's 1 / 0.45 inch) or metres per unit as a number. Throws UsageError for anything else. With "auto" at
-/// most one usual unit fits: their ratios are larger than that of the tallest to the shortest adult.
-UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units);
+/// most one usual unit fits: their ratios are larger than that of the tallest to the shortest adult. Without
+/// a stature, one by bones decides, in a wider range.
+UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units,
+                      std::optional<BoneStature> by_bones = std::nullopt);
 
 }  // namespace abstand::tracking

@@ -7,6 +7,7 @@
 #include "core/base/message_line.hpp"
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
+#include "tracking/recording/first_pose.hpp"
 #include "tracking/recording/part_joints.hpp"
 
 namespace abstand::tracking {
@@ -14,6 +15,8 @@ namespace {
 
 /// m; largest height of the lowest foot in a recording on the floor.
 constexpr double kFloorDistance = 0.3;
+/// Share by which a stature along the bones may differ from the stated one.
+constexpr double kStaturesDiffer = 0.07;
 
 void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d& R, double scale) {
   if (scale == 1.0 && R == Matrix3d::Identity()) return;  // preserves every bit, including the sign of zero
@@ -181,6 +184,19 @@ void warnOfPlace(const std::vector<humanmodel::SkeletonFrame>& frames, Recording
                             " m in z");
 }
 
+/// The stature that the file states, otherwise `measured` along the bones (m; 0: unknown).
+void setStature(double measured, RecordingReport& report) {
+  const double stated = report.subject.height;
+  report.stature = stated > 0.0 ? stated : measured;
+  if (stated > 0.0)
+    report.stature_reason = "the file states it";
+  else if (measured > 0.0)
+    report.stature_reason = "along the bones";
+  if (stated > 0.0 && measured > 0.0 && std::abs(measured - stated) > kStaturesDiffer * stated)
+    report.warnings.push_back("along the bones the person is " + text::rounded(measured, 2) +
+                              " m tall, but the file states " + text::rounded(stated, 2) + " m");
+}
+
 }  // namespace
 
 Recording convert(RawRecording raw, const RecordingOptions& options) {
@@ -215,8 +231,9 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   if (!raw.is_canonical)
     for (const auto& sentence : deriveJoints(raw.rest, raw.frames, raw.match.head)) add(sentence);
   const auto stature = measureStature(raw.rest, raw.frames);
-  const UnitChoice unit =
-      raw.unit && options.units == "auto" ? *raw.unit : chooseUnit(options.units, stature);
+  const UnitChoice unit = raw.unit && options.units == "auto"
+                              ? *raw.unit
+                              : chooseUnit(options.units, stature, statureByBones(raw.frames));
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
   add(unit.warning);
   add(up.warning);
@@ -227,7 +244,8 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.up.reason = up.reason;
   report.units.guessed = !raw.unit && text::lowerCase(options.units) == "auto";
   report.up.guessed = !raw.up && text::lowerCase(options.up) == "auto";
-  report.stature = stature ? *stature * unit.scale : 0.0;
+  report.subject = raw.subject;
+  setStature(stature ? *stature * unit.scale : 0.0, report);
 
   Matrix3d R_WF = rotationToZUp(up.axis);
   if (options.mirror == "axes") R_WF.row(1) *= -1.0;
@@ -240,6 +258,12 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
     add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
         " times: left and right may be swapped there");
   warnOfPlace(raw.frames, report);
+  report.proportions = proportionsOf(raw.frames);
+  add(oddProportions(report.proportions));
+  if (const auto turn = leadingTPose(raw.frames))
+    report.notes.push_back("the first frame is a T-pose, from which an arm turns by " +
+                           text::rounded(*turn * 180.0 / kPi, 0) +
+                           " degrees to the second: a converter put it there, it is no part of the movement");
   out.frames = std::move(raw.frames);
   return out;
 }

@@ -27,6 +27,7 @@ struct RawRecording {
   std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;
   std::vector<std::string> notes;
+  SubjectFacts subject;
   bool is_canonical{false};  ///< already canonical: no joints are derived
 };
 

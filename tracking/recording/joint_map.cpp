@@ -108,7 +108,7 @@ JointMatch matchJoints(const JointMap& map, std::span<const std::string> names) 
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     for (std::size_t rank = 0; rank < map.names[j].size() && match.joint[j] < 0; ++rank) {
       const std::string& wanted = map.names[j][rank];
-      if (isSum(wanted)) {
+      if (isSum(wanted) && index.find(wanted) < 0) {
         auto points = index.points(wanted);
         if (points.empty()) continue;
         match.joint[j] = static_cast<int>(names.size() + match.means.size());

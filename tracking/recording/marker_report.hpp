@@ -30,7 +30,8 @@ struct MarkerReport {
   std::vector<std::pair<std::string, std::string>> ignored;  ///< label, reason
   std::vector<MarkerSwap> swaps;
   std::vector<std::pair<std::string, double>> bones;  ///< fitted lengths, m
-  std::size_t lost{0};                                ///< frames without a pose
+  std::size_t lost{0};                                ///< frames with markers of the set, but without a pose
+  std::size_t unseen{0};                              ///< frames without any marker of the set
 };
 
 }  // namespace abstand::tracking

@@ -14,8 +14,12 @@ std::string_view trimmed(std::string_view s) { return text::trimmed(s, " \t", " 
 std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos) {
   std::vector<std::string> out;
   while (true) {
-    const auto bar = list.find('|');
-    const auto name = trimmed(list.substr(0, bar));
+    list = trimmed(list);
+    const bool is_quoted = list.starts_with('"') && list.find('"', 1) != std::string_view::npos;
+    const auto bar = list.find('|', is_quoted ? list.find('"', 1) : 0);
+    auto name = trimmed(list.substr(0, bar));
+    if (is_quoted && name.size() >= 2 && name.find('"', 1) + 1 == name.size())
+      name = name.substr(1, name.size() - 2);
     if (name.empty()) throw ParseError(pos, "found an empty name, expected 'name | name ...'");
     out.emplace_back(name);
     if (bar == std::string_view::npos) return out;
@@ -31,6 +35,7 @@ std::string plainName(std::string_view name) {
 }
 
 NameIndex::NameIndex(std::span<const std::string> names, std::span<const std::string> prefixes) {
+  for (std::size_t i = 0; i < names.size(); ++i) exact_.emplace(trimmed(names[i]), static_cast<int>(i));
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string full = plainName(names[i]);
     const std::string bare = plainName(std::string_view(full).substr(full.rfind(':') + 1));
@@ -44,6 +49,7 @@ NameIndex::NameIndex(std::span<const std::string> names, std::span<const std::st
 }
 
 int NameIndex::find(std::string_view name) const {
+  if (const auto exact = exact_.find(std::string(trimmed(name))); exact != exact_.end()) return exact->second;
   const auto it = index_.find(plainName(name));
   return it == index_.end() ? -1 : it->second;
 }

@@ -15,7 +15,8 @@ namespace abstand::tracking {
 ///  at the end.
 std::string_view trimmed(std::string_view text);
 
-/// Splits "A | B | C". Throws ParseError at `pos` for an empty name.
+/// Splits "A | B | C"; a name with a bar stands in double quotes. Throws ParseError at `pos` for an empty
+/// name.
 std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos);
 
 /// Normal form for comparison: lower case; '_', '.' and '-' are blanks.
@@ -28,13 +29,13 @@ class NameIndex {
   /// Of names with the same normal form the first is used.
   NameIndex(std::span<const std::string> names, std::span<const std::string> prefixes);
 
-  /// Index of a name in the file; -1: none.
+  /// Index of a name in the file, preferably of one that is exactly the same; -1: none.
   int find(std::string_view name) const;
   /// Indices of the points of "A + B + C", or of one name; empty if one of them does not exist.
   std::vector<int> points(std::string_view sum) const;
 
  private:
-  std::unordered_map<std::string, int> index_;
+  std::unordered_map<std::string, int> exact_, index_;
 };
 
 /// True for a sum of names, "A + B".

@@ -9,6 +9,7 @@
 #include "humanmodel/joints.hpp"
 #include "tracking/recording/body_size.hpp"
 #include "tracking/recording/file_warning.hpp"
+#include "tracking/recording/subject_facts.hpp"
 #include "tracking/recording/up_axis.hpp"
 
 namespace abstand::tracking {
@@ -45,6 +46,7 @@ struct PointFacts {
   bool is_canonical{false};      ///< names are canonical joints; m, z up
   std::optional<UnitChoice> unit;
   std::optional<UpChoice> up;
+  SubjectFacts subject;
   std::vector<std::string> notes;  ///< further remarks for the user
 };
 
@@ -62,6 +64,8 @@ class PointReader {
   virtual bool next(PointFrame& frame) = 0;
   /// Positions in the file's rest pose; empty if it has none.
   virtual std::vector<Vector3d> rest() const { return {}; }
+  /// For each name the index of its parent, smaller than the own, or -1; empty if the file has no hierarchy.
+  virtual std::vector<int> parents() const { return {}; }
   /// Complete after next() has returned false.
   virtual std::vector<FileWarning> warnings() const { return {}; }
 };

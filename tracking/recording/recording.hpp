@@ -1,6 +1,7 @@
 // Recorded motion of a person, from any file format.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -8,6 +9,8 @@
 
 #include "humanmodel/joints.hpp"
 #include "tracking/recording/marker_report.hpp"
+#include "tracking/recording/proportions.hpp"
+#include "tracking/recording/subject_facts.hpp"
 
 namespace abstand::tracking {
 
@@ -23,6 +26,7 @@ struct RecordingOptions {
   std::filesystem::path skeleton{};  ///< the ASF of an AMC; empty: searched in the same folder
   /// "auto" (the best of the included sets), "none" (joints are means of markers) or a file
   std::string marker_set{"auto"};
+  bool repair{true};  ///< bones that a conversion has lost are put in
 };
 
 /// Interpretation of the file, with reasons; all guesses can be overridden.
@@ -45,18 +49,29 @@ struct RecordingReport {
   std::string sides;  ///< "agree", "mirrored" or "unknown": left and right relative to the direction of the
                       ///< toes
   std::string sides_reason;
-  double stature{0.0};                                     ///< m, estimated from the bones; 0: unknown
-  std::string joint_map;                                   ///< name of the selected map
-  std::vector<std::string> joints;                         ///< names in the file
+  double stature{0.0};           ///< m; 0: unknown
+  std::string stature_reason;    ///< source of the stature; empty if unknown
+  SubjectFacts subject;          ///< what the file says of the person
+  std::string joint_map;         ///< name of the selected map
+  std::string joint_map_reason;  ///< reason for this map, or for none
+  bool joints_guessed{false};    ///< no map knew the names
+  /// Points of the file for each canonical joint: none, one, or several of which it is the mean. Empty if
+  /// markers were solved.
+  std::array<std::vector<std::string>, humanmodel::kJointCount> joint_names;
+  bool joints_of_markers{false};    ///< the map's points are on the skin
+  bool head_is_middle{false};       ///< the file's head is the middle of the head, not its base
+  std::vector<std::string> joints;  ///< names in the file
   std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
   std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
   /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};
-  double lowest_foot{kNaN};           ///< m, smallest z over all frames; NaN: no foot is known
-  std::size_t gaps{0};                ///< frames in which a mapped joint is missing or not finite
+  double lowest_foot{kNaN};                 ///< m, smallest z over all frames; NaN: no foot is known
+  std::size_t gaps{0};                      ///< frames in which a mapped joint is missing or not finite
+  std::vector<BoneProportion> proportions;  ///< empty: too few bones are known
   std::size_t swaps{0};               ///< rotations of the hips by more than 90 degrees between two frames
   MarkerReport markers;               ///< for a file of markers that were solved
+  std::vector<std::string> repairs;   ///< what was put in because the file lacks it; also in the notes
   std::vector<std::string> notes;     ///< about the file, informative
   std::vector<std::string> warnings;  ///< "LINE: text" if a line is known
   /// Indices of the warnings that are also in fields of this report: frames_missing, missing_parts and

@@ -39,6 +39,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.sides = "agree";
   r.sides_reason = facingReason(tracked.facing);
   r.stature = tracked.stature.known() ? tracked.stature.used : 0.0;
+  if (tracked.stature.known()) r.stature_reason = statureReason(tracked.stature);
   r.joint_map = "tracked";
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     r.joints.emplace_back(humanmodel::jointName(static_cast<humanmodel::Joint>(j)));

@@ -47,6 +47,8 @@ const Spec kSpecs[] = {
      TEXT("Make a page of the recording with these margins, to be signed"), "Ctrl+Alt+R"},
     {Id::kSavePlots, In::kFile, TEXT("Sa&ve plots…"), TEXT("Save the plots as a table or a picture"),
      "Ctrl+Alt+P"},
+    {Id::kVideo, In::kFile, TEXT("Vi&deo…"), TEXT("Save a video of the 3D view between IN and OUT"),
+     "Ctrl+Alt+V"},
     {Id::kScreenshot, In::kFile, TEXT("Screens&hot…"), TEXT("Save a picture of the window"), "Ctrl+Shift+S",
      Kind::kPlain, Glyph::kCamera},
     {Id::kCopyPicture, In::kFile, TEXT("&Copy picture"),

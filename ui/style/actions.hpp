@@ -24,6 +24,7 @@ enum class ActionId {
   kSaveAs,
   kReport,
   kSavePlots,
+  kVideo,
   kScreenshot,
   kCopyPicture,
   kQuit,

@@ -1232,6 +1232,14 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Find a command by its words, and run it</source>
         <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
     </message>
+    <message>
+        <source>Vi&amp;deo…</source>
+        <translation>&amp;Video…</translation>
+    </message>
+    <message>
+        <source>Save a video of the 3D view between IN and OUT</source>
+        <translation>Ein Video der 3D-Ansicht zwischen IN und OUT speichern</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -1892,6 +1900,14 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
     <message>
         <source>Table (*.csv);;Drawing (*.svg);;Picture (*.png)</source>
         <translation>Tabelle (*.csv);;Zeichnung (*.svg);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Save video</source>
+        <translation>Video speichern</translation>
+    </message>
+    <message>
+        <source>Videos (*.avi)</source>
+        <translation>Videos (*.avi)</translation>
     </message>
 </context>
 <context>
@@ -3021,6 +3037,25 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     <message>
         <source>frame %1 / %2</source>
         <translation>Bild %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::VideoRecorder</name>
+    <message>
+        <source>No video</source>
+        <translation>Kein Video</translation>
+    </message>
+    <message>
+        <source>Making the video…</source>
+        <translation>Das Video wird erstellt…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
     </message>
 </context>
 <context>

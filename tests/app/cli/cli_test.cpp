@@ -63,6 +63,29 @@ TEST_F(Cli, BadFilesAreThreeAndNothingIsWritten) {
   EXPECT_FALSE(exists(std::filesystem::path(out)));
 }
 
+TEST_F(Cli, ARecordingWithoutAPersonIsThreeWithItsReport) {
+  const std::string file =
+      write("stick.bvh",
+            "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
+            "End Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 1\nFrame Time: 0.01\n0 0 0\n");
+  const std::string map = (folder_.path() / "own.map").string();
+  const Answer a = run("skeleton " + file + " --json --write-map " + map);
+  EXPECT_EQ(a.code, 3);
+  EXPECT_NE(a.err.find("stick.bvh: error: found no part of a person that this recording can move"),
+            std::string::npos)
+      << a.err;
+  EXPECT_NE(a.err.find("--write-map own.map"), std::string::npos) << a.err;
+  const auto json = nlohmann::json::parse(a.out);
+  EXPECT_EQ(json["missing_parts"].size(), 14u);
+  EXPECT_TRUE(json["subject"].is_null());
+  EXPECT_TRUE(exists(std::filesystem::path(map)));
+  EXPECT_EQ(run("skeleton " + file + " --joint-map " + map).code, 3) << "the map is still to be filled in";
+  EXPECT_EQ(
+      run("run " + write("stick.yaml", "abstand: 1\nhumans: [{name: p, recording: {file: stick.bvh}}]\n"))
+          .code,
+      3);
+}
+
 TEST_F(Cli, TypoInASceneNamesTheNearestKey) {
   const Answer a = run("run " + write("a.yaml", "abstand: 1\nobjekts: []\n"));
   EXPECT_NE(a.err.find("a.yaml:2:1: error:"), std::string::npos) << a.err;

@@ -59,7 +59,7 @@ humans:
     lengths: recording
     margin: 0.10
     parts: {hand_left: {margin: 0.15, contour: 0.24}, torso: {shape: cuboid, breadth: 0.4, voxel: 0.01, max_speed: 1.6}, head: {}}
-    recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, rate: 60, mirror: axes, joint_map: own.map, marker_set: own.markers, cut_things: true, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
+    recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, rate: 60, mirror: axes, joint_map: own.map, marker_set: own.markers, repair: false, cut_things: true, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
   - {name: guest}
 objects:
   - {name: table, mesh: table.obj, scale: 0.001, pose: {xyz: [0.6, 0, 0.7], rpy: [0, 0, 0]}}
@@ -134,6 +134,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(h.recording.options.mirror, "axes");
   EXPECT_EQ(h.recording.options.joint_map, path("own.map"));
   EXPECT_EQ(h.recording.options.marker_set, path("own.markers"));
+  EXPECT_FALSE(h.recording.options.repair);
   EXPECT_EQ(h.recording.place_xyz, Vector3d(0.9, 0, 0.1));
   EXPECT_EQ(h.recording.place_yaw, 3.14);
   EXPECT_TRUE(s.humans[1].recording.file.empty());
@@ -291,6 +292,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(h.recording.options.mirror, g.recording.options.mirror);
     EXPECT_EQ(h.recording.options.joint_map, g.recording.options.joint_map);
     EXPECT_EQ(h.recording.options.marker_set, g.recording.options.marker_set);
+    EXPECT_EQ(h.recording.options.repair, g.recording.options.repair);
     EXPECT_EQ(h.recording.cut_things, g.recording.cut_things);
     EXPECT_EQ(h.recording.place_xyz, g.recording.place_xyz);
     EXPECT_EQ(h.recording.place_yaw, g.recording.place_yaw);

@@ -19,11 +19,14 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using testing::SmallC3d;
 
+constexpr double kFloatPerValue = 1e-6;  // floats in the file
+
 SmallC3d small() {
   SmallC3d c;
   for (int i = 0; i < 5; ++i)
-    c.frames.push_back(
-        {{100.0 + i, -20.25, 0.5}, {-3.0, 1000.0 - i, 250.75}, Vector3d::Constant(i == 2 ? kNaN : 7.0 * i)});
+    c.frames.push_back({{100.0 + i, -20.25, 0.5},
+                        {-3.0, 1000.0 - i, 250.75},
+                        Vector3d::Constant(i == 2 ? kNaN : 7.0 * i + 1.0)});
   return c;
 }
 
@@ -89,6 +92,43 @@ TEST(C3d, DoesNotBelieveResidualsThatAreAllNegative) {
   EXPECT_EQ(frames[1].p[1], c.frames[1][1]);
   EXPECT_EQ(frames[2].state[2], humanmodel::JointState::kMissing) << "in the origin";
   EXPECT_THAT(reader.warnings()[0].text, HasSubstr("every residual is negative"));
+}
+
+TEST(C3d, PointsAtTheOriginAreNotSeen) {
+  SmallC3d c = small();
+  c.frames[3][1].setZero();
+  const std::string bytes = c3dOf(c);
+  C3dReader reader(bytes, "t.c3d");
+  const auto frames = framesOf(reader);
+  EXPECT_EQ(frames[3].state[1], humanmodel::JointState::kMissing);
+  EXPECT_EQ(frames[3].state[0], humanmodel::JointState::kTracked);
+  EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("1 times a point lies at (0, 0, 0)")));
+}
+
+TEST(C3d, SaysWhatTheFileStatesOfThePerson) {
+  struct Stated {
+    float height, knee;
+    double metres, knee_metres;
+  };
+  for (const Stated& s :
+       {Stated{1630.0f, 102.0f, 1.63, 0.102}, Stated{163.0f, 10.2f, 1.63, 0.102},
+        Stated{1.63f, 0.102f, 1.63, 0.102}, Stated{9.0f, 102.0f, 0.0, 0.102},
+        Stated{std::numeric_limits<float>::infinity(), 102.0f, 0.0, 0.102}, Stated{-1.0f, 1e30f, 0.0, 0.0}}) {
+    SmallC3d c = small();
+    c.subject = "Jane";
+    c.processing = {{"Height", s.height}, {"Bodymass", 74.0f}, {"LKneeWidth", s.knee}};
+    const std::string bytes = c3dOf(c);
+    const SubjectFacts facts = C3dReader(bytes, "t.c3d").facts().subject;
+    EXPECT_EQ(facts.name, "Jane");
+    EXPECT_EQ(facts.mass, 74.0);
+    EXPECT_NEAR(facts.height, s.metres, kFloatPerValue) << s.height;
+    EXPECT_EQ(facts.sizes.size(), s.knee_metres > 0.0 ? 1u : 0u);
+    if (!facts.sizes.empty()) {
+      EXPECT_NEAR(facts.sizes.at("knee_width_left"), s.knee_metres, kFloatPerValue);
+    }
+  }
+  const std::string none = c3dOf(small());
+  EXPECT_TRUE(C3dReader(none, "t.c3d").facts().subject.empty());
 }
 
 TEST(C3d, RefusesWithTheByte) {

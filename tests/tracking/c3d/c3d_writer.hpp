@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/math/transform.hpp"
@@ -21,6 +22,8 @@ struct SmallC3d {
   int claimed_more{0};      ///< frames that are claimed beyond those that are there
   bool all_invalid{false};  ///< every residual is -1
   int parameter_block{2};
+  std::vector<std::pair<std::string, float>> processing;  ///< numbers in PROCESSING
+  std::string subject;                                    ///< SUBJECTS:NAMES; empty: none
 };
 
 /// Blocks: header, nothing up to the parameters, two of parameters, then the data.
@@ -58,6 +61,11 @@ inline std::string c3dOf(const SmallC3d& c) {
   for (const auto& l : c.labels) labels += (l + "     ").substr(0, 5);
   labels += '\0';
   std::string parameters{'\x01', '\x50', '\x02', static_cast<char>(c.processor)};
+  if (!c.subject.empty())
+    parameters += record(-2, "SUBJECTS", std::string(1, '\0')) + record(2, "NAMES", text(c.subject));
+  if (!c.processing.empty()) parameters += record(-3, "PROCESSING", std::string(1, '\0'));
+  for (const auto& [name, number] : c.processing)
+    parameters += record(3, name, std::string{'\x04', '\0'} + f32(number) + '\0');
   parameters += record(-1, "POINT", std::string(1, '\0')) + record(1, "LABELS", labels) +
                 record(1, "UNITS", text("mm")) + record(1, "Y_SCREEN", text("+Z"), true);
 

@@ -116,11 +116,14 @@ TEST(MarkerRecording, ASetThatFindsNothingIsAnErrorOnlyWhenNamed) {
   }
 }
 
+constexpr double kStatureTolerance = 0.1;  // m
+
 struct Trial {
   const char* file;
   const char* set;
-  double rms;      ///< m
-  double stature;  ///< m, +- 0.1
+  double rms;           ///< m
+  double stature;       ///< m, +- kStatureTolerance
+  std::size_t lost{0};  ///< frames with one to three of the markers
 };
 void PrintTo(const Trial& t, std::ostream* out) { *out << t.file; }
 
@@ -132,18 +135,20 @@ TEST_P(RealMarkers, AreSolved) {
   const Recording r = openRecording(file);
   EXPECT_EQ(r.report.markers.set, GetParam().set);
   EXPECT_LT(r.report.markers.rms, GetParam().rms);
-  EXPECT_NEAR(r.report.markers.stature, GetParam().stature, 0.1);
+  EXPECT_NEAR(r.report.markers.stature, GetParam().stature, kStatureTolerance);
+  EXPECT_EQ(r.report.markers.lost, GetParam().lost);
   EXPECT_EQ(r.report.sides, "agree");
   EXPECT_EQ(r.report.swaps, 0u);
   EXPECT_TRUE(r.report.mapped.contains("torso") && r.report.mapped.contains("foot_left"));
 }
 
-// The goal is 10 mm on the Plug-in-Gait trial. Statures: seen within reason only, none is published.
+// The goal is 10 mm on the Plug-in-Gait trial. Statures: the first and the third file state theirs; of the
+// others they are seen within reason only.
 INSTANTIATE_TEST_SUITE_P(
     Trials, RealMarkers,
-    ::testing::Values(Trial{"c3d/PiG/PiG_Motion3_FF.c3d", "Plug-in-Gait", 0.010, 1.80},
-                      Trial{"c3d/sample09/PlugInC3D.c3d", "Plug-in-Gait", 0.010, 1.87},
-                      Trial{"c3d/sample01/Eb015pi.c3d", "Clusters on legs and pelvis", 0.010, 1.80},
+    ::testing::Values(Trial{"c3d/PiG/PiG_Motion3_FF.c3d", "Plug-in-Gait", 0.010, 1.76},
+                      Trial{"c3d/sample09/PlugInC3D.c3d", "Plug-in-Gait", 0.010, 1.87, 23},
+                      Trial{"c3d/sample01/Eb015pi.c3d", "Clusters on legs and pelvis", 0.010, 1.63},
                       Trial{"trc/motek/T.trc", "Motek", 0.010, 1.65},
                       Trial{"trc/motek/ballet_reduced.trc", "Motek", 0.010, 1.65},
                       Trial{"trc/opensim_gait10_walk.trc", "OpenSim, gait10", 0.010, 1.77}),
@@ -153,6 +158,58 @@ INSTANTIATE_TEST_SUITE_P(
         if (std::isalnum(static_cast<unsigned char>(c))) name += c;
       return name;
     });
+
+/// Most of a trial may be empty, before somebody enters and after they have left.
+TEST(MarkerRecording, EmptyFramesDoNotRefuseTheRest) {
+  auto m = testing::makeMarkers(3, 2.0, 50.0, 0.0005, 0.003);
+  for (std::size_t i = 0; i < m.moments.size(); ++i)
+    if (i < 40 || i >= 70)
+      for (auto& p : m.moments[i]) p.setConstant(kNaN);
+  MemoryReader reader(m);
+  const Recording r = readPoints(reader, "m", {});
+  EXPECT_EQ(r.report.markers.set, "Plug-in-Gait");
+  EXPECT_EQ(r.report.markers.unseen, m.moments.size() - 30);
+  EXPECT_EQ(r.report.markers.lost, 0u);
+  EXPECT_THAT(r.report.notes, ::testing::Contains(HasSubstr("frames no marker of the set is there")));
+  for (std::size_t i = 0; i < r.frames.size(); ++i)
+    EXPECT_EQ(r.frames[i].has(humanmodel::Joint::kKneeLeft), i >= 40 && i < 70) << i;
+}
+
+struct Acromia {
+  const char *file, *left, *right;
+};
+
+/// Shoulder joints lie below the acromion markers, not beside them.
+TEST(MarkerRecording, ShouldersLieUnderTheAcromionMarkers) {
+  constexpr double kAside = 0.015;  // m, in the mean of a trial
+  const testing::ScratchFolder scratch;
+  for (const Acromia& a :
+       {Acromia{"trc/motek/T.trc", "LSHO", "RSHO"}, Acromia{"trc/motek/ballet_reduced.trc", "LSHO", "RSHO"},
+        Acromia{"trc/opensim_gait10_walk.trc", "L.Acromium", "R.Acromium"}}) {
+    const auto file = testing::sharedData(std::string("mocap/") + a.file);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    RecordingOptions on_skin;
+    on_skin.marker_set = "none";
+    on_skin.joint_map = scratch.write("acromia.map", std::string("name: acromia\nshoulder_left: ") + a.left +
+                                                         "\nshoulder_right: " + a.right + "\n");
+    const Recording markers = openRecording(file, on_skin), ours = openRecording(file);
+    using J = humanmodel::Joint;
+    double aside = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < ours.frames.size(); ++i) {
+      const auto &m = markers.frames[i], &o = ours.frames[i];
+      if (!m.has(J::kShoulderLeft) || !m.has(J::kShoulderRight) || !o.has(J::kShoulderLeft)) continue;
+      const Vector3d left = (m[J::kShoulderLeft] - m[J::kShoulderRight]).normalized();
+      aside +=
+          0.5 * ((o[J::kShoulderLeft] - m[J::kShoulderLeft]) - (o[J::kShoulderRight] - m[J::kShoulderRight]))
+                    .dot(left);
+      EXPECT_GE(o.spread[static_cast<std::size_t>(J::kShoulderLeft)], 0.015);
+      ++count;
+    }
+    ASSERT_GT(count, 0) << a.file;
+    EXPECT_NEAR(aside / count, 0.0, kAside) << a.file;
+  }
+}
 
 /// The trial holds Vicon's own joint centres too: knee and ankle by its marker widths, hips by its
 /// regression.

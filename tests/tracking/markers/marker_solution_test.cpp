@@ -121,15 +121,27 @@ TEST(MarkerSolution, AMarkerThatNeverFitsIsIgnored) {
     EXPECT_LT(jointError(m, s.frames, j), 0.012) << humanmodel::jointName(j);
 }
 
-TEST(MarkerSolution, FramesWithoutMarkersAreLostAndTheRestFoundAgain) {
+TEST(MarkerSolution, FramesWithoutMarkersAreUnseenAndTheRestFoundAgain) {
   SyntheticMarkers m = makeMarkers(5, 3.0, 30.0, 0.001, 0.003);
   for (std::size_t i = 30; i < 60; ++i)
     for (auto& p : m.moments[i]) p.setConstant(kNaN);
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
-  EXPECT_EQ(s.report.lost, 30u);
+  EXPECT_EQ(s.report.unseen, 30u);
+  EXPECT_EQ(s.report.lost, 0u);
   for (std::size_t i = 0; i < m.moments.size(); ++i)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       EXPECT_EQ(s.frames[i].state[j] == humanmodel::JointState::kMissing, i >= 30 && i < 60) << i;
+}
+
+TEST(MarkerSolution, AStatedStatureIsKept) {
+  const SyntheticMarkers m = makeMarkers(9, 3.0, 30.0, 0.001, 0.003);
+  const double truth = m.sizes[0] * m.base.height;
+  EXPECT_NEAR(solveMarkers(m.base, m.found, m.t, m.moments, 0.94 * truth).report.stature, 0.94 * truth,
+              0.02 * truth);
+  const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments, truth);
+  EXPECT_NEAR(s.report.stature, truth, 0.01 * truth);
+  for (const humanmodel::Joint j : kLimbJoints)
+    EXPECT_LT(jointError(m, s.frames, j), 0.012) << humanmodel::jointName(j);
 }
 
 TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
@@ -142,7 +154,7 @@ TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
   EXPECT_EQ(s.report.lost, m.moments.size());
   for (auto& moment : m.moments)
     for (auto& p : moment) p.setConstant(kNaN);
-  EXPECT_EQ(solveMarkers(m.base, m.found, m.t, m.moments).report.lost, m.moments.size());
+  EXPECT_EQ(solveMarkers(m.base, m.found, m.t, m.moments).report.unseen, m.moments.size());
 }
 
 TEST(MarkerSolution, WhatNoMarkerShowsIsNotClaimed) {

@@ -1,0 +1,239 @@
+// Skeletons whose names no map knows: joints by names, by shape, or not at all; and the map that is written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
+#include "core/base/error.hpp"
+#include "core/base/text_file.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/tracking/small_human.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
+#include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/joint_guess/shape_guess.hpp"
+#include "tracking/recording/joint_map_writer.hpp"
+#include "tracking/recording/required_person.hpp"
+#include "tracking/registry/open_recording.hpp"
+
+namespace abstand::tracking {
+namespace joint_guess_test {
+
+using testing::bvhOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::SmallHuman;
+
+constexpr double kSame = 1e-9;  // m
+
+Recording read(const std::string& bvh, const RecordingOptions& options = {}) {
+  return readBvhRecording(bvh, "t.bvh", options);
+}
+
+/// Every joint gets a new name, by its place in the file.
+std::string renamed(const std::string& bvh, const std::function<std::string(int)>& name) {
+  std::istringstream in(bvh);
+  std::string out;
+  int i = 0;
+  for (std::string line; std::getline(in, line);) {
+    const auto word = line.find_first_not_of(" \t");
+    for (const char* key : {"ROOT ", "JOINT "})
+      if (word != std::string::npos && line.compare(word, std::string(key).size(), key) == 0)
+        line = std::string(key) + name(i++);
+    out += line + "\n";
+  }
+  return out;
+}
+
+/// Largest distance of a limb joint between two readings of one file, in all frames, m.
+double limbsApart(const Recording& a, const Recording& b) {
+  double apart = 0.0;
+  for (std::size_t f = 0; f < a.frames.size(); ++f)
+    for (std::size_t j = static_cast<std::size_t>(humanmodel::Joint::kShoulderLeft);
+         j < humanmodel::kJointCount; ++j) {
+      const bool is_tip = (j - 6) % 4 == 3;
+      if (!is_tip) apart = std::max(apart, (a.frames[f].p[j] - b.frames[f].p[j]).norm());
+    }
+  return apart;
+}
+
+TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
+  const Recording plain = read(bvhOf({}));
+  const Recording r =
+      read(bvhOf({.rename = [](const std::string& n) { return "Ch7_rig_" + n + "_jnt.003"; }}));
+  EXPECT_EQ(r.report.joint_map, "guessed by the names");
+  EXPECT_TRUE(r.report.joints_guessed);
+  EXPECT_THAT(r.report.missing_parts, IsEmpty());
+  EXPECT_EQ(limbsApart(plain, r), 0.0);
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: 12 of 12")));
+}
+
+TEST(JointGuess, NumbersAndForeignLettersGoByShape) {
+  const Recording plain = read(bvhOf({}));
+  EXPECT_FALSE(plain.report.joints_guessed);
+  for (const auto& name :
+       {std::function<std::string(int)>([](int i) { return "bone" + std::to_string(i); }),
+        std::function<std::string(int)>([](int i) { return "\xe9\xaa\xa8" + std::to_string(i); })}) {
+    const Recording r = read(renamed(bvhOf({}), name));
+    EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+    EXPECT_THAT(r.report.missing_parts, IsEmpty());
+    EXPECT_EQ(limbsApart(plain, r), 0.0) << "left and right by the toes";
+    EXPECT_NEAR(r.report.stature, testing::kSmallHumanStature, kSame);
+    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: two branches")));
+  }
+}
+
+TEST(JointGuess, AUsersMapAlwaysWins) {
+  const testing::ScratchFolder folder;
+  const auto map = folder.write("own.map", "name: Own\npelvis: bone0\n");
+  const Recording r =
+      read(renamed(bvhOf({}), [](int i) { return "bone" + std::to_string(i); }), {.joint_map = map});
+  EXPECT_EQ(r.report.joint_map, "Own");
+  EXPECT_FALSE(r.report.joints_guessed);
+  EXPECT_THROW(requirePerson(r.report, "t.bvh"), ParseError);
+}
+
+/// A tree of joints without the lengths of a person.
+std::string comb(int teeth) {
+  std::string text = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n";
+  for (int i = 0; i < teeth; ++i) {
+    text += "JOINT b" + std::to_string(i) + "\n{\nOFFSET " + std::to_string(i) +
+            " 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n";
+    for (int k = 0; k < 3; ++k) text += "JOINT c\n{\nOFFSET 0 1 0\nCHANNELS 0\n";
+    text += "End Site\n{\nOFFSET 0 1 0\n}\n}\n}\n}\n}\n";
+  }
+  text += "}\nMOTION\nFrames: 1\nFrame Time: 0.01\n0 0 0";
+  for (int i = 0; i < teeth; ++i) text += " 0 0 0";
+  return text + "\n";
+}
+
+TEST(JointGuess, NoPersonIsFoundInOtherTrees) {
+  for (const int teeth : {1, 3, 300}) {
+    const Recording r = read(comb(teeth));
+    EXPECT_THAT(r.report.mapped, IsEmpty()) << teeth;
+    EXPECT_THAT(r.report.notes, Contains(HasSubstr("cannot be guessed by the shape"))) << teeth;
+    try {
+      requirePerson(r.report, "t.bvh");
+      FAIL();
+    } catch (const ParseError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("t.bvh: error: found no part of a person"));
+    }
+  }
+}
+
+TEST(JointGuess, NamesOfImpossibleLimbsAreNotBelieved) {
+  // The left calf begins at the ankle: left and right differ.
+  const Recording plain = read(bvhOf({}));
+  const Recording r = read(bvhOf({.rename = [](const std::string& n) {
+    return "q_" + (n == "LeftKnee" ? "LeftAnkle" : n == "LeftAnkle" ? "LeftKnee" : n) + "_q";
+  }}));
+  EXPECT_THAT(r.report.notes,
+              Contains(HasSubstr("the legs that the names suggest are not used: left and right")));
+  EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+  EXPECT_EQ(limbsApart(plain, r), 0.0);
+}
+
+TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
+  const testing::ScratchFolder folder;
+  const std::string odd = renamed(bvhOf({}), [](int i) { return "rig|a:b + c " + std::to_string(i) + "#"; });
+  for (const std::string& bvh : {bvhOf({}), odd}) {
+    const Recording r = read(bvh);
+    const std::string text = jointMapText(r.report);
+    const Recording again = read(bvh, {.joint_map = folder.write("own.map", text)});
+    EXPECT_FALSE(again.report.joints_guessed);
+    EXPECT_EQ(again.report.joint_names, r.report.joint_names);
+    EXPECT_EQ(again.report.mapped, r.report.mapped);
+    EXPECT_EQ(limbsApart(r, again), 0.0);
+    EXPECT_EQ(jointMapText(again.report), text);
+  }
+  // Two joints of one name: only the first can be named in a map.
+  const Recording twice =
+      read(renamed(bvhOf({}), [](int i) { return i < 3 ? "top" : "x" + std::to_string(i); }));
+  EXPECT_THROW(jointMapText(twice.report), UsageError);
+}
+
+TEST(JointMapWriter, OffersAMapToFillIn) {
+  const testing::ScratchFolder folder;
+  const std::string text = jointMapText(read(comb(2)).report);
+  EXPECT_THAT(text, HasSubstr("\n# hip_left:\n"));
+  EXPECT_THAT(text, HasSubstr("Names in the file:\n#   a\n#   b0\n"));
+  EXPECT_THROW(read(comb(2), {.joint_map = folder.write("own.map", "name: own\nspines: b0\n")}), ParseError);
+  EXPECT_NO_THROW(read(comb(2), {.joint_map = folder.write("own.map", text)})) << "all of it is comments";
+}
+
+// m; a file whose units are not known is scaled by its stature, which depends on the top of the head.
+constexpr double kOtherScale = 0.03;
+
+// Neither names nor trees of any kind may break a guess.
+TEST(JointGuess, AnyTreeIsGuessedOrRefused) {
+  std::mt19937_64 random(1);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  constexpr const char* kNames[]{"arm", "LeftLeg", "r_hand",          "head/end",
+                                 "",    "x|y",     "Spine9999999999", "\xff\xfe"};
+  for (int round = 0; round < 300; ++round) {
+    const std::size_t n = 1 + below(60);
+    std::vector<std::string> names;
+    std::vector<int> parents;
+    std::vector<Vector3d> rest;
+    for (std::size_t i = 0; i < n; ++i) {
+      names.emplace_back(kNames[below(std::size(kNames))]);
+      parents.push_back(below(8) == 0 ? -1 : static_cast<int>(below(i + 1)) - 1);
+      const double size = below(3) == 0 ? 0.0 : 1e6 / static_cast<double>(1 + below(1000));
+      rest.push_back(size *
+                     Vector3d(static_cast<double>(below(3)) - 1.0, static_cast<double>(below(3)) - 1.0, 1.0));
+    }
+    PointFrame frame;
+    frame.p = rest;
+    frame.state.assign(n, humanmodel::JointState::kTracked);
+    const ShapeGuess shape = guessByShape({names, parents, rest, {&frame, 1}});
+    EXPECT_FALSE(shape.reason.empty());
+    for (const JointMatch& match : {shape.match, guessByNames(names, true), guessByNames(names, false)})
+      for (const int joint : match.joint) EXPECT_LT(joint, static_cast<int>(n));
+  }
+  EXPECT_EQ(limbJoints(guessByShape({}).match), 0);
+}
+
+struct Named {
+  const char* file;
+  double apart;  ///< m, of limb joints; conventions and proportions may choose a neighbour
+};
+void PrintTo(const Named& n, std::ostream* out) { *out << n.file; }
+
+class RealShape : public ::testing::TestWithParam<Named> {};
+
+// The names of real captures are taken away: the shape must find the joints that the names say.
+TEST_P(RealShape, FindsWhatTheNamesSay) {
+  const std::string name = GetParam().file;
+  const auto file = name.starts_with("01_") || name.starts_with("Boxing")
+                        ? testing::debianBvh(name)
+                        : testing::sharedData("mocap/bvh/" + name);
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+  const std::string text = readFile(file);
+  const Recording named = read(text);
+  const Recording r = read(renamed(text, [](int i) { return "n" + std::to_string(i); }));
+  for (const auto& note : r.report.notes) RecordProperty("note", note);
+  ASSERT_EQ(r.report.joint_map, "guessed by the shape") << ::testing::PrintToString(r.report.notes);
+  EXPECT_LE(limbsApart(named, r), GetParam().apart) << ::testing::PrintToString(r.report.warnings);
+  EXPECT_NEAR(r.report.stature, named.report.stature, 0.1);
+  EXPECT_THAT(r.report.missing_parts, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, RealShape,
+    ::testing::Values(Named{"blender_reactidle_003_genuine.bvh", kOtherScale},
+                      Named{"bvhio_example.bvh", 0.0}, Named{"bvhtoolbox_walk01.bvh", 0.0},
+                      Named{"cmu_12_01_walk_motionbuilder.bvh", 0.0},
+                      Named{"cmu_jumping_jacks_3dsmax_names.bvh", 0.0}, Named{"fair1_wave_hello.bvh", 0.0},
+                      Named{"mocapbank_test.bvh", 0.0}, Named{"rokoko_jesse_dance.bvh", 0.0},
+                      Named{"xsens_names_pybvh_test2.bvh", 0.0}, Named{"xzy_spine3_pybvh_test1.bvh", 0.0},
+                      Named{"01_01.bvh", 0.0}, Named{"Boxing_Toes.bvh", 0.0}),
+    [](const auto& i) {
+      std::string name = i.param.file;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+      return name;
+    });
+
+}  // namespace joint_guess_test
+}  // namespace abstand::tracking

@@ -1,0 +1,106 @@
+#include "tracking/joint_guess/joint_choice.hpp"
+
+#include <algorithm>
+
+#include "core/base/data_folder.hpp"
+#include "tracking/joint_guess/guess_check.hpp"
+#include "tracking/joint_guess/name_guess.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr const char* kByNames = "guessed by the names";
+constexpr const char* kByShape = "guessed by the shape";
+
+/// Mean of several points; missing if one of them is missing, inferred if one of them is inferred.
+void setMean(const PointFrame& from, const std::vector<int>& points, humanmodel::Joint j,
+             humanmodel::SkeletonFrame& to) {
+  Vector3d sum = Vector3d::Zero();
+  humanmodel::JointState state = humanmodel::JointState::kTracked;
+  double spread = 0.0;
+  for (const int i : points) {
+    sum += from.p[static_cast<std::size_t>(i)];
+    spread = std::max(spread, from.spreadOf(static_cast<std::size_t>(i)));
+    state = std::min(state, from.state[static_cast<std::size_t>(i)]);
+  }
+  if (state == humanmodel::JointState::kMissing) return;
+  to.set(j, sum / static_cast<double>(points.size()), state);
+  to.spread[static_cast<std::size_t>(j)] = spread;
+}
+
+/// Frames of a match, and its rest pose.
+std::vector<humanmodel::SkeletonFrame> pickAll(const SkeletonSample& skeleton, const JointMatch& match) {
+  std::vector<humanmodel::SkeletonFrame> all;
+  for (const PointFrame& f : skeleton.frames) all.push_back(pickJoints(f, match));
+  return all;
+}
+
+JointChoice choiceByNames(const SkeletonSample& skeleton) {
+  JointChoice choice;
+  choice.match = guessByNames(skeleton.names, !skeleton.parents.empty());
+  choice.match.map = kByNames;
+  choice.is_guess = true;
+  choice.notes = removeImplausible(choice.match, pickAll(skeleton, choice.match));
+  choice.reason = std::to_string(limbJoints(choice.match)) +
+                  " of 12 joints of the limbs by sides and segments in their names";
+  return choice;
+}
+
+JointChoice choiceByShape(const SkeletonSample& skeleton) {
+  ShapeGuess guess = guessByShape(skeleton);
+  JointChoice choice;
+  choice.match = std::move(guess.match);
+  choice.match.map = kByShape;
+  choice.is_guess = true;
+  choice.reason = std::move(guess.reason);
+  return choice;
+}
+
+}  // namespace
+
+humanmodel::SkeletonFrame pickJoints(const PointFrame& from, const JointMatch& match) {
+  humanmodel::SkeletonFrame frame;
+  frame.t = from.t;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    if (match.joint[j] < 0) continue;
+    const auto i = static_cast<std::size_t>(match.joint[j]);
+    if (i >= from.p.size())
+      setMean(from, match.means[i - from.p.size()], static_cast<humanmodel::Joint>(j), frame);
+    else if (from.state[i] != humanmodel::JointState::kMissing) {
+      frame.set(static_cast<humanmodel::Joint>(j), from.p[i], from.state[i]);
+      frame.spread[j] = from.spreadOf(i);
+    }
+  }
+  return frame;
+}
+
+JointChoice chooseJoints(const SkeletonSample& skeleton, const RecordingOptions& options, bool may_guess) {
+  const bool is_user = !options.joint_map.empty();
+  const auto maps = is_user ? std::vector<JointMap>{loadJointMap(options.joint_map)}
+                            : loadJointMaps(dataFolder() / "joint_maps");
+  JointChoice best;
+  best.match = chooseJointMap(maps, skeleton.names);
+  best.reason = is_user ? "given by the user"
+                        : "it finds " + std::to_string(best.match.mapped) + " joints, the most of all maps";
+  if (!is_user && may_guess && limbJoints(best.match) < kEnoughLimbJoints) {
+    JointChoice by_names = choiceByNames(skeleton);
+    std::vector<std::string> notes = by_names.notes;
+    if (limbJoints(by_names.match) > limbJoints(best.match)) best = std::move(by_names);
+    if (limbJoints(best.match) < kEnoughLimbJoints) {
+      JointChoice by_shape = choiceByShape(skeleton);
+      if (limbJoints(by_shape.match) > limbJoints(best.match))
+        best = std::move(by_shape);
+      else if (limbJoints(best.match) == 0)
+        notes.push_back("the joints cannot be guessed by the shape of the skeleton: " + by_shape.reason);
+    }
+    best.notes = std::move(notes);
+  }
+  if (best.match.mapped == 0) {
+    best.match.map.clear();
+    best.is_guess = false;
+    best.reason = is_user ? "that of the user finds no joint" : "no map knows the names";
+  }
+  return best;
+}
+
+}  // namespace abstand::tracking

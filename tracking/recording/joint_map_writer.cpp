@@ -1,0 +1,78 @@
+#include "tracking/recording/joint_map_writer.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/message_line.hpp"
+#include "core/text/message_text.hpp"
+#include "tracking/recording/joint_map.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+/// A name as it stands in a map; in double quotes if it has a bar.
+std::string writtenName(const std::string& name) {
+  return name.find('|') == std::string::npos ? name : '"' + name + '"';
+}
+
+/// Points of a match for one joint, by name.
+std::vector<std::string> namesOf(const JointMatch& match, std::size_t joint,
+                                 const std::vector<std::string>& names) {
+  const int i = match.joint[joint];
+  if (i < 0) return {};
+  if (static_cast<std::size_t>(i) < names.size()) return {names[static_cast<std::size_t>(i)]};
+  std::vector<std::string> sum;
+  for (const int point : match.means[static_cast<std::size_t>(i) - names.size()])
+    sum.push_back(names[static_cast<std::size_t>(point)]);
+  return sum;
+}
+
+/// Throws UsageError if the map does not find the same joints.
+void checkMap(const std::string& text, const RecordingReport& report) {
+  const auto fail = [](const std::string& what) {
+    throw UsageError("write-map: found " + what + ", expected names that a joint map can tell apart");
+  };
+  JointMatch match;
+  try {
+    match = matchJoints(parseJointMap(text, "map"), report.joints);
+  } catch (const ParseError& e) {
+    fail("names that do not fit into a joint map (" + e.message() + ")");
+  }
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (namesOf(match, j, report.joints) != report.joint_names[j])
+      fail("the name " + text::inQuotes(report.joint_names[j].front()) + " more than once in the file");
+}
+
+std::string mapToFillIn(const RecordingReport& report) {
+  std::string text =
+      "# Written by abstand skeleton --write-map: set names of the file behind the joints that it has, and "
+      "remove\n"
+      "# the '#' before them. A part moves if the joints at both of its ends are known.\nname: own\n";
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    text += "# " + std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + ":\n";
+  text += "# Names in the file:\n";
+  for (const std::string& name : report.joints) text += "#   " + messageLine(writtenName(name)) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string jointMapText(const RecordingReport& report) {
+  if (!report.markers.set.empty())
+    throw UsageError("write-map: found markers that were solved by the marker set '" + report.markers.set +
+                     "', expected joints by a joint map (--marker-set none)");
+  if (report.mapped.empty()) return mapToFillIn(report);
+  std::string text = "# Written by abstand skeleton --write-map.\nname: ";
+  text += report.joint_map.empty() ? "canonical names" : report.joint_map;
+  text += std::string("\nhead_is: ") + (report.head_is_middle ? "middle" : "base") + "\n";
+  if (report.joints_of_markers) text += "points: markers\n";
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    std::string sum;
+    for (const std::string& name : report.joint_names[j])
+      sum += (sum.empty() ? "" : " + ") + writtenName(name);
+    if (!sum.empty())
+      text += std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + ": " + sum + "\n";
+  }
+  checkMap(text, report);
+  return text;
+}
+
+}  // namespace abstand::tracking

@@ -1,0 +1,18 @@
+// What a file says of the recorded person.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace abstand::tracking {
+
+/// 0 and empty: not stated.
+struct SubjectFacts {
+  std::string name;
+  double height{0.0};                   ///< m, stature
+  double mass{0.0};                     ///< kg
+  std::map<std::string, double> sizes;  ///< m: "knee_width_left", "leg_length_right", ...
+  bool empty() const { return name.empty() && height == 0.0 && mass == 0.0 && sizes.empty(); }
+};
+
+}  // namespace abstand::tracking
