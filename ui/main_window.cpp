@@ -15,6 +15,7 @@
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
+#include "ui/language_commands.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/moment_sample.hpp"
@@ -104,6 +105,7 @@ MainWindow::MainWindow(QWidget* parent)
   opacity_ = buildMenus(*this, *actions_);
   connectFile();
   connectView();
+  connectLanguages(*this, *actions_);
   connectPlayback();
   connectPanels();
   connectReview();

@@ -59,6 +59,8 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   addRange(view, actions, Id::kFollowPlots, Id::kClearSelection);
   view->addSeparator();
   addRange(view, actions, Id::kDarkTheme, Id::kResetLayout);
+  QMenu* language = view->addMenu(Actions::tr("Lan&guage"));
+  addRange(language, actions, Id::kLanguageSystem, Id::kLanguageGerman);
 
   bar->addMenu(addGroup(bar, actions, ActionGroup::kMargins));
   bar->addMenu(addGroup(bar, actions, ActionGroup::kPlayback));

@@ -5,8 +5,9 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
+
+#include "ui/style/number_box.hpp"
 
 namespace abstand::ui {
 
@@ -38,7 +39,7 @@ std::optional<ReadingOptions> askReading(const ReadingOptions& present, QWidget*
   dialog.setWindowTitle(words(QT_TRANSLATE_NOOP("reading_dialog", "Recording options")));
   QComboBox* units = choice("units", {"m", "cm", "mm", "inches", "cmu"}, present.units, &dialog);
   QComboBox* up = choice("up", {"x", "y", "z", "-x", "-y", "-z"}, present.up, &dialog);
-  auto* speed = new QDoubleSpinBox(&dialog);
+  auto* speed = new NumberBox(&dialog);
   speed->setObjectName(QStringLiteral("speed"));
   speed->setRange(kSlowest, kFastest);
   speed->setDecimals(2);

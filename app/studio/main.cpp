@@ -24,6 +24,7 @@
 #include "ui/project_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/file_kinds.hpp"
+#include "ui/style/language.hpp"
 #include "ui/style/picture_file.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/opengl.hpp"
@@ -48,14 +49,37 @@ struct Arguments {
   robot_file::PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
+  ui::Language language{ui::Language::kSystem};
   double at{0.0};
   double play_s{0.0};
   double probe_s{0.0};
 };
 
-/// False, with a sentence on stderr, for wrong usage.
-bool parse(const QStringList& arguments, Arguments& args) {
-  QCommandLineParser parser;
+/// A picture and a figure depend on the command line alone.
+bool isUnattended(const QStringList& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const QString& a) {
+    return a.startsWith("--screenshot") || a.startsWith("--probe");
+  });
+}
+
+/// That of --language, else what was chosen in the window. Read before the other options, whose help is in
+/// this language, too.
+ui::Language languageFor(const QStringList& arguments) {
+  ui::Language language = isUnattended(arguments) ? ui::Language::kEnglish : ui::chosenLanguage();
+  for (int i = 1; i < arguments.size(); ++i) {
+    QString word = arguments[i];
+    if (word == "--language")
+      word = arguments.value(i + 1);
+    else if (word.startsWith("--language="))
+      word = word.section('=', 1);
+    else
+      continue;
+    language = ui::languageOf(word).value_or(language);
+  }
+  return language;
+}
+
+void describeOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription(QCoreApplication::translate(
       "main",
       "Shows how close people come to robots. An analysis tool, not a safety function.\n"
@@ -84,6 +108,14 @@ bool parse(const QStringList& arguments, Arguments& args) {
        QCoreApplication::translate(
            "main", "play this long, print frame rate, stalls and processor time as JSON, and end"),
        "SECONDS"});
+  parser.addOption(
+      {"language", QCoreApplication::translate("main", "language of texts and numbers"), "system|en|de"});
+}
+
+/// False, with a sentence on stderr, for wrong usage.
+bool parse(const QStringList& arguments, Arguments& args) {
+  QCommandLineParser parser;
+  describeOptions(parser);
   if (!parser.parse(arguments)) {
     fail(kWrongUsage, "abstand-studio: error: " + parser.errorText());
     return false;
@@ -115,6 +147,12 @@ bool parse(const QStringList& arguments, Arguments& args) {
     return false;
   }
   args.react = react == "on";
+  if (parser.isSet("language") && !ui::languageOf(parser.value("language"))) {
+    fail(kWrongUsage, QString("abstand-studio: error: --language: found '%1', expected system, en or de")
+                          .arg(parser.value("language")));
+    return false;
+  }
+  args.language = languageFor(arguments);
   args.file = parser.positionalArguments().value(0);
   args.recording = parser.value("recording");
   args.screenshot = parser.value("screenshot");
@@ -207,9 +245,11 @@ int main(int argc, char** argv) {
   {
     // What needs no window needs no display.
     QCoreApplication words(argc, argv);
+    ui::applyLanguage(words, languageFor(words.arguments()));
     if (!parse(words.arguments(), args)) return kWrongUsage;
   }
   QApplication app(argc, argv);
+  ui::applyLanguage(app, args.language);
   if (!args.screenshot.isEmpty()) {
     // Checked before expensive work; a picture must not replace one of its inputs.
     keepInputLog();

@@ -31,6 +31,7 @@ This package holds the command line program, robots, scenes and joint maps.")
 set(CPACK_DEBIAN_STUDIO_PACKAGE_NAME abstand-studio)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "abstand ${same_version}, libgl1-mesa-dri")
+set(CPACK_DEBIAN_STUDIO_PACKAGE_RECOMMENDS qttranslations5-l10n)
 set(CPACK_COMPONENT_STUDIO_DESCRIPTION "The desktop program: people and robots in three dimensions with their
 distances, force arrows and live plots.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libabstand-dev)

@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/style/language.hpp"
 #include "ui/viewport/opengl.hpp"
 
 namespace {
@@ -20,5 +21,7 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   QCoreApplication::setOrganizationName(QStringLiteral("Abstand"));
   QCoreApplication::setApplicationName(QStringLiteral("Test"));
+  // Whatever the system speaks.
+  abstand::ui::applyLanguage(app, abstand::ui::Language::kEnglish);
   return RUN_ALL_TESTS();
 }

@@ -53,6 +53,17 @@ TEST_F(StudioProgram, TheProbePrintsItsFigures) {
   EXPECT_EQ(run("--probe 1").code, 2);
 }
 
+TEST_F(StudioProgram, SpeaksTheLanguageThatItIsAskedFor) {
+  EXPECT_EQ(run("--help --language de >help").code, 0);
+  EXPECT_NE(readFile(in("help")).find("Sprache der Texte"), std::string::npos);
+  EXPECT_EQ(run("--help --language=en >help").code, 0);
+  EXPECT_NE(readFile(in("help")).find("language of texts"), std::string::npos);
+  const Answer wrong = run("--language fr");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("--language: found 'fr', expected system, en or de"), std::string::npos)
+      << wrong.err;
+}
+
 TEST_F(StudioProgram, APictureIsAnOutputLikeOthers) {
   fs::create_symlink("target.png", in("link.png"));
   const Answer good = run("scene.yaml --size 400x300 --screenshot link.png");

@@ -1,18 +1,16 @@
 // What the review of a recording says, in words.
 #include "ui/model/event_text.hpp"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "ui/style/format.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
 using Kind = margin::ReviewEvent::Kind;
-
-QString trEvent(const char* text) { return QCoreApplication::translate("Events", text); }
 
 std::string personOf(const std::string& name) { return name.substr(0, name.rfind('/')); }
 
@@ -42,40 +40,38 @@ QString linkText(const margin::ClearanceStore& store, std::size_t link) {
 QString kindText(Kind kind) {
   switch (kind) {
     case Kind::kIntrusion:
-      return trEvent("inside margin");
+      return tr("inside margin");
     case Kind::kBetweenFrames:
-      return trEvent("touch between frames");
+      return tr("touch between frames");
     case Kind::kNear:
       break;
   }
-  return trEvent("near miss");
+  return tr("near miss");
 }
 
 QString stopText(const margin::ReviewEvent& event) {
   if (event.kind == Kind::kNear) return {};
-  if (event.missed) return trEvent("⚠ missed");
-  return event.false_stop ? trEvent("false") : QString();
+  if (event.missed) return tr("⚠ missed");
+  return event.false_stop ? tr("false") : QString();
 }
 
 QString momentText(const RecordingReview& review, std::size_t part, double t) {
   const margin::ClearanceStore* store = review.store();
-  if (isMissing(store, t)) return trEvent("%1: not analysed yet").arg(secondsWithUnit(t));
+  if (isMissing(store, t)) return tr("%1: not analysed yet").arg(secondsWithUnit(t));
   const margin::ClearanceChunk::Nearest nearest = store->nearest(part, store->frameAt(t));
-  const QString head = trEvent("%1, %2").arg(secondsWithUnit(t), partText(*store, part));
-  if (std::isinf(nearest.clearance)) return trEvent("%1: not seen").arg(head);
+  const QString head = tr("%1, %2").arg(secondsWithUnit(t), partText(*store, part));
+  if (std::isinf(nearest.clearance)) return tr("%1: not seen").arg(head);
   const double margin = review.marginOf(part, nearest.link);
-  const QString verdict =
-      nearest.clearance < margin ? trEvent("inside the margin of %1") : trEvent("margin %1");
-  return trEvent("%1 – %2: at least %3 (measured %4, error %5), %6%7")
+  const QString verdict = nearest.clearance < margin ? tr("inside the margin of %1") : tr("margin %1");
+  return tr("%1 – %2: at least %3 (measured %4, error %5), %6%7")
       .arg(head, linkText(*store, nearest.link), millimetresWithUnit(nearest.clearance),
            millimetresWithUnit(nearest.distance), millimetresWithUnit(nearest.distance - nearest.clearance),
-           verdict.arg(millimetresWithUnit(margin)),
-           nearest.unknown ? trEvent("; the pose is lost") : QString());
+           verdict.arg(millimetresWithUnit(margin)), nearest.unknown ? tr("; the pose is lost") : QString());
 }
 
 QString nearestMomentText(const RecordingReview& review, double t) {
   const margin::ClearanceStore* store = review.store();
-  if (isMissing(store, t)) return trEvent("%1: not analysed yet").arg(secondsWithUnit(t));
+  if (isMissing(store, t)) return tr("%1: not analysed yet").arg(secondsWithUnit(t));
   const std::size_t frame = store->frameAt(t);
   std::size_t nearest = 0;
   for (std::size_t part = 1; part < store->layout().parts.size(); ++part)
@@ -84,7 +80,7 @@ QString nearestMomentText(const RecordingReview& review, double t) {
 }
 
 QString outcomeText(const margin::MarginOutcome& outcome) {
-  return trEvent("%1 stops, %2 % of the time; %3 false, %4 missed")
+  return tr("%1 stops, %2 % of the time; %3 false, %4 missed")
       .arg(outcome.stops)
       .arg(fixed(100.0 * outcome.stoppedShare(), 1))
       .arg(outcome.false_stops)
@@ -94,11 +90,11 @@ QString outcomeText(const margin::MarginOutcome& outcome) {
 QString whatIfText(const RecordingReview& review) {
   if (!review.store() || review.store()->empty()) return {};
   const QString text = outcomeText(review.review().outcome);
-  return review.progress() < 1.0 ? trEvent("So far: %1").arg(text) : text;
+  return review.progress() < 1.0 ? tr("So far: %1").arg(text) : text;
 }
 
 QString whatIfTip() {
-  return trEvent(
+  return tr(
       "What the present margins would have done over the whole recording, as recorded and without\n"
       "reactions: protective stops, and the share of time in which the robot would have stood.\n"
       "False: even without the stop nobody would have been touched.\n"
@@ -111,11 +107,11 @@ QString analysisText(const RecordingReview& review) {
   if (!review.available()) return {};
   switch (review.state()) {
     case State::kOpening:
-      return trEvent("Analysis: reading files");
+      return tr("Analysis: reading files");
     case State::kRunning:
-      return trEvent("Analysis %1 %").arg(static_cast<int>(100.0 * review.progress()));
+      return tr("Analysis %1 %").arg(static_cast<int>(100.0 * review.progress()));
     case State::kFailed:
-      return trEvent("⚠ Analysis failed");
+      return tr("⚠ Analysis failed");
     case State::kDone:
       break;
   }

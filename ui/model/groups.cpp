@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/style/tr.hpp"
+
 namespace abstand::ui {
 
 namespace {
@@ -29,6 +31,10 @@ std::vector<Group> groupsOf(const view::SceneOutline& outline) {
   std::array<int, 3> count{};
   for (Group& group : groups) group.index_of_kind = count[static_cast<std::size_t>(group.kind)]++;
   return groups;
+}
+
+QString groupTitle(const Group& group) {
+  return group.kind == GroupKind::kObjects ? tr("objects") : QString::fromStdString(group.name);
 }
 
 std::string shortName(const view::SceneOutline::ObjectInfo& info) {

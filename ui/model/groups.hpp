@@ -1,6 +1,7 @@
 // The objects of a scene by group: mechanisms, people, things in the room.
 #pragma once
 
+#include <QString>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Group {
 
 /// In the order of the first member: mechanisms first, then people, then objects.
 std::vector<Group> groupsOf(const view::SceneOutline& outline);
+
+/// As the window shows it: that of the things in the room has no name of its own.
+QString groupTitle(const Group& group);
 
 /// "hand_left" of "operator/hand_left" in the group "operator"; the whole name otherwise.
 std::string shortName(const view::SceneOutline::ObjectInfo& info);

@@ -1,23 +1,20 @@
 #include "ui/model/nearest_classes.hpp"
 
-#include <QCoreApplication>
 #include <array>
 #include <cmath>
 
-#include "ui/model/pair_class.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 namespace {
-
-QString trClass(const char* text) { return QCoreApplication::translate("NearestClasses", text); }
 
 constexpr int kClasses = 4;  // without other pairs
 
 QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
   const auto i = static_cast<std::size_t>(pair);
   const auto [a, b] = outline.pairs[i];
-  return trClass("%1 – %2, %3")
+  return tr("%1 – %2, %3")
       .arg(QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
            QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
            millimetresWithUnit(snapshot.pairs[i].result.distance));
@@ -29,7 +26,7 @@ std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
                                              const view::SceneSnapshot& snapshot) {
   std::array<NearestOfClass, kClasses> nearest;
   for (int i = 0; i < kClasses; ++i)
-    nearest[static_cast<std::size_t>(i)] = {pairClassName(static_cast<PairClass>(i)), -1, kInfinity};
+    nearest[static_cast<std::size_t>(i)] = {static_cast<PairClass>(i), -1, kInfinity};
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
     const auto of = static_cast<int>(pairClassOf(outline, outline.pairs[i]));
     const double d = snapshot.pairs[i].result.distance;
@@ -60,21 +57,21 @@ QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot
            static_cast<std::size_t>(pair) < outline.pairs.size();
   };
   if (!classes.empty()) {
-    QString text =
-        classes.front().name + QStringLiteral(": ") + pairText(outline, snapshot, classes.front().pair);
+    QString text = pairClassName(classes.front().of) + QStringLiteral(": ") +
+                   pairText(outline, snapshot, classes.front().pair);
     for (std::size_t i = 1; i < classes.size(); ++i)
-      text += QStringLiteral("; ") + classes[i].name.toLower() + QStringLiteral(" ") +
+      text += QStringLiteral("; ") + pairClassInSentence(classes[i].of) + QStringLiteral(" ") +
               millimetresWithUnit(classes[i].distance);
     return text;
   }
-  return known(nearest) ? trClass("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
+  return known(nearest) ? tr("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
 }
 
 QString nearestLines(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   QString text;
   for (const NearestOfClass& of : nearestOfClasses(outline, snapshot))
-    text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + of.name + QStringLiteral(": ") +
-            pairText(outline, snapshot, of.pair);
+    text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + pairClassName(of.of) +
+            QStringLiteral(": ") + pairText(outline, snapshot, of.pair);
   return text;
 }
 

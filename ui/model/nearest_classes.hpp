@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/pair_class.hpp"
 
 namespace abstand::ui {
 
 /// The nearest pair of one class, and how far its bodies are apart.
 struct NearestOfClass {
-  QString name;     ///< "Person – robot"
+  PairClass of;
   int pair;         ///< index into SceneOutline::pairs
   double distance;  ///< m
 };

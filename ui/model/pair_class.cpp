@@ -1,6 +1,6 @@
 #include "ui/model/pair_class.hpp"
+#include "ui/style/tr.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 namespace abstand::ui {
@@ -31,7 +31,6 @@ PairClass pairClassOf(const view::SceneOutline& outline, std::pair<int, int> pai
 }
 
 QString pairClassName(PairClass pair_class) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("PairClass", text); };
   switch (pair_class) {
     case PairClass::kPersonRobot:
       return tr("Person – robot");
@@ -45,6 +44,22 @@ QString pairClassName(PairClass pair_class) {
       break;
   }
   return tr("Other pairs");
+}
+
+QString pairClassInSentence(PairClass pair_class) {
+  switch (pair_class) {
+    case PairClass::kPersonRobot:
+      return tr("person – robot");
+    case PairClass::kPersonThing:
+      return tr("person – thing");
+    case PairClass::kRobotRobot:
+      return tr("robot – robot");
+    case PairClass::kRobotThing:
+      return tr("robot – thing");
+    case PairClass::kOther:
+      break;
+  }
+  return tr("other pairs");
 }
 
 }  // namespace abstand::ui

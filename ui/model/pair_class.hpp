@@ -15,5 +15,7 @@ inline constexpr int kPairClasses = 5;
 PairClass pairClassOf(const view::SceneOutline& outline, std::pair<int, int> pair);
 /// "Person – robot".
 QString pairClassName(PairClass pair_class);
+/// "person – robot", within a sentence.
+QString pairClassInSentence(PairClass pair_class);
 
 }  // namespace abstand::ui

@@ -1,20 +1,18 @@
 // Proposed margins as rows of the window, in words.
 #include "ui/model/proposed_rows.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/model/event_text.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
 constexpr double kLargestRow = 2.0;  // m, of a row
-
-QString trProposal(const char* text) { return QCoreApplication::translate("ProposedRows", text); }
 
 /// m: of the links that are checked with a part.
 double leastLinkMargin(const margin::StoreLayout& layout, std::size_t part,
@@ -32,12 +30,11 @@ QString mm(double metres) { return millimetresWithUnit(metres, 0); }
 QString proposalProblem(const RecordingReview& review) {
   using State = view::AnalysisNews::State;
   if (!review.available())
-    return trProposal("Margins are proposed from a recording of a person and a robot; the scene has none.");
+    return tr("Margins are proposed from a recording of a person and a robot; the scene has none.");
   if (review.state() == State::kFailed)
-    return trProposal("Nothing is proposed, because the analysis of the recording failed: %1")
-        .arg(review.problem());
+    return tr("Nothing is proposed, because the analysis of the recording failed: %1").arg(review.problem());
   if (review.state() != State::kDone || !review.store() || review.store()->empty())
-    return trProposal("Nothing is proposed yet: the analysis of the recording has come to %1 %.")
+    return tr("Nothing is proposed yet: the analysis of the recording has come to %1 %.")
         .arg(static_cast<int>(100.0 * review.progress()));
   return {};
 }
@@ -57,21 +54,20 @@ std::vector<ProposedRow> proposedRows(const margin::ClearanceStore& store, const
       const double links = leastLinkMargin(store.layout(), part, margins);
       const double needed = std::max(0.0, proposal.margin - links);
       if (!proposal.judged) {
-        row.sentence = trProposal(
-            "never seen, or never so far away that the robot could have stopped in time; the row stays.");
+        row.sentence =
+            tr("never seen, or never so far away that the robot could have stopped in time; the row stays.");
       } else if (!std::isfinite(proposal.margin)) {
-        row.sentence = trProposal("no margin would do; the row stays.");
+        row.sentence = tr("no margin would do; the row stays.");
       } else if (needed > kLargestRow) {
-        row.sentence = trProposal("%1, more than a row can have; the row stays.").arg(mm(proposal.margin));
+        row.sentence = tr("%1, more than a row can have; the row stays.").arg(mm(proposal.margin));
       } else {
-        row.sentence = links > 0.0 ? trProposal("%1: %2 of this row and at least %3 of the links.")
+        row.sentence = links > 0.0 ? tr("%1: %2 of this row and at least %3 of the links.")
                                          .arg(mm(proposal.margin), mm(needed), mm(links))
-                                   : trProposal("%1.").arg(mm(proposal.margin));
+                                   : tr("%1.").arg(mm(proposal.margin));
         if (locked[object])
-          row.sentence +=
-              margins[object] < needed - 1e-9
-                  ? trProposal(" The row is locked at %1, which is too small.").arg(mm(margins[object]))
-                  : trProposal(" The row is locked at %1.").arg(mm(margins[object]));
+          row.sentence += margins[object] < needed - 1e-9
+                              ? tr(" The row is locked at %1, which is too small.").arg(mm(margins[object]))
+                              : tr(" The row is locked at %1.").arg(mm(margins[object]));
         else
           row.metres = needed;
       }

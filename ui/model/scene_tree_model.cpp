@@ -149,7 +149,7 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
   const auto shown = std::count_if(group.objects.begin(), group.objects.end(),
                                    [&](int o) { return rows_[static_cast<std::size_t>(o)].visible; });
   if (index.column() == 0) {
-    if (role == Qt::DisplayRole) return QString::fromStdString(group.name);
+    if (role == Qt::DisplayRole) return groupTitle(group);
     if (role == Qt::DecorationRole) return colour(group);
     if (role == Qt::CheckStateRole) {
       if (shown == 0) return Qt::Unchecked;

@@ -1,16 +1,14 @@
 // What a robot's stop machine and the limits of its joints say, in the user's words and units.
 #include "ui/model/stop_text.hpp"
 
-#include <QCoreApplication>
 #include <cmath>
 
 #include "ui/style/format.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("abstand::ui::StopText", text); }
 
 QString reasonText(safety::StopReason reason) {
   switch (reason) {

@@ -11,12 +11,16 @@
 #include <algorithm>
 
 #include "ui/model/event_table_model.hpp"
+#include "ui/model/event_text.hpp"
+#include "ui/panels/title_width.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
 using EventKind = margin::ReviewEvent::Kind;
+
+constexpr int kKindSpace = 16;  // px, about the name of a kind
 
 /// Leaves out near misses on request.
 class EventFilter : public QSortFilterProxyModel {
@@ -63,11 +67,14 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   table_->sortByColumn(EventTableModel::kTime, Qt::AscendingOrder);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
-  for (const auto& [column, width] : {std::pair{+EventTableModel::kKind, 150},
+  const int kind_width =
+      table_->fontMetrics().horizontalAdvance(kindText(EventKind::kBetweenFrames)) + kKindSpace;
+  for (const auto& [column, width] : {std::pair{+EventTableModel::kKind, std::max(150, kind_width)},
                                       {+EventTableModel::kPart, 130},
                                       {+EventTableModel::kLink, 130},
                                       {+EventTableModel::kClearance, 120}})
     table_->horizontalHeader()->resizeSection(column, width);
+  fitTitles(*table_->horizontalHeader());
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);

@@ -1,5 +1,6 @@
 // Groups of pairs: run, pause and stop them, and take single pairs out and back in.
 #include "ui/panels/group_panel.hpp"
+#include "ui/style/tr.hpp"
 
 #include <QGridLayout>
 #include <QHeaderView>
@@ -16,17 +17,18 @@ namespace {
 
 constexpr int kNameColumn = 0, kPairsColumn = 1, kStateColumn = 2;
 // What an item stands for: a group (its number, -1: the row of those in none) or a pair.
-constexpr int kGroupRole = Qt::UserRole, kPairRole = Qt::UserRole + 1;
+constexpr int kGroupRole = Qt::UserRole;
+constexpr int kPairRole = Qt::UserRole + 1;
 constexpr int kNoGroup = -1;
 
 QString stateName(view::PairGroupState state) {
   switch (state) {
     case view::PairGroupState::kRunning:
-      return GroupPanel::tr("running");
+      return tr("running");
     case view::PairGroupState::kPaused:
-      return GroupPanel::tr("paused: stale");
+      return tr("paused: stale");
     case view::PairGroupState::kStopped:
-      return GroupPanel::tr("stopped: stale");
+      return tr("stopped: stale");
   }
   return {};
 }

@@ -38,7 +38,7 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   layout->setSpacing(2);
   for (const Group& group : groupsOf(outline)) {
     const QString name = QString::fromStdString(group.name);
-    auto* master = new MarginRow(name, true, content);
+    auto* master = new MarginRow(groupTitle(group), true, content);
     layout->addWidget(master);
     for (const int object : group.objects) {
       const auto i = static_cast<std::size_t>(object);
@@ -50,7 +50,7 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
     connectRow(master, group.objects);
     group_rows_[name] = master;
     auto* line = new QFrame(content);
-    masters_.push_back({master, group.objects, line, name});
+    masters_.push_back({master, group.objects, line, groupTitle(group)});
     line->setFrameShape(QFrame::HLine);
     line->setFrameShadow(QFrame::Plain);
     line->setForegroundRole(QPalette::Mid);

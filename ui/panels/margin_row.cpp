@@ -1,7 +1,6 @@
 // Slider and spin box for one length in millimetres.
 #include "ui/panels/margin_row.hpp"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -11,6 +10,7 @@
 #include <cmath>
 
 #include "ui/style/icons.hpp"
+#include "ui/style/number_box.hpp"
 
 namespace abstand::ui {
 
@@ -25,14 +25,14 @@ class CalmSlider : public QSlider {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
-class CalmSpinBox : public QDoubleSpinBox {
+class CalmSpinBox : public NumberBox {
  public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  using NumberBox::NumberBox;
 
  protected:
   void wheelEvent(QWheelEvent* event) override {
     if (hasFocus())
-      QDoubleSpinBox::wheelEvent(event);
+      NumberBox::wheelEvent(event);
     else
       event->ignore();
   }

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "ui/model/selection.hpp"
+#include "ui/panels/title_width.hpp"
 
 namespace abstand::ui {
 
@@ -73,6 +74,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
                                       {+PairTableModel::kForce, 80},
                                       {+PairTableModel::kContacts, 76}})
     header->resizeSection(column, width);
+  fitTitles(*header);
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);

@@ -4,10 +4,12 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QLocale>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
@@ -54,16 +56,16 @@ void addRows(QTreeWidget* tree, const view::RecordingCard& card) {
   rows.add(RecordingPanel::tr("Format"), text(card.format));
   rows.add(RecordingPanel::tr("Length"),
            RecordingPanel::tr("%1 s, %n frames", nullptr, static_cast<int>(card.frames))
-               .arg(card.duration, 0, 'f', 2));
+               .arg(fixed(card.duration, 2)));
   rows.add(RecordingPanel::tr("Rate"),
-           card.rate > 0.0 ? RecordingPanel::tr("%1 Hz").arg(card.rate, 0, 'g', 5)
+           card.rate > 0.0 ? RecordingPanel::tr("%1 Hz").arg(QLocale().toString(card.rate, 'g', 5))
                            : RecordingPanel::tr("not known"),
            text(card.rate_reason));
   rows.add(RecordingPanel::tr("Units"), card.units);
   rows.add(RecordingPanel::tr("Vertical axis"), card.up);
   rows.add(RecordingPanel::tr("Left and right"), card.sides);
   rows.add(RecordingPanel::tr("Stature"),
-           card.stature > 0.0 ? RecordingPanel::tr("%1 m").arg(card.stature, 0, 'f', 3)
+           card.stature > 0.0 ? RecordingPanel::tr("%1 m").arg(fixed(card.stature, 3))
                               : RecordingPanel::tr("not known"),
            text(card.stature_reason));
   if (!card.joint_map.value.empty()) rows.add(RecordingPanel::tr("Joint map"), card.joint_map);

@@ -1,7 +1,6 @@
 #include "ui/panels/report_dialog.hpp"
 
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -12,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/model/recent_folder.hpp"
+#include "ui/style/number_box.hpp"
 
 namespace abstand::ui {
 
@@ -21,7 +21,7 @@ constexpr int kDialogWidth = 520;  // px
 
 QDoubleSpinBox* numberField(double value, double min, double max, double step, const QString& unit,
                             const QString& tip) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setDecimals(3);
   box->setRange(min, max);
   box->setSingleStep(step);

@@ -28,6 +28,8 @@ struct Opening {
 
 /// Fills a window's status bar. GUI thread only.
 class StatusPanel : public QObject {
+  Q_OBJECT
+
  public:
   explicit StatusPanel(QStatusBar* bar);
   /// What holds at the shown moment.

@@ -192,9 +192,8 @@ void TimelinePanel::showSpeed(double factor) { speed_->setEditText(speedText(fac
 void TimelinePanel::takeSpeed() {
   QString text = speed_->currentText();
   text.remove(QChar(0x00d7));
-  bool understood = false;
-  const double factor = QLocale().toDouble(text.trimmed(), &understood);
-  if (understood && factor > 0.0) playback_.setSpeed(factor);
+  const auto factor = numberFromText(text);
+  if (factor && *factor > 0.0) playback_.setSpeed(*factor);
   showSpeed(playback_.speed());
 }
 

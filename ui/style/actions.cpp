@@ -2,6 +2,7 @@
 #include "ui/style/actions.hpp"
 
 #include "ui/style/icons.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
@@ -21,7 +22,7 @@ struct Spec {
 
 using Id = ActionId;
 using In = ActionGroup;
-#define TEXT(s) QT_TRANSLATE_NOOP("abstand::ui::Actions", s)
+#define TEXT(s) QT_TRANSLATE_NOOP("abstand::ui", s)  // scripts/translations knows this name
 
 const Spec kSpecs[] = {
     {Id::kNew, In::kFile, TEXT("&New project"), TEXT("Begin with an empty window"), "Ctrl+N"},
@@ -84,6 +85,12 @@ const Spec kSpecs[] = {
     {Id::kFullScreen, In::kView, TEXT("F&ull screen"), TEXT("Use the whole screen"), "F11", Kind::kOff},
     {Id::kResetLayout, In::kView, TEXT("&Reset layout"), TEXT("Put all panels where they were at first"),
      "Ctrl+0"},
+    {Id::kLanguageSystem, In::kView, TEXT("&System language"),
+     TEXT("Texts and numbers as the system has them, from the next start on"), "Ctrl+Alt+L,S", Kind::kOff},
+    {Id::kLanguageEnglish, In::kView, TEXT("&English"),
+     TEXT("Texts and numbers in English, from the next start on"), "Ctrl+Alt+L,E", Kind::kOff},
+    {Id::kLanguageGerman, In::kView, TEXT("&Deutsch"),
+     TEXT("Texts and numbers in German, from the next start on"), "Ctrl+Alt+L,D", Kind::kOff},
 
     {Id::kFront, In::kCamera, TEXT("&Front"), TEXT("Front view"), "1", Kind::kPlain, Glyph::kFront},
     {Id::kSide, In::kCamera, TEXT("&Side"), TEXT("Side view"), "3", Kind::kPlain, Glyph::kSide},
@@ -193,8 +200,8 @@ const Spec kSpecs[] = {
 
 Actions::Actions(QObject* parent) : QObject(parent) {
   for (const Spec& spec : kSpecs) {
-    auto* action = new QAction(icon(spec.glyph), tr(spec.text), this);
-    action->setToolTip(tr(spec.tip));
+    auto* action = new QAction(icon(spec.glyph), ui::tr(spec.text), this);
+    action->setToolTip(ui::tr(spec.tip));
     QList<QKeySequence> keys;
     for (const QString& key : QString::fromLatin1(spec.keys).split(QLatin1Char(' ')))
       keys << QKeySequence(key);

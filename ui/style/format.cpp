@@ -24,4 +24,13 @@ QString secondsWithUnit(double seconds) {
   return QCoreApplication::translate("format", "%1 s").arg(fixed(seconds, 3));
 }
 
+std::optional<double> numberFromText(const QString& text) {
+  QLocale plain = QLocale::c();
+  plain.setNumberOptions(QLocale::RejectGroupSeparator);
+  bool good = false;
+  const double value = plain.toDouble(text.trimmed().replace(QLatin1Char(','), QLatin1Char('.')), &good);
+  if (!good || !std::isfinite(value)) return {};
+  return value;
+}
+
 }  // namespace abstand::ui

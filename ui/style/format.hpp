@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 namespace abstand::ui {
 
@@ -13,5 +14,7 @@ QString millimetresWithUnit(double metres, int decimals = 1);
 QString fixed(double value, int decimals);
 /// "12.340 s".
 QString secondsWithUnit(double seconds);
+/// A typed number with a decimal point or comma, whatever the language; no groups of digits.
+std::optional<double> numberFromText(const QString& text);
 
 }  // namespace abstand::ui

@@ -62,7 +62,7 @@ TEST(NearestClasses, PeopleComeFirstAndPartsOfOneAreNotAmongThem) {
   const auto found = nearestOfClasses(outline, snapshot);
   ASSERT_EQ(found.size(), 3u) << "robot and thing: no distance is known";
   EXPECT_EQ(found[0].pair, 2);
-  EXPECT_EQ(found[0].name, "Person – robot");
+  EXPECT_EQ(found[0].of, PairClass::kPersonRobot);
   EXPECT_EQ(found[1].pair, 4);
   EXPECT_EQ(found[2].pair, 0);
   EXPECT_TRUE(nearestText(outline, snapshot).startsWith("Person – robot: arm/2 – p/head, "));

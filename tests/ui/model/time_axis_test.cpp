@@ -85,10 +85,12 @@ TEST(TimeFromText, UnderstandsSecondsMinutesAndFrames) {
   playback.setPort(&session);
   const auto time = [&](const char* text) { return timeFromText(QString::fromUtf8(text), playback); };
   EXPECT_EQ(time("12.5"), 12.5);
+  EXPECT_EQ(time("12,5"), 12.5);
   EXPECT_EQ(time(" 3 s "), 3.0);
   EXPECT_EQ(time("-0.5"), -0.5);
   EXPECT_EQ(time("1:02.5"), 62.5);
   EXPECT_EQ(time("f1"), 0.0);
+  EXPECT_NEAR(*time("Bild 3"), 2 * playback.framePeriod(), kExact);
   EXPECT_NEAR(*time("frame 120"), 119 * playback.framePeriod(), kExact);
   EXPECT_NEAR(*time("F 3"), 2 * playback.framePeriod(), kExact);
   for (const char* wrong : {"", "f", "abc", "1:75", "12.5 m", "f1.5", "1e400", "nan"})

@@ -1,0 +1,3329 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>DockSet</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Show or hide the scene tree</source>
+        <translation>Szenenbaum ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Show or hide the pair table</source>
+        <translation>Tabelle der Paare ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Show or hide the timeline</source>
+        <translation>Zeitleiste ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Show or hide the plots</source>
+        <translation>Diagramme ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Show or hide the margins</source>
+        <translation>Sicherheitsabstände ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Show or hide the robots that react</source>
+        <translation>Roboter mit Reaktion ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Show or hide the groups of pairs</source>
+        <translation>Gruppen von Paaren ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Reservations</source>
+        <translation>Zweifel</translation>
+    </message>
+    <message>
+        <source>Show or hide what to know of the scene before believing it</source>
+        <translation>Ein- oder ausblenden, was man von der Szene wissen muss, bevor man ihr glaubt</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Show or hide the events of the recording</source>
+        <translation>Ereignisse der Aufnahme ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Show or hide the bookmarks</source>
+        <translation>Lesezeichen ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Show or hide what was read of the recordings</source>
+        <translation>Ein- oder ausblenden, was aus den Aufnahmen gelesen wurde</translation>
+    </message>
+    <message>
+        <source>Margin curve</source>
+        <translation>Abstandskurve</translation>
+    </message>
+    <message>
+        <source>Show or hide what the margin of a body part costs</source>
+        <translation>Ein- oder ausblenden, was der Sicherheitsabstand eines Körperteils kostet</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bereiche</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::studio::ReportJob</name>
+    <message>
+        <source>%1 cannot be started</source>
+        <translation>%1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The program &quot;abstand&quot; is neither beside this one nor in PATH.</source>
+        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
+    </message>
+    <message>
+        <source>%1 ended with code %2</source>
+        <translation>%1 endete mit dem Code %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::studio::Studio</name>
+    <message>
+        <source>%1 has changed. Reload it with Ctrl+R</source>
+        <translation>%1 hat sich geändert. Mit Strg+R neu laden</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>Öffnen nicht möglich</translation>
+    </message>
+    <message>
+        <source>open recording %1</source>
+        <translation>Aufnahme %1 öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui</name>
+    <message>
+        <source>The window will be in this language when the program is started again</source>
+        <translation>Das Fenster erscheint in dieser Sprache, wenn das Programm neu gestartet wird</translation>
+    </message>
+    <message>
+        <source>inside margin</source>
+        <translation>Unterschreitung</translation>
+    </message>
+    <message>
+        <source>touch between frames</source>
+        <translation>Berührung zwischen Bildern</translation>
+    </message>
+    <message>
+        <source>near miss</source>
+        <translation>Annäherung</translation>
+    </message>
+    <message>
+        <source>⚠ missed</source>
+        <translation>⚠ verpasst</translation>
+    </message>
+    <message>
+        <source>false</source>
+        <translation>Fehlauslösung</translation>
+    </message>
+    <message>
+        <source>%1: not analysed yet</source>
+        <translation>%1: noch nicht ausgewertet</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: not seen</source>
+        <translation>%1: nicht gesehen</translation>
+    </message>
+    <message>
+        <source>inside the margin of %1</source>
+        <translation>unter dem Sicherheitsabstand von %1</translation>
+    </message>
+    <message>
+        <source>margin %1</source>
+        <translation>Sicherheitsabstand %1</translation>
+    </message>
+    <message>
+        <source>%1 – %2: at least %3 (measured %4, error %5), %6%7</source>
+        <translation>%1 – %2: mindestens %3 (gemessen %4, Unsicherheit %5), %6%7</translation>
+    </message>
+    <message>
+        <source>; the pose is lost</source>
+        <translation>; die Pose ist verloren</translation>
+    </message>
+    <message>
+        <source>%1 stops, %2 % of the time; %3 false, %4 missed</source>
+        <translation>Stopps: %1, %2 % der Zeit; Fehlauslösungen: %3, verpasste Stopps: %4</translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>Bisher: %1</translation>
+    </message>
+    <message>
+        <source>What the present margins would have done over the whole recording, as recorded and without
+reactions: protective stops, and the share of time in which the robot would have stood.
+False: even without the stop nobody would have been touched.
+Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration
+5 rad/s² or m/s²), or nobody told the robot. The same numbers as those of &quot;abstand tune&quot;.</source>
+        <translation>Was die jetzigen Sicherheitsabstände über die ganze Aufnahme bewirkt hätten, wie aufgenommen und ohne
+Reaktionen: Sicherheitshalte und der Anteil der Zeit, in dem der Roboter gestanden hätte.
+Fehlauslösung: Auch ohne den Stopp wäre niemand berührt worden.
+Verpasster Stopp: Eine Berührung vor dem Stillstand des Roboters ist nicht ausgeschlossen (Reaktionszeit 0,1 s,
+Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Dieselben Zahlen wie die von „abstand tune“.</translation>
+    </message>
+    <message>
+        <source>Analysis: reading files</source>
+        <translation>Auswertung: Dateien werden gelesen</translation>
+    </message>
+    <message>
+        <source>Analysis %1 %</source>
+        <translation>Auswertung %1 %</translation>
+    </message>
+    <message>
+        <source>⚠ Analysis failed</source>
+        <translation>⚠ Auswertung fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>objects</source>
+        <translation>Gegenstände</translation>
+    </message>
+    <message>
+        <source>%1 – %2, %3</source>
+        <translation>%1 – %2, %3</translation>
+    </message>
+    <message>
+        <source>Nearest: %1</source>
+        <translation>Am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>Person – robot</source>
+        <translation>Person – Roboter</translation>
+    </message>
+    <message>
+        <source>Person – thing</source>
+        <translation>Person – Gegenstand</translation>
+    </message>
+    <message>
+        <source>Robot – robot</source>
+        <translation>Roboter – Roboter</translation>
+    </message>
+    <message>
+        <source>Robot – thing</source>
+        <translation>Roboter – Gegenstand</translation>
+    </message>
+    <message>
+        <source>Other pairs</source>
+        <translation>Andere Paare</translation>
+    </message>
+    <message>
+        <source>person – robot</source>
+        <translation>Person – Roboter</translation>
+    </message>
+    <message>
+        <source>person – thing</source>
+        <translation>Person – Gegenstand</translation>
+    </message>
+    <message>
+        <source>robot – robot</source>
+        <translation>Roboter – Roboter</translation>
+    </message>
+    <message>
+        <source>robot – thing</source>
+        <translation>Roboter – Gegenstand</translation>
+    </message>
+    <message>
+        <source>other pairs</source>
+        <translation>andere Paare</translation>
+    </message>
+    <message>
+        <source>Margins are proposed from a recording of a person and a robot; the scene has none.</source>
+        <translation>Sicherheitsabstände werden aus der Aufnahme einer Person und eines Roboters vorgeschlagen; die Szene hat keine.</translation>
+    </message>
+    <message>
+        <source>Nothing is proposed, because the analysis of the recording failed: %1</source>
+        <translation>Es gibt keinen Vorschlag, weil die Auswertung der Aufnahme fehlgeschlagen ist: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is proposed yet: the analysis of the recording has come to %1 %.</source>
+        <translation>Es gibt noch keinen Vorschlag: Die Auswertung der Aufnahme ist bei %1 %.</translation>
+    </message>
+    <message>
+        <source>never seen, or never so far away that the robot could have stopped in time; the row stays.</source>
+        <translation>nie gesehen oder nie so weit entfernt, dass der Roboter rechtzeitig hätte anhalten können; die Zeile bleibt.</translation>
+    </message>
+    <message>
+        <source>no margin would do; the row stays.</source>
+        <translation>kein Sicherheitsabstand würde genügen; die Zeile bleibt.</translation>
+    </message>
+    <message>
+        <source>%1, more than a row can have; the row stays.</source>
+        <translation>%1, mehr als eine Zeile haben kann; die Zeile bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of this row and at least %3 of the links.</source>
+        <translation>%1: %2 aus dieser Zeile und mindestens %3 aus den Gliedern.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source> The row is locked at %1, which is too small.</source>
+        <translation> Die Zeile ist bei %1 gesperrt; das ist zu wenig.</translation>
+    </message>
+    <message>
+        <source> The row is locked at %1.</source>
+        <translation> Die Zeile ist bei %1 gesperrt.</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>Trennungsabstand</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>stale input</source>
+        <translation>veraltete Eingabe</translation>
+    </message>
+    <message>
+        <source>lost person</source>
+        <translation>Person verloren</translation>
+    </message>
+    <message>
+        <source>lost connection</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>joint speed</source>
+        <translation>Gelenkgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>bound on speed</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>braking path</source>
+        <translation>Bremsweg</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 J</source>
+        <translation>%1 J</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 N·m</source>
+        <translation>%1 N·m</translation>
+    </message>
+    <message>
+        <source>%1 rad/s</source>
+        <translation>%1 rad/s</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>slowed down</source>
+        <translation>verlangsamt</translation>
+    </message>
+    <message>
+        <source>protective stop</source>
+        <translation>Sicherheitshalt</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>waiting for reset</source>
+        <translation>wartet auf Quittierung</translation>
+    </message>
+    <message>
+        <source>a cause asks for a stop</source>
+        <translation>eine Ursache verlangt einen Stopp</translation>
+    </message>
+    <message>
+        <source>it does not stand yet</source>
+        <translation>er steht noch nicht</translation>
+    </message>
+    <message>
+        <source>, limit %1</source>
+        <translation>, Grenze %1</translation>
+    </message>
+    <message>
+        <source>, %1 – %2</source>
+        <translation>, %1 – %2</translation>
+    </message>
+    <message>
+        <source>, joint %1</source>
+        <translation>, Gelenk %1</translation>
+    </message>
+    <message>
+        <source>%1  %2: %3 → %4</source>
+        <translation>%1  %2: %3 → %4</translation>
+    </message>
+    <message>
+        <source>%1, after %2</source>
+        <translation>%1, nach %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 rad</source>
+        <translation>%1 rad</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 rad/s²</source>
+        <translation>%1 rad/s²</translation>
+    </message>
+    <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>effort</source>
+        <translation>Kraft oder Drehmoment</translation>
+    </message>
+    <message>
+        <source>%1  %2: joint %3 beyond its %4 limit: %5, limit %6</source>
+        <translation>%1  %2: Gelenk %3 jenseits seiner Grenze (%4): %5, Grenze %6</translation>
+    </message>
+    <message>
+        <source>Robots: running</source>
+        <translation>Roboter: laufen</translation>
+    </message>
+    <message>
+        <source>paused: stale</source>
+        <translation>pausiert: veraltet</translation>
+    </message>
+    <message>
+        <source>stopped: stale</source>
+        <translation>gestoppt: veraltet</translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation>&amp;Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Begin with an empty window</source>
+        <translation>Mit einem leeren Fenster beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project, a scene or a robot</source>
+        <translation>Ein Projekt, eine Szene oder einen Roboter öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recording…</source>
+        <translation>&amp;Aufnahme öffnen…</translation>
+    </message>
+    <message>
+        <source>Let the person move as in a recording</source>
+        <translation>Die Person bewegt sich wie in einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>Recording op&amp;tions…</source>
+        <translation>Aufnahme&amp;optionen…</translation>
+    </message>
+    <message>
+        <source>Say how recordings are understood: units, axis, speed</source>
+        <translation>Festlegen, wie Aufnahmen zu verstehen sind: Einheiten, Achse, Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Re&amp;load</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the scene and its recordings again; margins and view stay</source>
+        <translation>Szene und Aufnahmen neu lesen; Sicherheitsabstände und Ansicht bleiben</translation>
+    </message>
+    <message>
+        <source>Recent file 1</source>
+        <translation>Zuletzt geöffnete Datei 1</translation>
+    </message>
+    <message>
+        <source>Open the file that was opened last</source>
+        <translation>Die zuletzt geöffnete Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Recent file 2</source>
+        <translation>Zuletzt geöffnete Datei 2</translation>
+    </message>
+    <message>
+        <source>Open an earlier file</source>
+        <translation>Eine früher geöffnete Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Recent file 3</source>
+        <translation>Zuletzt geöffnete Datei 3</translation>
+    </message>
+    <message>
+        <source>Recent file 4</source>
+        <translation>Zuletzt geöffnete Datei 4</translation>
+    </message>
+    <message>
+        <source>Recent file 5</source>
+        <translation>Zuletzt geöffnete Datei 5</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save margins, pairs, visibility, bookmarks and view with the scene and the recording</source>
+        <translation>Sicherheitsabstände, Paare, Sichtbarkeit, Lesezeichen und Ansicht mit Szene und Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>Projekt speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save into another project file</source>
+        <translation>In eine andere Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Re&amp;port…</source>
+        <translation>Be&amp;richt…</translation>
+    </message>
+    <message>
+        <source>Make a page of the recording with these margins, to be signed</source>
+        <translation>Eine Seite über die Aufnahme mit diesen Sicherheitsabständen erstellen, zum Unterschreiben</translation>
+    </message>
+    <message>
+        <source>Screens&amp;hot…</source>
+        <translation>Bil&amp;dschirmfoto…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the window</source>
+        <translation>Ein Bild des Fensters speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Put a picture of the 3D view on the clipboard</source>
+        <translation>Ein Bild der 3D-Ansicht in die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Die zurückgenommene Änderung erneut ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Forces</source>
+        <translation>&amp;Kräfte</translation>
+    </message>
+    <message>
+        <source>Show contact forces as arrows</source>
+        <translation>Kontaktkräfte als Pfeile zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Torques</source>
+        <translation>&amp;Drehmomente</translation>
+    </message>
+    <message>
+        <source>Show contact torques as curved arrows</source>
+        <translation>Kontaktmomente als gebogene Pfeile zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Velocities</source>
+        <translation>&amp;Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Show velocities as thin arrows</source>
+        <translation>Geschwindigkeiten als dünne Pfeile zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Closest points</source>
+        <translation>&amp;Nächste Punkte</translation>
+    </message>
+    <message>
+        <source>Show the closest points of the nearest pairs</source>
+        <translation>Die nächsten Punkte der nächsten Paare zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Name bodies in contact and the selection</source>
+        <translation>Körper in Kontakt und die Auswahl benennen</translation>
+    </message>
+    <message>
+        <source>F&amp;loor</source>
+        <translation>B&amp;oden</translation>
+    </message>
+    <message>
+        <source>Show floor and grid</source>
+        <translation>Boden und Raster zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Shadows</source>
+        <translation>Sch&amp;atten</translation>
+    </message>
+    <message>
+        <source>Show shadows on the floor</source>
+        <translation>Schatten auf dem Boden zeigen</translation>
+    </message>
+    <message>
+        <source>Transparent &amp;people</source>
+        <translation>Durchsichtige &amp;Personen</translation>
+    </message>
+    <message>
+        <source>See through body parts</source>
+        <translation>Durch Körperteile hindurchsehen</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic arrow scale</source>
+        <translation>Au&amp;tomatische Pfeillänge</translation>
+    </message>
+    <message>
+        <source>Scale arrows to the largest force in sight instead of a fixed length per newton</source>
+        <translation>Pfeile nach der größten sichtbaren Kraft bemessen statt mit fester Länge je Newton</translation>
+    </message>
+    <message>
+        <source>Plots f&amp;ollow the time</source>
+        <translation>Diagramme &amp;folgen der Zeit</translation>
+    </message>
+    <message>
+        <source>Keep the playhead in the plots&apos; window</source>
+        <translation>Die Zeitmarke im Fenster der Diagramme halten</translation>
+    </message>
+    <message>
+        <source>Fi&amp;nd pair</source>
+        <translation>Paar s&amp;uchen</translation>
+    </message>
+    <message>
+        <source>Go to the filter of the pair table</source>
+        <translation>Zum Filter der Tabelle der Paare gehen</translation>
+    </message>
+    <message>
+        <source>Clear &amp;selection</source>
+        <translation>Aus&amp;wahl aufheben</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>Dunk&amp;les Design</translation>
+    </message>
+    <message>
+        <source>Light on dark</source>
+        <translation>Hell auf dunkel</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Den ganzen Bildschirm nutzen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels where they were at first</source>
+        <translation>Alle Bereiche an ihren ersten Platz setzen</translation>
+    </message>
+    <message>
+        <source>&amp;System language</source>
+        <translation>Sprache des &amp;Systems</translation>
+    </message>
+    <message>
+        <source>Texts and numbers as the system has them, from the next start on</source>
+        <translation>Texte und Zahlen wie im System, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>&amp;English</source>
+        <translation>&amp;English</translation>
+    </message>
+    <message>
+        <source>Texts and numbers in English, from the next start on</source>
+        <translation>Texte und Zahlen auf Englisch, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Deutsch</source>
+        <translation>&amp;Deutsch</translation>
+    </message>
+    <message>
+        <source>Texts and numbers in German, from the next start on</source>
+        <translation>Texte und Zahlen auf Deutsch, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Front view</source>
+        <translation>Ansicht von vorn</translation>
+    </message>
+    <message>
+        <source>&amp;Side</source>
+        <translation>&amp;Seite</translation>
+    </message>
+    <message>
+        <source>Side view</source>
+        <translation>Ansicht von der Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>View from above</source>
+        <translation>Ansicht von oben</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>View from a corner</source>
+        <translation>Ansicht aus einer Ecke</translation>
+    </message>
+    <message>
+        <source>Fit &amp;all</source>
+        <translation>&amp;Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom to all</source>
+        <translation>Auf alles zoomen</translation>
+    </message>
+    <message>
+        <source>Fit s&amp;election</source>
+        <translation>Aus&amp;wahl zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom to the selection</source>
+        <translation>Auf die Auswahl zoomen</translation>
+    </message>
+    <message>
+        <source>Orbit left</source>
+        <translation>Nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the camera about the scene to the left</source>
+        <translation>Die Kamera um die Szene nach links drehen</translation>
+    </message>
+    <message>
+        <source>Orbit right</source>
+        <translation>Nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn the camera about the scene to the right</source>
+        <translation>Die Kamera um die Szene nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Orbit up</source>
+        <translation>Nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Raise the camera</source>
+        <translation>Die Kamera heben</translation>
+    </message>
+    <message>
+        <source>Orbit down</source>
+        <translation>Nach unten drehen</translation>
+    </message>
+    <message>
+        <source>Lower the camera</source>
+        <translation>Die Kamera senken</translation>
+    </message>
+    <message>
+        <source>Pan left</source>
+        <translation>Nach links verschieben</translation>
+    </message>
+    <message>
+        <source>Move the camera to the left</source>
+        <translation>Die Kamera nach links verschieben</translation>
+    </message>
+    <message>
+        <source>Pan right</source>
+        <translation>Nach rechts verschieben</translation>
+    </message>
+    <message>
+        <source>Move the camera to the right</source>
+        <translation>Die Kamera nach rechts verschieben</translation>
+    </message>
+    <message>
+        <source>Pan up</source>
+        <translation>Nach oben verschieben</translation>
+    </message>
+    <message>
+        <source>Move the camera up</source>
+        <translation>Die Kamera nach oben verschieben</translation>
+    </message>
+    <message>
+        <source>Pan down</source>
+        <translation>Nach unten verschieben</translation>
+    </message>
+    <message>
+        <source>Move the camera down</source>
+        <translation>Die Kamera nach unten verschieben</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Move the camera nearer</source>
+        <translation>Die Kamera näher heranführen</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Move the camera away</source>
+        <translation>Die Kamera weiter wegführen</translation>
+    </message>
+    <message>
+        <source>&amp;As in the scene</source>
+        <translation>&amp;Wie in der Szene</translation>
+    </message>
+    <message>
+        <source>All safety margins as the scene file says</source>
+        <translation>Alle Sicherheitsabstände wie in der Szenendatei</translation>
+    </message>
+    <message>
+        <source>&amp;None (0 mm)</source>
+        <translation>&amp;Keine (0 mm)</translation>
+    </message>
+    <message>
+        <source>All margins 0</source>
+        <translation>Alle Sicherheitsabstände 0</translation>
+    </message>
+    <message>
+        <source>All &amp;50 mm</source>
+        <translation>Alle &amp;50 mm</translation>
+    </message>
+    <message>
+        <source>All margins 50 mm; that of a pair is the sum of two</source>
+        <translation>Alle Sicherheitsabstände 50 mm; der eines Paares ist die Summe von zweien</translation>
+    </message>
+    <message>
+        <source>All &amp;100 mm</source>
+        <translation>Alle &amp;100 mm</translation>
+    </message>
+    <message>
+        <source>All margins 100 mm; that of a pair is the sum of two</source>
+        <translation>Alle Sicherheitsabstände 100 mm; der eines Paares ist die Summe von zweien</translation>
+    </message>
+    <message>
+        <source>All &amp;200 mm</source>
+        <translation>Alle &amp;200 mm</translation>
+    </message>
+    <message>
+        <source>All margins 200 mm; that of a pair is the sum of two</source>
+        <translation>Alle Sicherheitsabstände 200 mm; der eines Paares ist die Summe von zweien</translation>
+    </message>
+    <message>
+        <source>&amp;Find margin</source>
+        <translation>Sicherheitsabstand &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Go to the search field of the margins</source>
+        <translation>Zum Suchfeld der Sicherheitsabstände gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy margins</source>
+        <translation>Sicherheitsabstände ko&amp;pieren</translation>
+    </message>
+    <message>
+        <source>Put the margins of people and robots on the clipboard, as a set that abstand tune reads</source>
+        <translation>Die Sicherheitsabstände von Personen und Robotern in die Zwischenablage legen, als Abstandssatz, den abstand tune liest</translation>
+    </message>
+    <message>
+        <source>&amp;Paste margins</source>
+        <translation>Sicherheitsabstände &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Take the set of margins that is on the clipboard</source>
+        <translation>Den Abstandssatz aus der Zwischenablage übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Open margins…</source>
+        <translation>Sicherheitsabstände ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Take a set of margins from a file of abstand tune --margin-set</source>
+        <translation>Einen Abstandssatz aus einer Datei von abstand tune --margin-set übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Save margins…</source>
+        <translation>Sicherheitsabstände spei&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Save the margins of people and robots as a set for abstand tune --margin-set</source>
+        <translation>Die Sicherheitsabstände von Personen und Robotern als Abstandssatz für abstand tune --margin-set speichern</translation>
+    </message>
+    <message>
+        <source>P&amp;ropose margins…</source>
+        <translation>Sicherheitsabstände &amp;vorschlagen…</translation>
+    </message>
+    <message>
+        <source>The smallest margins without a missed stop in this recording</source>
+        <translation>Die kleinsten Sicherheitsabstände ohne verpassten Stopp in dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare with these margins</source>
+        <translation>Mit diesen Sicherheitsabständen ver&amp;gleichen</translation>
+    </message>
+    <message>
+        <source>Keep the present margins, and show in the timeline what later ones do differently</source>
+        <translation>Die jetzigen Sicherheitsabstände merken und in der Zeitleiste zeigen, was spätere anders bewirken</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergeben</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Wiedergeben oder anhalten</translation>
+    </message>
+    <message>
+        <source>Frame &amp;back</source>
+        <translation>Ein &amp;Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Um ein Einzelbild zurück</translation>
+    </message>
+    <message>
+        <source>Frame &amp;forward</source>
+        <translation>Ein Bild &amp;vor</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>Um ein Einzelbild vor</translation>
+    </message>
+    <message>
+        <source>Second b&amp;ack</source>
+        <translation>Eine Sekunde &amp;zurück</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>Um eine Sekunde zurück</translation>
+    </message>
+    <message>
+        <source>Second f&amp;orward</source>
+        <translation>Eine Sekunde v&amp;or</translation>
+    </message>
+    <message>
+        <source>One second forward</source>
+        <translation>Um eine Sekunde vor</translation>
+    </message>
+    <message>
+        <source>To the &amp;start</source>
+        <translation>Zum &amp;Anfang</translation>
+    </message>
+    <message>
+        <source>Go to the first frame</source>
+        <translation>Zum ersten Einzelbild gehen</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>Go to the last frame</source>
+        <translation>Zum letzten Einzelbild gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Go to time…</source>
+        <translation>&amp;Gehe zu Zeit…</translation>
+    </message>
+    <message>
+        <source>Type a time or a frame to go to</source>
+        <translation>Eine Zeit oder ein Einzelbild eingeben</translation>
+    </message>
+    <message>
+        <source>&amp;Next event</source>
+        <translation>&amp;Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Go to the next intrusion into a margin or near miss</source>
+        <translation>Zur nächsten Unterschreitung eines Sicherheitsabstands oder Annäherung gehen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious event</source>
+        <translation>Vor&amp;heriges Ereignis</translation>
+    </message>
+    <message>
+        <source>Go to the intrusion or near miss before</source>
+        <translation>Zur vorherigen Unterschreitung oder Annäherung gehen</translation>
+    </message>
+    <message>
+        <source>Pause at e&amp;vents</source>
+        <translation>Bei Ereignissen anhal&amp;ten</translation>
+    </message>
+    <message>
+        <source>Pause where an intrusion begins or a near miss is nearest</source>
+        <translation>Anhalten, wo eine Unterschreitung beginnt oder eine Annäherung am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Set &amp;IN</source>
+        <translation>&amp;IN setzen</translation>
+    </message>
+    <message>
+        <source>The chosen range begins at this moment</source>
+        <translation>Der gewählte Bereich beginnt in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>Set &amp;OUT</source>
+        <translation>O&amp;UT setzen</translation>
+    </message>
+    <message>
+        <source>The chosen range ends at this moment</source>
+        <translation>Der gewählte Bereich endet in diesem Augenblick</translation>
+    </message>
+    <message>
+        <source>&amp;Clear IN and OUT</source>
+        <translation>IN und OUT &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Choose the whole recording</source>
+        <translation>Die ganze Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Zoom time in</source>
+        <translation>Zeit vergrößern</translation>
+    </message>
+    <message>
+        <source>Show less time in the lanes, around this moment (Ctrl and the wheel over them)</source>
+        <translation>Weniger Zeit in den Spuren zeigen, um diesen Augenblick (Strg und Mausrad darüber)</translation>
+    </message>
+    <message>
+        <source>Zoom time out</source>
+        <translation>Zeit verkleinern</translation>
+    </message>
+    <message>
+        <source>Show more time in the lanes</source>
+        <translation>Mehr Zeit in den Spuren zeigen</translation>
+    </message>
+    <message>
+        <source>Show all time</source>
+        <translation>Ganze Zeit zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole recording in the lanes</source>
+        <translation>Die ganze Aufnahme in den Spuren zeigen</translation>
+    </message>
+    <message>
+        <source>Add &amp;bookmark…</source>
+        <translation>Lesezei&amp;chen setzen…</translation>
+    </message>
+    <message>
+        <source>Remember this moment with its view and a note</source>
+        <translation>Diesen Augenblick mit seiner Ansicht und einer Notiz merken</translation>
+    </message>
+    <message>
+        <source>Remove bookmark</source>
+        <translation>Lesezeichen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the bookmark at this frame</source>
+        <translation>Das Lesezeichen bei diesem Einzelbild entfernen</translation>
+    </message>
+    <message>
+        <source>Next bookmark</source>
+        <translation>Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Go to the next bookmark and its view</source>
+        <translation>Zum nächsten Lesezeichen und seiner Ansicht gehen</translation>
+    </message>
+    <message>
+        <source>Previous bookmark</source>
+        <translation>Vorheriges Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Go to the bookmark before and its view</source>
+        <translation>Zum vorherigen Lesezeichen und seiner Ansicht gehen</translation>
+    </message>
+    <message>
+        <source>Fas&amp;ter</source>
+        <translation>&amp;Schneller</translation>
+    </message>
+    <message>
+        <source>The next higher speed</source>
+        <translation>Die nächsthöhere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>Langsa&amp;mer</translation>
+    </message>
+    <message>
+        <source>The next lower speed</source>
+        <translation>Die nächstniedrigere Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Loo&amp;p</source>
+        <translation>Wie&amp;derholt abspielen</translation>
+    </message>
+    <message>
+        <source>Begin again at the end, or at IN when OUT is reached</source>
+        <translation>Am Ende von vorn beginnen, oder bei IN, wenn OUT erreicht ist</translation>
+    </message>
+    <message>
+        <source>&amp;React</source>
+        <translation>&amp;Reagieren</translation>
+    </message>
+    <message>
+        <source>Let robots with a reaction move away from people; off: they follow their motion</source>
+        <translation>Roboter mit Reaktion weichen Personen aus; aus: Sie folgen ihrer Bewegung</translation>
+    </message>
+    <message>
+        <source>Reaction &amp;torques</source>
+        <translation>Rea&amp;ktionsmomente</translation>
+    </message>
+    <message>
+        <source>Give the torques of the reactions to the robots&apos; motors; off: they only follow and stop</source>
+        <translation>Die Drehmomente der Reaktionen den Motoren der Roboter geben; aus: Sie folgen nur und halten an</translation>
+    </message>
+    <message>
+        <source>Reset protective st&amp;ops</source>
+        <translation>Sicherheitshalte &amp;quittieren</translation>
+    </message>
+    <message>
+        <source>Let every robot that waits for a reset go on</source>
+        <translation>Jeden Roboter weiterfahren lassen, der auf eine Quittierung wartet</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All keys on one page</source>
+        <translation>Alle Tasten auf einer Seite</translation>
+    </message>
+    <message>
+        <source>&amp;About Abstand</source>
+        <translation>Ü&amp;ber Abstand</translation>
+    </message>
+    <message>
+        <source>What this program is, and what it is not</source>
+        <translation>Was dieses Programm ist und was nicht</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve plots…</source>
+        <translation>Diagra&amp;mme speichern…</translation>
+    </message>
+    <message>
+        <source>Save the plots as a table or a picture</source>
+        <translation>Die Diagramme als Tabelle oder Bild speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words, and run it</source>
+        <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
+    </message>
+    <message>
+        <source>Vi&amp;deo…</source>
+        <translation>&amp;Video…</translation>
+    </message>
+    <message>
+        <source>Save a video of the 3D view between IN and OUT</source>
+        <translation>Ein Video der 3D-Ansicht zwischen IN und OUT speichern</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::Actions</name>
+    <message>
+        <source>Open re&amp;cent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Spra&amp;che</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Opacity of people</source>
+        <translation>Deckkraft von Personen</translation>
+    </message>
+    <message>
+        <source>How solid people are drawn</source>
+        <translation>Wie undurchsichtig Personen gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Margins</source>
+        <translation>&amp;Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>Ka&amp;mera</translation>
+    </message>
+    <message>
+        <source>Pan&amp;els</source>
+        <translation>B&amp;ereiche</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::BookmarkCommands</name>
+    <message>
+        <source>Bookmark</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Note for the bookmark at %1:</source>
+        <translation>Notiz zum Lesezeichen bei %1:</translation>
+    </message>
+    <message>
+        <source>bookmark at %1</source>
+        <translation>Lesezeichen bei %1</translation>
+    </message>
+    <message>
+        <source>remove bookmark</source>
+        <translation>Lesezeichen entfernen</translation>
+    </message>
+    <message>
+        <source>No bookmark at this frame</source>
+        <translation>Kein Lesezeichen bei diesem Einzelbild</translation>
+    </message>
+    <message>
+        <source>note of a bookmark</source>
+        <translation>Notiz eines Lesezeichens</translation>
+    </message>
+    <message>
+        <source>No later bookmark</source>
+        <translation>Kein späteres Lesezeichen</translation>
+    </message>
+    <message>
+        <source>No earlier bookmark</source>
+        <translation>Kein früheres Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Bookmark at %1</source>
+        <translation>Lesezeichen bei %1</translation>
+    </message>
+    <message>
+        <source>Bookmark at %1: %2</source>
+        <translation>Lesezeichen bei %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::BookmarkPanel</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen bookmark</source>
+        <translation>Das gewählte Lesezeichen entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::BookmarkTable</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>%1 › %2</source>
+        <translation>%1 › %2</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CompareLanes</name>
+    <message>
+        <source>as many %1</source>
+        <translation>%1: gleich viele</translation>
+    </message>
+    <message>
+        <source>%1 %2 more</source>
+        <translation>%2: %1 mehr</translation>
+    </message>
+    <message>
+        <source>%1 %2 fewer</source>
+        <translation>%2: %1 weniger</translation>
+    </message>
+    <message>
+        <source>%1 % of the time less</source>
+        <translation>%1 % weniger Zeit</translation>
+    </message>
+    <message>
+        <source>%1 % of the time more</source>
+        <translation>%1 % mehr Zeit</translation>
+    </message>
+    <message>
+        <source>A against B: %1, %2, %3, %4</source>
+        <translation>A gegen B – %1, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation>Stopps</translation>
+    </message>
+    <message>
+        <source>false</source>
+        <translation>Fehlauslösungen</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>verpasste Stopps</translation>
+    </message>
+    <message>
+        <source>Stops of two sets of margins</source>
+        <translation>Stopps zweier Abstandssätze</translation>
+    </message>
+    <message>
+        <source>Compare no longer</source>
+        <translation>Nicht mehr vergleichen</translation>
+    </message>
+    <message>
+        <source>A, the present margins: %1
+B, the margins that were kept: %2
+%3</source>
+        <translation>A, die jetzigen Sicherheitsabstände: %1
+B, die gemerkten Sicherheitsabstände: %2
+%3</translation>
+    </message>
+    <message>
+        <source>%1.  B: %2.  A: %3</source>
+        <translation>%1.  B: %2.  A: %3</translation>
+    </message>
+    <message>
+        <source>A: now</source>
+        <translation>A: jetzt</translation>
+    </message>
+    <message>
+        <source>B: kept</source>
+        <translation>B: gemerkt</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CurveArea</name>
+    <message>
+        <source>Share of time stopped, false and missed stops against the margin</source>
+        <translation>Anteil des Stillstands, Fehlauslösungen und verpasste Stopps über dem Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Drag the handle to move the margin, as its slider does</source>
+        <translation>Den Griff ziehen, um den Sicherheitsabstand zu ändern wie mit seinem Schieber</translation>
+    </message>
+    <message>
+        <source>300 mm</source>
+        <translation>300 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>0 %</source>
+        <translation>0 %</translation>
+    </message>
+    <message>
+        <source>time stopped (left)</source>
+        <translation>Stillstand (links)</translation>
+    </message>
+    <message>
+        <source>false stops (right)</source>
+        <translation>Fehlauslösungen (rechts)</translation>
+    </message>
+    <message>
+        <source>missed stops (right)</source>
+        <translation>verpasste Stopps (rechts)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::EventPanel</name>
+    <message>
+        <source>Near misses</source>
+        <translation>Annäherungen</translation>
+    </message>
+    <message>
+        <source>Show what came nearer than twice the margin without coming inside</source>
+        <translation>Zeigen, was näher kam als der doppelte Sicherheitsabstand, ohne ihn zu unterschreiten</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>%1 intrusions and touches, %2 near misses</source>
+        <translation>Unterschreitungen und Berührungen: %1, Annäherungen: %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::EventTableModel</name>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>When it begins</source>
+        <translation>Wann es beginnt</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>How long it lasts</source>
+        <translation>Wie lange es dauert</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>Inside the margin; touch between frames: two frames outside of the margin between which a touch is not excluded;
+near miss: nearer than twice the margin, never inside</source>
+        <translation>Unterschreitung des Sicherheitsabstands; Berührung zwischen Einzelbildern: zwei Einzelbilder außerhalb des Sicherheitsabstands, zwischen denen eine Berührung nicht ausgeschlossen ist;
+Annäherung: näher als der doppelte Sicherheitsabstand, nie darunter</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>The part of the person</source>
+        <translation>Der Körperteil der Person</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>The nearest link of a robot</source>
+        <translation>Das nächste Glied eines Roboters</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>Gesicherter Abstand</translation>
+    </message>
+    <message>
+        <source>Certified: the true distance was never below it, had the robot not stopped</source>
+        <translation>Kleinster gesicherter Abstand: Der wahre Abstand war nie kleiner, hätte der Roboter nicht angehalten</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Unsicherheit</translation>
+    </message>
+    <message>
+        <source>By how much the measured distance may be too large: engine and pose</source>
+        <translation>Um wie viel der gemessene Abstand zu groß sein kann: Rechenkern und Pose</translation>
+    </message>
+    <message>
+        <source>Closing</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed of the nearest points towards each other at the least clearance; negative: they part</source>
+        <translation>Geschwindigkeit, mit der die nächsten Punkte beim kleinsten Abstand aufeinander zugehen; negativ: Sie entfernen sich</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>What a stop at the beginning would have been. Missed: too late, or told by nobody;
+false: not needed; empty: needed and in time</source>
+        <translation>Was ein Stopp am Anfang gewesen wäre. Verpasst: zu spät, oder niemand hat es gemeldet;
+Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::GroupPanel</name>
+    <message>
+        <source>R&amp;un</source>
+        <translation>&amp;Laufen lassen</translation>
+    </message>
+    <message>
+        <source>Pau&amp;se</source>
+        <translation>Pa&amp;use</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve pair</source>
+        <translation>Paar e&amp;ntfernen</translation>
+    </message>
+    <message>
+        <source>A&amp;dd pair to</source>
+        <translation>Paar hin&amp;zufügen zu</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Groups of pairs</source>
+        <translation>Gruppen von Paaren</translation>
+    </message>
+    <message>
+        <source>Check the pairs of the selected groups in every cycle</source>
+        <translation>Die Paare der gewählten Gruppen in jedem Zyklus prüfen</translation>
+    </message>
+    <message>
+        <source>Check them no more until they run again; robots with such pairs stop</source>
+        <translation>Sie nicht mehr prüfen, bis sie wieder laufen; Roboter mit solchen Paaren halten an</translation>
+    </message>
+    <message>
+        <source>The same, said to be for good</source>
+        <translation>Dasselbe, aber als dauerhaft bezeichnet</translation>
+    </message>
+    <message>
+        <source>Take the selected pairs out of their groups</source>
+        <translation>Die gewählten Paare aus ihren Gruppen nehmen</translation>
+    </message>
+    <message>
+        <source>Put the selected pairs, which are in no group, into a group</source>
+        <translation>Die gewählten Paare, die in keiner Gruppe sind, in eine Gruppe aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>No pairs are checked.</source>
+        <translation>Es werden keine Paare geprüft.</translation>
+    </message>
+    <message>
+        <source>In no group</source>
+        <translation>In keiner Gruppe</translation>
+    </message>
+    <message>
+        <source>removed: stale</source>
+        <translation>entfernt: veraltet</translation>
+    </message>
+    <message>
+        <source>All %1 pairs are checked.</source>
+        <translation>Alle %1 Paare werden geprüft.</translation>
+    </message>
+    <message>
+        <source>⚠ %1 of %2 pairs are not checked: their distances are stale.</source>
+        <translation>⚠ %1 von %2 Paaren werden nicht geprüft: Ihre Abstände sind veraltet.</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::LaneView</name>
+    <message>
+        <source>Distance of each body part to the robots over time</source>
+        <translation>Abstand jedes Körperteils zu den Robotern über der Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MainWindow</name>
+    <message>
+        <source>Clearance person – robot</source>
+        <translation>Abstand Person – Roboter</translation>
+    </message>
+    <message>
+        <source>Smallest distance</source>
+        <translation>Kleinster Abstand</translation>
+    </message>
+    <message>
+        <source>Robots were restarted on their planned motion at %1</source>
+        <translation>Roboter wurden bei %1 auf ihrer geplanten Bewegung neu gestartet</translation>
+    </message>
+    <message>
+        <source>Opening…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project or a scene (Ctrl+O),
+or drop a project, a scene, a robot or a recording here</source>
+        <translation>Ein Projekt oder eine Szene öffnen (Strg+O),
+oder ein Projekt, eine Szene, einen Roboter oder eine Aufnahme hierher ziehen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild liegt in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergeben</translation>
+    </message>
+    <message>
+        <source>set IN</source>
+        <translation>IN setzen</translation>
+    </message>
+    <message>
+        <source>set OUT</source>
+        <translation>OUT setzen</translation>
+    </message>
+    <message>
+        <source>clear IN and OUT</source>
+        <translation>IN und OUT löschen</translation>
+    </message>
+    <message>
+        <source>Paused at an event, %1</source>
+        <translation>Bei einem Ereignis angehalten, %1</translation>
+    </message>
+    <message>
+        <source>No later event known</source>
+        <translation>Kein späteres Ereignis bekannt</translation>
+    </message>
+    <message>
+        <source>No earlier event known</source>
+        <translation>Kein früheres Ereignis bekannt</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>Öffnen nicht möglich</translation>
+    </message>
+    <message>
+        <source>%1 is no file that this program opens.
+
+It opens projects (.abstand), scenes and margins (.yaml), robots (.urdf, .mech) and recordings: folders of depth images and the files %2.</source>
+        <translation>%1 ist keine Datei, die dieses Programm öffnet.
+
+Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter (.urdf, .mech) und Aufnahmen: Ordner mit Tiefenbildern und die Dateien %2.</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>Save screenshot</source>
+        <translation>Bildschirmfoto speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Screenshot</source>
+        <translation>Bildschirmfoto</translation>
+    </message>
+    <message>
+        <source>opacity of people</source>
+        <translation>Deckkraft von Personen</translation>
+    </message>
+    <message>
+        <source>view: %1 on</source>
+        <translation>Ansicht: %1 ein</translation>
+    </message>
+    <message>
+        <source>view: %1 off</source>
+        <translation>Ansicht: %1 aus</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message numerus="yes">
+        <source>The project has settings for %n names that the scene does not have. They have no effect:
+%1</source>
+        <translation>
+            <numerusform>Das Projekt hat Einstellungen für %n Namen, den die Szene nicht hat. Sie bewirken nichts:
+%1</numerusform>
+            <numerusform>Das Projekt hat Einstellungen für %n Namen, die die Szene nicht hat. Sie bewirken nichts:
+%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Abstand</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1[*] – Abstand</source>
+        <translation>%1[*] – Abstand</translation>
+    </message>
+    <message>
+        <source>Autosave</source>
+        <translation>Automatische Sicherung</translation>
+    </message>
+    <message>
+        <source>Work is not kept for the case of a crash:
+%1</source>
+        <translation>Die Arbeit wird für den Fall eines Absturzes nicht aufbewahrt:
+%1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>recording options</source>
+        <translation>Aufnahmeoptionen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 einblenden</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>run pair group %1</source>
+        <translation>Gruppe %1 laufen lassen</translation>
+    </message>
+    <message>
+        <source>pause pair group %1</source>
+        <translation>Gruppe %1 pausieren</translation>
+    </message>
+    <message>
+        <source>stop pair group %1</source>
+        <translation>Gruppe %1 stoppen</translation>
+    </message>
+    <message>
+        <source>remove %1 – %2 from its group</source>
+        <translation>%1 – %2 aus der Gruppe nehmen</translation>
+    </message>
+    <message>
+        <source>add %1 – %2 to a group</source>
+        <translation>%1 – %2 in eine Gruppe aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save plots</source>
+        <translation>Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Drawing (*.svg);;Picture (*.png)</source>
+        <translation>Tabelle (*.csv);;Zeichnung (*.svg);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Save video</source>
+        <translation>Video speichern</translation>
+    </message>
+    <message>
+        <source>Videos (*.avi)</source>
+        <translation>Videos (*.avi)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginCommands</name>
+    <message>
+        <source>margin of %1</source>
+        <translation>Sicherheitsabstand von %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>margins of %n objects</source>
+        <translation>
+            <numerusform>Sicherheitsabstand von %n Objekt</numerusform>
+            <numerusform>Sicherheitsabstände von %n Objekten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n locked margins stay as they are</source>
+        <translation>
+            <numerusform>%n gesperrter Sicherheitsabstand bleibt, wie er ist</numerusform>
+            <numerusform>%n gesperrte Sicherheitsabstände bleiben, wie sie sind</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>all margins %1 mm</source>
+        <translation>alle Sicherheitsabstände %1 mm</translation>
+    </message>
+    <message>
+        <source>no margins</source>
+        <translation>keine Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>reset margins</source>
+        <translation>Sicherheitsabstände zurücksetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n margins</source>
+        <translation>
+            <numerusform>%n Sicherheitsabstand</numerusform>
+            <numerusform>%n Sicherheitsabstände</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>unlock %1</source>
+        <translation>%1 entsperren</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>A set of margins is for pairs of a person and a robot, and the scene has none.</source>
+        <translation>Ein Abstandssatz gilt für Paare aus einer Person und einem Roboter, und die Szene hat keine.</translation>
+    </message>
+    <message>
+        <source>Of several people the set has the largest margin of each part</source>
+        <translation>Von mehreren Personen hat der Abstandssatz den größten Sicherheitsabstand jedes Körperteils</translation>
+    </message>
+    <message>
+        <source>No set of margins for this scene</source>
+        <translation>Kein Abstandssatz für diese Szene</translation>
+    </message>
+    <message>
+        <source>The margins of people and robots are on the clipboard</source>
+        <translation>Die Sicherheitsabstände von Personen und Robotern liegen in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>paste margins</source>
+        <translation>Sicherheitsabstände einfügen</translation>
+    </message>
+    <message>
+        <source>Open margins</source>
+        <translation>Sicherheitsabstände öffnen</translation>
+    </message>
+    <message>
+        <source>Sets of margins (*.yaml *.yml)</source>
+        <translation>Abstandssätze (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>margins of %1</source>
+        <translation>Sicherheitsabstände von %1</translation>
+    </message>
+    <message>
+        <source>Cannot open the margins</source>
+        <translation>Die Sicherheitsabstände können nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Save margins</source>
+        <translation>Sicherheitsabstände speichern</translation>
+    </message>
+    <message>
+        <source>Sets of margins (*.yaml)</source>
+        <translation>Abstandssätze (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Cannot save the margins</source>
+        <translation>Die Sicherheitsabstände können nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>compare margins</source>
+        <translation>Sicherheitsabstände vergleichen</translation>
+    </message>
+    <message>
+        <source>compare margins no longer</source>
+        <translation>Sicherheitsabstände nicht mehr vergleichen</translation>
+    </message>
+    <message>
+        <source>Propose margins</source>
+        <translation>Sicherheitsabstände vorschlagen</translation>
+    </message>
+    <message>
+        <source>proposed margins</source>
+        <translation>vorgeschlagene Sicherheitsabstände</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginCurve</name>
+    <message>
+        <source>Body part of the curve</source>
+        <translation>Körperteil der Kurve</translation>
+    </message>
+    <message>
+        <source>The body part whose margin is varied; the selection chooses it, too</source>
+        <translation>Der Körperteil, dessen Sicherheitsabstand verändert wird; auch die Auswahl bestimmt ihn</translation>
+    </message>
+    <message>
+        <source>This part alone, with the present margins of the links: what &quot;abstand tune&quot; says of the part</source>
+        <translation>Dieser Körperteil allein, mit den jetzigen Sicherheitsabständen der Glieder: was „abstand tune“ von ihm sagt</translation>
+    </message>
+    <message>
+        <source>There is a curve where a scene has a person and a robot</source>
+        <translation>Eine Kurve gibt es, wo eine Szene eine Person und einen Roboter hat</translation>
+    </message>
+    <message>
+        <source>The analysis of the recording failed</source>
+        <translation>Die Auswertung der Aufnahme ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>After the analysis of the recording (%1 %)</source>
+        <translation>Nach der Auswertung der Aufnahme (%1 %)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginPanel</name>
+    <message>
+        <source>Safety margins</source>
+        <translation>Sicherheitsabstände</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginRow</name>
+    <message>
+        <source>Margin of %1, slider</source>
+        <translation>Sicherheitsabstand von %1, Schieber</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Margin of %1 in millimetres</source>
+        <translation>Sicherheitsabstand von %1 in Millimetern</translation>
+    </message>
+    <message>
+        <source>Safety margin around %1</source>
+        <translation>Sicherheitsabstand um %1</translation>
+    </message>
+    <message>
+        <source>Lock the margin of %1</source>
+        <translation>Sicherheitsabstand von %1 sperren</translation>
+    </message>
+    <message>
+        <source>Lock: sliders, presets, pasted and proposed margins leave %1 alone</source>
+        <translation>Sperren: Schieber, Vorgaben, eingefügte und vorgeschlagene Sicherheitsabstände lassen %1 unverändert</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginTools</name>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search margins by name</source>
+        <translation>Sicherheitsabstände nach Namen suchen</translation>
+    </message>
+    <message>
+        <source>Shows only margins of parts, links and groups with this in their names; the slider of a group moves
+only the margins that are shown</source>
+        <translation>Zeigt nur Sicherheitsabstände von Körperteilen, Gliedern und Gruppen mit diesem Text im Namen; der Schieber
+einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Set all margins that are not locked</source>
+        <translation>Alle Sicherheitsabstände setzen, die nicht gesperrt sind</translation>
+    </message>
+    <message>
+        <source>Sets</source>
+        <translation>Abstandssätze</translation>
+    </message>
+    <message>
+        <source>Copy, save, propose and compare margins</source>
+        <translation>Sicherheitsabstände kopieren, speichern, vorschlagen und vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::NotePanel</name>
+    <message>
+        <source>⚠ fails check</source>
+        <translation>⚠ besteht check nicht</translation>
+    </message>
+    <message>
+        <source>⚠ fails check --strict</source>
+        <translation>⚠ besteht check --strict nicht</translation>
+    </message>
+    <message>
+        <source>to know</source>
+        <translation>zu wissen</translation>
+    </message>
+    <message>
+        <source>Reservations</source>
+        <translation>Zweifel</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>What is not known</source>
+        <translation>Was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>⚠ Reservations (%1)</source>
+        <translation>⚠ Zweifel (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PairPanel</name>
+    <message>
+        <source>Filter by name</source>
+        <translation>Nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Filter pairs by name</source>
+        <translation>Paare nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Class of pairs</source>
+        <translation>Klasse der Paare</translation>
+    </message>
+    <message>
+        <source>Whom the listed distances are about</source>
+        <translation>Um wen es bei den gezeigten Abständen geht</translation>
+    </message>
+    <message>
+        <source>Only the selection  ✕</source>
+        <translation>Nur die Auswahl  ✕</translation>
+    </message>
+    <message>
+        <source>Show all pairs again (Esc)</source>
+        <translation>Wieder alle Paare zeigen (Esc)</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>⚠ inside margin</source>
+        <translation>⚠ unterschritten</translation>
+    </message>
+    <message>
+        <source>All pairs</source>
+        <translation>Alle Paare</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 von %2 Paaren</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PairTableModel</name>
+    <message>
+        <source>⚠ touching</source>
+        <translation>⚠ berührt</translation>
+    </message>
+    <message>
+        <source>? pose lost</source>
+        <translation>? Pose verloren</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? nicht geprüft</translation>
+    </message>
+    <message>
+        <source>▲ near</source>
+        <translation>▲ nahe</translation>
+    </message>
+    <message>
+        <source>⚠ inside margin</source>
+        <translation>⚠ unterschritten</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 + pose unknown</source>
+        <translation>%1 + Pose unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 + %2 (pose)</source>
+        <translation>%1 + %2 (Pose)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are not checked: their group does not run, or they are in none. When last checked: %3</source>
+        <translation>%1 und %2 werden nicht geprüft: Ihre Gruppe läuft nicht, oder sie sind in keiner. Zuletzt geprüft: %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N</source>
+        <translation>%1 und %2: Abstand %3 (wahrer Abstand mindestens %4), Sicherheitsabstand %5, Kraft %6 N</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Distance [mm]</source>
+        <translation>Abstand [mm]</translation>
+    </message>
+    <message>
+        <source>Uncertainty [mm]</source>
+        <translation>Unsicherheit [mm]</translation>
+    </message>
+    <message>
+        <source>Margin [mm]</source>
+        <translation>Sicherheitsabstand [mm]</translation>
+    </message>
+    <message>
+        <source>Force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>Contact: within the margins. Near: closer than twice the margins. Pose lost: the distance is that of an old pose. Not checked: their group does not run.</source>
+        <translation>Unterschritten: näher als die Sicherheitsabstände. Nahe: näher als die doppelten Sicherheitsabstände. Pose verloren: Der Abstand ist der einer alten Pose. Nicht geprüft: Ihre Gruppe läuft nicht.</translation>
+    </message>
+    <message>
+        <source>Between the bare surfaces, negative inside</source>
+        <translation>Zwischen den bloßen Oberflächen; negativ: Durchdringung</translation>
+    </message>
+    <message>
+        <source>The true distance is never below the distance minus this</source>
+        <translation>Der wahre Abstand ist nie kleiner als der Abstand minus diesem Wert</translation>
+    </message>
+    <message>
+        <source>Sum of both objects&apos; safety margins, and what is added for places that are not known well</source>
+        <translation>Summe der Sicherheitsabstände beider Objekte und dessen, was für ungenau bekannte Orte hinzukommt</translation>
+    </message>
+    <message>
+        <source>Penalty force between the two</source>
+        <translation>Abstoßungskraft zwischen beiden</translation>
+    </message>
+    <message>
+        <source>Surface points within the margins</source>
+        <translation>Oberflächenpunkte innerhalb der Sicherheitsabstände</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PlotPanel</name>
+    <message>
+        <source>Smallest distance</source>
+        <translation>Kleinster Abstand</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Largest joint torques</source>
+        <translation>Größte Gelenkmomente</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>N·m</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>reaction</source>
+        <translation>Reaktion</translation>
+    </message>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Torques on the joints: of contact (margins too), what the reaction adds, of gravity, and of the
+motion itself (inertia). Gravity and motion are unknown (–) where the robot&apos;s file names no masses.</source>
+        <translation>Drehmomente an den Gelenken: des Kontakts (auch der Sicherheitsabstände), was die Reaktion hinzufügt, der Schwerkraft und
+der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), wo die Datei des Roboters keine Massen nennt.</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Z&amp;eitfenster</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Time span of the plots</source>
+        <translation>Zeitspanne der Diagramme</translation>
+    </message>
+    <message>
+        <source>How much time the plots show while they follow</source>
+        <translation>Wie viel Zeit die Diagramme zeigen, während sie ihr folgen</translation>
+    </message>
+    <message>
+        <source>&amp;Joint</source>
+        <translation>&amp;Gelenk</translation>
+    </message>
+    <message>
+        <source>Joint whose torques are plotted</source>
+        <translation>Gelenk, dessen Drehmomente gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>The joint whose torques are plotted, or the largest of all joints</source>
+        <translation>Das Gelenk, dessen Drehmomente gezeichnet werden, oder das größte aller Gelenke</translation>
+    </message>
+    <message>
+        <source>largest of all</source>
+        <translation>größtes von allen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Forces on %1</source>
+        <translation>Kräfte auf %1</translation>
+    </message>
+    <message>
+        <source>Torques on %1</source>
+        <translation>Drehmomente auf %1</translation>
+    </message>
+    <message>
+        <source>margin %1</source>
+        <translation>Sicherheitsabstand %1</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ProjectCommands</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The project has changes that are not saved. Save them?</source>
+        <translation>Das Projekt hat Änderungen, die nicht gespeichert sind. Sollen sie gespeichert werden?</translation>
+    </message>
+    <message>
+        <source>Cannot open the project</source>
+        <translation>Das Projekt kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>%1: names %2, which was not found</source>
+        <translation>%1: nennt %2, das nicht gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Cannot save the project</source>
+        <translation>Das Projekt kann nicht gespeichert werden</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ProposalDialog</name>
+    <message>
+        <source> No stop was ever needed.</source>
+        <translation> Ein Stopp war nie nötig.</translation>
+    </message>
+    <message>
+        <source> Decided at &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt; by %3. Of it: error of the distance %4, pose %5, motion in one frame %6.</source>
+        <translation> Entschieden bei &lt;a href=&quot;%1&quot;&gt;%2&lt;/a&gt; durch %3. Davon: Unsicherheit des Abstands %4, Pose %5, Bewegung in einem Einzelbild %6.</translation>
+    </message>
+    <message>
+        <source>Proposed margins</source>
+        <translation>Vorgeschlagene Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>The smallest margin of each body part without a missed stop in this recording, as &quot;abstand tune&quot; proposes it. It holds for this recording alone and replaces no risk assessment.</source>
+        <translation>Der kleinste Sicherheitsabstand jedes Körperteils ohne verpassten Stopp in dieser Aufnahme, wie ihn „abstand tune“ vorschlägt. Er gilt für diese Aufnahme allein und ersetzt keine Risikobeurteilung.</translation>
+    </message>
+    <message>
+        <source>&amp;Apply to unlocked rows</source>
+        <translation>Auf nicht gesperrte Zeilen &amp;anwenden</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::RecordingPanel</name>
+    <message>
+        <source>%1 (guessed)</source>
+        <translation>%1 (geraten)</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 s, %n frames</source>
+        <translation>
+            <numerusform>%1 s, %n Einzelbild</numerusform>
+            <numerusform>%1 s, %n Einzelbilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Stature</source>
+        <translation>Körpergröße</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Joint map</source>
+        <translation>Gelenkzuordnung</translation>
+    </message>
+    <message>
+        <source>Moved parts</source>
+        <translation>Bewegte Körperteile</translation>
+    </message>
+    <message>
+        <source>nothing moves %1</source>
+        <translation>nichts bewegt %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>cut: %n frames at least are missing or not complete</source>
+        <translation>
+            <numerusform>abgeschnitten: mindestens %n Einzelbild fehlt oder ist unvollständig</numerusform>
+            <numerusform>abgeschnitten: mindestens %n Einzelbilder fehlen oder sind unvollständig</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames lack a joint</source>
+        <translation>
+            <numerusform>in %n Einzelbild fehlt ein Gelenk</numerusform>
+            <numerusform>in %n Einzelbildern fehlt ein Gelenk</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>No recording</source>
+        <translation>Keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>The people of this scene stand still</source>
+        <translation>Die Personen dieser Szene stehen still</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ReportCommands</name>
+    <message>
+        <source>Making the report…</source>
+        <translation>Der Bericht wird erstellt…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>The report was written to
+%1</source>
+        <translation>Der Bericht wurde geschrieben:
+%1</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>No report</source>
+        <translation>Kein Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ReportDialog</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Clearance that a moving robot must keep; 0: it must not touch</source>
+        <translation>Abstand, den ein bewegter Roboter einhalten muss; 0: Er darf nicht berühren</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>From the frame that breaks a margin until the robot slows down</source>
+        <translation>Vom Einzelbild, das einen Sicherheitsabstand unterschreitet, bis der Roboter langsamer wird</translation>
+    </message>
+    <message>
+        <source> rad/s² or m/s²</source>
+        <translation> rad/s² oder m/s²</translation>
+    </message>
+    <message>
+        <source>Of every joint, on the path of its motion</source>
+        <translation>Jedes Gelenks, auf der Bahn seiner Bewegung</translation>
+    </message>
+    <message>
+        <source>From the end of an intrusion until the robot goes on</source>
+        <translation>Vom Ende einer Unterschreitung, bis der Roboter weiterfährt</translation>
+    </message>
+    <message>
+        <source>A page for people to read and to sign: what the present margins would have done over the whole recording, the smallest safe margins and permitted speeds, the worst moments with pictures, and what was assumed. It is made by &quot;abstand tune&quot; and can take a minute.</source>
+        <translation>Eine Seite zum Lesen und Unterschreiben: was die jetzigen Sicherheitsabstände über die ganze Aufnahme bewirkt hätten, die kleinsten sicheren Sicherheitsabstände und zulässigen Geschwindigkeiten, die schlimmsten Augenblicke mit Bildern, und was angenommen wurde. „abstand tune“ erstellt sie; das kann eine Minute dauern.</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Du&amp;rchsuchen…</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Clearance &amp;limit</source>
+        <translation>Einzuhaltender &amp;Abstand</translation>
+    </message>
+    <message>
+        <source>&amp;Reaction time</source>
+        <translation>Rea&amp;ktionszeit</translation>
+    </message>
+    <message>
+        <source>&amp;Deceleration</source>
+        <translation>&amp;Verzögerung</translation>
+    </message>
+    <message>
+        <source>Re&amp;start time</source>
+        <translation>&amp;Wiederanlaufzeit</translation>
+    </message>
+    <message>
+        <source>&amp;Make report</source>
+        <translation>&amp;Bericht erstellen</translation>
+    </message>
+    <message>
+        <source>File of the report</source>
+        <translation>Datei des Berichts</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::RobotPanel</name>
+    <message>
+        <source>Reset protective stops</source>
+        <translation>Stopps quittieren</translation>
+    </message>
+    <message>
+        <source>Let every robot that waits for it go on</source>
+        <translation>Jeden Roboter weiterfahren lassen, der darauf wartet</translation>
+    </message>
+    <message>
+        <source>No change of state yet</source>
+        <translation>Noch keine Zustandsänderung</translation>
+    </message>
+    <message>
+        <source>Changes of state</source>
+        <translation>Zustandsänderungen</translation>
+    </message>
+    <message>
+        <source>When a robot slowed down, stopped or went on, and why</source>
+        <translation>Wann ein Roboter langsamer wurde, anhielt oder weiterfuhr, und warum</translation>
+    </message>
+    <message>
+        <source>No robot of this scene has a reaction: all follow their recorded motion.</source>
+        <translation>Kein Roboter dieser Szene hat eine Reaktion: Alle folgen ihrer aufgenommenen Bewegung.</translation>
+    </message>
+    <message>
+        <source>Not reacting: %1</source>
+        <translation>Ohne Reaktion: %1</translation>
+    </message>
+    <message>
+        <source>Restarted on their planned motion at %1; reacting since then</source>
+        <translation>Bei %1 neu gestartet; reagieren seitdem</translation>
+    </message>
+    <message>
+        <source>Not reacting: robots follow their recorded motion.</source>
+        <translation>Keine Reaktion: Roboter folgen ihrer aufgenommenen Bewegung.</translation>
+    </message>
+    <message>
+        <source>What a robot does depends on what happened before: a seek, a frame back and a new
+round put the robots on their plans at that time, and they react from there.</source>
+        <translation>Was ein Roboter tut, hängt davon ab, was vorher geschah: Ein Sprung, ein Einzelbild zurück und eine neue
+Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren sie.</translation>
+    </message>
+    <message>
+        <source>%1%2: %3 since %4, speed %5 %</source>
+        <translation>%1%2: %3 seit %4, Geschwindigkeit %5 %</translation>
+    </message>
+    <message>
+        <source>%1: %2 earlier changes are not listed</source>
+        <translation>%1: %2 frühere Änderungen sind nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>%1  %2: reset refused: %3</source>
+        <translation>%1  %2: Quittierung abgelehnt: %3</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::SceneTreeModel</name>
+    <message>
+        <source>Mechanism, links: %1</source>
+        <translation>Mechanismus, Glieder: %1</translation>
+    </message>
+    <message>
+        <source>Person, body parts: %1</source>
+        <translation>Person, Körperteile: %1</translation>
+    </message>
+    <message>
+        <source>In the room: %1</source>
+        <translation>Im Raum: %1</translation>
+    </message>
+    <message>
+        <source>Touching or inside margins: %1</source>
+        <translation>Berührt oder unterschritten: %1</translation>
+    </message>
+    <message>
+        <source>The pose is stale or was rejected: drawn hollow, never safe</source>
+        <translation>Die Pose ist veraltet oder wurde verworfen: hohl gezeichnet, nie sicher</translation>
+    </message>
+    <message>
+        <source>⚠ touching</source>
+        <translation>⚠ berührt</translation>
+    </message>
+    <message>
+        <source>⚠ inside margin</source>
+        <translation>⚠ unterschritten</translation>
+    </message>
+    <message>
+        <source>pose lost</source>
+        <translation>Pose verloren</translation>
+    </message>
+    <message>
+        <source>Of a robot or a thing: to the nearest person. Of a person: to what is nearest.</source>
+        <translation>Eines Roboters oder Gegenstands: zur nächsten Person. Einer Person: zu dem, was am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>To what is nearest</source>
+        <translation>Zu dem, was am nächsten ist</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nächster</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::SceneTreePanel</name>
+    <message>
+        <source>Scene tree</source>
+        <translation>Szenenbaum</translation>
+    </message>
+    <message>
+        <source>⚠ inside margin</source>
+        <translation>⚠ unterschritten</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::StatusPanel</name>
+    <message>
+        <source>Checked %1 of %2</source>
+        <translation>%1 von %2 geprüft</translation>
+    </message>
+    <message>
+        <source>, skipped %1 (far away)</source>
+        <translation>, %1 übersprungen (weit entfernt)</translation>
+    </message>
+    <message>
+        <source>, postponed %1</source>
+        <translation>, %1 verschoben</translation>
+    </message>
+    <message>
+        <source>Pairs in the last cycle
+checked: %1
+skipped, as they cannot have used up their clearance: %2
+skipped, as they are beyond the horizon: %3
+postponed, as the time budget was used up: %4 (longest: %5 cycles)
+unchanged since the last check: %6
+Whatever is skipped, the true distance is never below distance − bound.</source>
+        <translation>Paare im letzten Zyklus
+geprüft: %1
+übersprungen, da sie ihren gesicherten Abstand nicht aufgebraucht haben können: %2
+übersprungen, da sie jenseits des Horizonts sind: %3
+verschoben, da das Zeitbudget verbraucht war: %4 (am längsten: %5 Zyklen)
+unverändert seit der letzten Prüfung: %6
+Was auch immer übersprungen wird, der wahre Abstand ist nie kleiner als Abstand − Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Analysis tool, not a safety function</source>
+        <translation>Nur Analyse, keine Sicherheitsfunktion</translation>
+    </message>
+    <message>
+        <source>Nearest pair</source>
+        <translation>Nächstes Paar</translation>
+    </message>
+    <message>
+        <source>Time of one computation cycle: median and 99th percentile</source>
+        <translation>Zeit eines Rechenzyklus: Median und 99. Perzentil</translation>
+    </message>
+    <message>
+        <source>Scene time that was played by wall time, over the last one and a half seconds</source>
+        <translation>Wiedergegebene Szenenzeit je verstrichener Zeit, über die letzten anderthalb Sekunden</translation>
+    </message>
+    <message>
+        <source>Progress of opening</source>
+        <translation>Fortschritt des Öffnens</translation>
+    </message>
+    <message>
+        <source>Progress of the analysis</source>
+        <translation>Fortschritt der Auswertung</translation>
+    </message>
+    <message>
+        <source>State of the robots that react</source>
+        <translation>Zustand der Roboter mit Reaktion</translation>
+    </message>
+    <message>
+        <source>Pairs that were checked</source>
+        <translation>Geprüfte Paare</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop opening, and keep what is there</source>
+        <translation>Das Öffnen abbrechen und behalten, was da ist</translation>
+    </message>
+    <message>
+        <source>Checked %1 of %1</source>
+        <translation>%1 von %1 geprüft</translation>
+    </message>
+    <message>
+        <source>⚠ %1 pairs not checked. %2</source>
+        <translation>⚠ %1 Paare nicht geprüft. %2</translation>
+    </message>
+    <message>
+        <source>Cycle %1 / %2 µs</source>
+        <translation>Zyklus %1 / %2 µs</translation>
+    </message>
+    <message>
+        <source>Overruns %1 of %2</source>
+        <translation>Überläufe %1 von %2</translation>
+    </message>
+    <message>
+        <source>Cycles that took longer than the step that the loop has chosen, %1 ms, of all
+since playing began or its speed changed</source>
+        <translation>Zyklen, die länger dauerten als der von der Schleife gewählte Schritt, %1 ms, von allen
+seit Beginn der Wiedergabe oder seit ihre Geschwindigkeit sich änderte</translation>
+    </message>
+    <message>
+        <source>Real time –</source>
+        <translation>Echtzeit –</translation>
+    </message>
+    <message>
+        <source>Real time %1×</source>
+        <translation>Echtzeit %1×</translation>
+    </message>
+    <message>
+        <source>React: off</source>
+        <translation>Reagieren: aus</translation>
+    </message>
+    <message>
+        <source>Robots follow their recorded motion (React is off)</source>
+        <translation>Roboter folgen ihrer aufgenommenen Bewegung (Reagieren ist aus)</translation>
+    </message>
+    <message>
+        <source>Robots were restarted on their planned motion at %1 and react since then; a seek,
+a frame back and a new round restart them. Reasons and times are in the panel
+&quot;Robots&quot;.</source>
+        <translation>Roboter wurden bei %1 auf ihrer geplanten Bewegung neu gestartet und reagieren seitdem; ein Sprung,
+ein Einzelbild zurück und eine neue Runde starten sie neu. Gründe und Zeiten stehen im Bereich
+„Roboter“.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Finding the person: image %1 of %2</source>
+        <translation>Die Person wird gesucht: Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Reading files</source>
+        <translation>Dateien werden gelesen</translation>
+    </message>
+    <message>
+        <source>Building structure %1: %2</source>
+        <translation>Struktur %1 wird erstellt: %2</translation>
+    </message>
+    <message>
+        <source>Structure %1: %2</source>
+        <translation>Struktur %1: %2</translation>
+    </message>
+    <message>
+        <source>Distances of the whole recording are computed for the timeline and the events</source>
+        <translation>Die Abstände der ganzen Aufnahme werden für Zeitleiste und Ereignisse berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::StripChart</name>
+    <message>
+        <source>Time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>Drag to move the time, wheel to zoom, right button to move the window</source>
+        <translation>Ziehen verschiebt die Zeit, das Mausrad zoomt, die rechte Taste verschiebt das Fenster</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>%1 over time</source>
+        <translation>%1 über der Zeit</translation>
+    </message>
+    <message>
+        <source>%1: %2 [%3]</source>
+        <translation>%1: %2 [%3]</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::TimeStrip</name>
+    <message>
+        <source>Time slider with the smallest distance</source>
+        <translation>Zeitschieber mit dem kleinsten Abstand</translation>
+    </message>
+    <message>
+        <source>Move it with the arrow keys, Home and End</source>
+        <translation>Mit den Pfeiltasten, Pos1 und Ende bewegen</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1
+A robot stood from %2 to %3 when this was played</source>
+        <translation>%1
+Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
+    </message>
+    <message>
+        <source>%1: not computed yet</source>
+        <translation>%1: noch nicht berechnet</translation>
+    </message>
+    <message>
+        <source>%1: smallest distance %2</source>
+        <translation>%1: kleinster Abstand %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::TimelinePanel</name>
+    <message>
+        <source>Body parts have lanes here where a scene has a person and a robot</source>
+        <translation>Körperteile haben hier Spuren, wo eine Szene eine Person und einen Roboter hat</translation>
+    </message>
+    <message>
+        <source>Playback speed</source>
+        <translation>Wiedergabegeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed, 0.05 to 8 times that of the recording (+ and −)</source>
+        <translation>Geschwindigkeit, 0,05- bis 8-mal die der Aufnahme (+ und −)</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Go to time or frame</source>
+        <translation>Zu Zeit oder Einzelbild gehen</translation>
+    </message>
+    <message>
+        <source>Go to a time or a frame: 12.5, 1:02.5 or f120 (Ctrl+G)</source>
+        <translation>Zu einer Zeit oder einem Einzelbild gehen: 12,5, 1:02,5 oder f120 (Strg+G)</translation>
+    </message>
+    <message>
+        <source>What the present margins would have done</source>
+        <translation>Was die jetzigen Sicherheitsabstände bewirkt hätten</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Einzelbild</translation>
+    </message>
+    <message>
+        <source>frame %1 / %2</source>
+        <translation>Bild %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::VideoRecorder</name>
+    <message>
+        <source>No video</source>
+        <translation>Kein Video</translation>
+    </message>
+    <message>
+        <source>Making the video…</source>
+        <translation>Das Video wird erstellt…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::Viewport</name>
+    <message>
+        <source>No OpenGL 3.2 here: the 3D view stays empty, everything else works.</source>
+        <translation>Hier gibt es kein OpenGL 3.2: Die 3D-Ansicht bleibt leer, alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>⚠ %1  %2 N</source>
+        <translation>⚠ %1  %2 N</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>Contact force: %1 ≙ %2 N</source>
+        <translation>Kontaktkraft: %1 ≙ %2 N</translation>
+    </message>
+    <message>
+        <source>Repulsion (margin, virtual): %1 ≙ %2 N</source>
+        <translation>Abstoßung (Sicherheitsabstand, gedacht): %1 ≙ %2 N</translation>
+    </message>
+    <message>
+        <source>Torque: %1 ≙ %2 N·m</source>
+        <translation>Drehmoment: %1 ≙ %2 N·m</translation>
+    </message>
+    <message>
+        <source>Velocity: %1 ≙ %2 m/s</source>
+        <translation>Geschwindigkeit: %1 ≙ %2 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>file_kinds</name>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Projects, scenes and robots</source>
+        <translation>Projekte, Szenen und Roboter</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>Projekte</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+</context>
+<context>
+    <name>format</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>help</name>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>Orbit; a click selects</source>
+        <translation>Drehen; ein Klick wählt aus</translation>
+    </message>
+    <message>
+        <source>Right or middle button, or Shift and left button</source>
+        <translation>Rechte oder mittlere Taste, oder Umschalt und linke Taste</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Zoom to the selection</source>
+        <translation>Auf die Auswahl zoomen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>Open a project, a scene, a robot or a recording</source>
+        <translation>Ein Projekt, eine Szene, einen Roboter oder eine Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Mouse in the 3D view</source>
+        <translation>Maus in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>About Abstand</source>
+        <translation>Über Abstand</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Abstand %1&lt;/h3&gt;&lt;p&gt;Distances and contact between people and robots: how close did they come, how hard would they have touched, and which safety margin would have been right.&lt;/p&gt;&lt;p&gt;&lt;b&gt;This is an analysis tool, not a safety function.&lt;/b&gt; Do not use it to stop a machine or to protect a person.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Abstand %1&lt;/h3&gt;&lt;p&gt;Abstände und Kontakt zwischen Personen und Robotern: Wie nahe kamen sie sich, wie stark hätten sie sich berührt, und welcher Sicherheitsabstand wäre richtig gewesen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Dies ist ein Analysewerkzeug, keine Sicherheitsfunktion.&lt;/b&gt; Verwenden Sie es nicht, um eine Maschine anzuhalten oder eine Person zu schützen.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Shows how close people come to robots. An analysis tool, not a safety function.
+Example: abstand-studio data/scenes/hug_boxing.yaml --at 5</source>
+        <translation>Zeigt, wie nahe Personen Robotern kommen. Ein Analysewerkzeug, keine Sicherheitsfunktion.
+Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
+    </message>
+    <message>
+        <source>project, scene, robot or recording</source>
+        <translation>Projekt, Szene, Roboter oder Aufnahme</translation>
+    </message>
+    <message>
+        <source>recording that replaces those of the scene</source>
+        <translation>Aufnahme, die die der Szene ersetzt</translation>
+    </message>
+    <message>
+        <source>folder that holds ROS packages; may be given several times</source>
+        <translation>Ordner mit ROS-Paketen; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>start at this time</source>
+        <translation>bei dieser Zeit beginnen</translation>
+    </message>
+    <message>
+        <source>off: robots follow their motion whoever is there</source>
+        <translation>off: Roboter folgen ihrer Bewegung, wer auch da ist</translation>
+    </message>
+    <message>
+        <source>save a picture of the window and end</source>
+        <translation>ein Bild des Fensters speichern und enden</translation>
+    </message>
+    <message>
+        <source>size of the window</source>
+        <translation>Größe des Fensters</translation>
+    </message>
+    <message>
+        <source>play this long first</source>
+        <translation>erst so lange wiedergeben</translation>
+    </message>
+    <message>
+        <source>play this long, print frame rate, stalls and processor time as JSON, and end</source>
+        <translation>so lange wiedergeben, Bildrate, Aussetzer und Rechenzeit als JSON ausgeben und enden</translation>
+    </message>
+    <message>
+        <source>language of texts and numbers</source>
+        <translation>Sprache der Texte und Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>missing_files</name>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Missing file</source>
+        <translation>Fehlende Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Locate…</source>
+        <translation>&amp;Suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Use the scene&apos;s recording</source>
+        <translation>Die Aufnahme der Szene &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>The scene of the project was not found:
+%1</source>
+        <translation>Die Szene des Projekts wurde nicht gefunden:
+%1</translation>
+    </message>
+    <message>
+        <source>The recording of the project was not found:
+%1</source>
+        <translation>Die Aufnahme des Projekts wurde nicht gefunden:
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>reading_dialog</name>
+    <message>
+        <source>as the scene says</source>
+        <translation>wie die Szene sagt</translation>
+    </message>
+    <message>
+        <source>guessed from the file</source>
+        <translation>aus der Datei geraten</translation>
+    </message>
+    <message>
+        <source>Recording options</source>
+        <translation>Aufnahmeoptionen</translation>
+    </message>
+    <message>
+        <source>2: people move twice as fast as recorded</source>
+        <translation>2: Personen bewegen sich doppelt so schnell wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>Cut the scene&apos;s robots and objects out of depth images</source>
+        <translation>Roboter und Gegenstände der Szene aus Tiefenbildern ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Units of the file</source>
+        <translation>&amp;Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>Axis that points &amp;up</source>
+        <translation>Achse nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>&amp;Speed of people</source>
+        <translation>&amp;Geschwindigkeit der Personen</translation>
+    </message>
+</context>
+<context>
+    <name>recovery</name>
+    <message>
+        <source>The program did not end properly, and its work of %1 cannot be read:
+%2</source>
+        <translation>Das Programm wurde nicht ordentlich beendet, und seine Arbeit von %1 kann nicht gelesen werden:
+%2</translation>
+    </message>
+    <message>
+        <source>The program did not end properly. Its work on %1 was kept at %2. Recover it?</source>
+        <translation>Das Programm wurde nicht ordentlich beendet. Seine Arbeit an %1 wurde am %2 gesichert. Soll sie wiederhergestellt werden?</translation>
+    </message>
+    <message>
+        <source>Recover work</source>
+        <translation>Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,72 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en">
+<context>
+    <name>abstand::ui::MainWindow</name>
+    <message numerus="yes">
+        <source>The project has settings for %n names that the scene does not have. They have no effect:
+%1</source>
+        <translation>
+            <numerusform>The project has settings for %n name that the scene does not have. It has no effect:
+%1</numerusform>
+            <numerusform>The project has settings for %n names that the scene does not have. They have no effect:
+%1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n object</numerusform>
+            <numerusform>%n objects</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MarginCommands</name>
+    <message numerus="yes">
+        <source>margins of %n objects</source>
+        <translation>
+            <numerusform>margin of %n object</numerusform>
+            <numerusform>margins of %n objects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n locked margins stay as they are</source>
+        <translation>
+            <numerusform>%n locked margin stays as it is</numerusform>
+            <numerusform>%n locked margins stay as they are</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n margins</source>
+        <translation>
+            <numerusform>%n margin</numerusform>
+            <numerusform>%n margins</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::RecordingPanel</name>
+    <message numerus="yes">
+        <source>%1 s, %n frames</source>
+        <translation>
+            <numerusform>%1 s, %n frame</numerusform>
+            <numerusform>%1 s, %n frames</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>cut: %n frames at least are missing or not complete</source>
+        <translation>
+            <numerusform>cut: %n frame at least is missing or not complete</numerusform>
+            <numerusform>cut: %n frames at least are missing or not complete</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames lack a joint</source>
+        <translation>
+            <numerusform>%n frame lacks a joint</numerusform>
+            <numerusform>%n frames lack a joint</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
