@@ -128,6 +128,7 @@ TEST_F(StudioReport, IsNotWrittenWhenCancelled) {
 
 TEST_F(StudioReport, ReloadKeepsMarginsAndMoment) {
   window.panels().margins->groupRow(QStringLiteral("person"))->findChild<QSlider*>()->setValue(137);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.document().work().margins.isEmpty(); }, kLimitMs));
   window.playback().seek(1.5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.5) < 0.02; }, kLimitMs));
   const ui::Work before = window.document().work();
