@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QRegularExpression>
 #include <QStatusBar>
+#include <QTemporaryFile>
 #include <map>
 #include <set>
 
@@ -22,6 +23,7 @@
 #include "ui/style/format.hpp"
 #include "ui/style/language.hpp"
 #include "ui/style/number_box.hpp"
+#include "ui/style/ts_translator.hpp"
 
 namespace abstand::ui {
 namespace language_test {
@@ -200,6 +202,53 @@ TEST(Languages, HaveWordsOfTheirOwn) {
   EXPECT_FALSE(languageOf("fr"));
   EXPECT_EQ(localeOf(Language::kGerman).decimalPoint(), QLatin1Char(','));
   EXPECT_EQ(localeOf(Language::kEnglish).decimalPoint(), QLatin1Char('.'));
+}
+
+/// What a translator reads of a file with this content.
+struct TranslatorOf : TsTranslator {
+  explicit TranslatorOf(const QByteArray& text) {
+    QTemporaryFile file;
+    EXPECT_TRUE(file.open());
+    file.write(text);
+    file.close();
+    is_read = read(file.fileName());
+  }
+  bool is_read{false};
+};
+
+TEST(TsTranslator, ReadsFormsEntitiesAndDisambiguation) {
+  const TranslatorOf words(
+      "<TS><context><name>A</name>"
+      "<message><source>a &amp; b</source><translation>A &lt; B</translation></message>"
+      "<message numerus='yes'><source>%n</source><translation><numerusform>one</numerusform>"
+      "<numerusform>many</numerusform></translation></message>"
+      "<message><source>x</source><comment>y</comment><translation>xy</translation></message>"
+      "<message><source>x</source><translation>X</translation></message>"
+      "<message><source>open</source><translation type='unfinished'>OPEN</translation></message>"
+      "<message><source>empty</source><translation></translation></message></context>"
+      "<context><name>B</name><message><source>x</source><translation>bx</translation></message></context></"
+      "TS>");
+  EXPECT_TRUE(words.is_read);
+  EXPECT_EQ(words.translate("A", "a & b"), "A < B");
+  EXPECT_EQ(words.translate("A", "%n", nullptr, 1), "one");
+  for (const int n : {0, 2, 21}) EXPECT_EQ(words.translate("A", "%n", nullptr, n), "many");
+  EXPECT_EQ(words.translate("A", "x", "y"), "xy");
+  EXPECT_EQ(words.translate("A", "x"), "X");
+  EXPECT_EQ(words.translate("B", "x"), "bx");
+  for (const char* none : {"open", "empty", "unknown"})
+    EXPECT_TRUE(words.translate("A", none).isNull()) << none;
+}
+
+TEST(TsTranslator, HasNothingOfAFileThatCannotBeRead) {
+  for (const char* wrong :
+       {"", "text", "<TS><context><name>A</name></context></TS>",
+        "<TS><context><name>A</name><message><source>x</source><translation>X</translation>"}) {
+    const TranslatorOf words(wrong);
+    EXPECT_FALSE(words.is_read) << wrong;
+    EXPECT_TRUE(words.isEmpty());
+    EXPECT_TRUE(words.translate("A", "x").isNull());
+  }
+  EXPECT_FALSE(TsTranslator().read("/nowhere/abstand_de.ts"));
 }
 
 }  // namespace language_test

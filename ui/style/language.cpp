@@ -6,6 +6,8 @@
 #include <QTranslator>
 #include <array>
 
+#include "ui/style/ts_translator.hpp"
+
 /// The resources of a static library; in no namespace, as the macro demands.
 static void initTranslations() { Q_INIT_RESOURCE(translations); }
 
@@ -17,10 +19,10 @@ const QString kLanguageKey = QStringLiteral("window/language");
 const QString kTranslatorName = QStringLiteral("abstand_translator");
 constexpr std::array<const char*, 3> kLanguageWords{"system", "en", "de"};
 
-void install(QCoreApplication& app, const QString& file, const QString& folder) {
-  auto* translator = new QTranslator(&app);
+void install(QCoreApplication& app, QTranslator* translator, bool is_read) {
   translator->setObjectName(kTranslatorName);
-  if (translator->load(file, folder))
+  translator->setParent(&app);
+  if (is_read)
     QCoreApplication::installTranslator(translator);
   else
     delete translator;
@@ -62,10 +64,15 @@ void applyLanguage(QCoreApplication& app, Language language) {
   const QLocale locale = localeOf(language);
   QLocale::setDefault(locale);
   const bool german = locale.language() == QLocale::German;
-  if (german)
-    install(app, QStringLiteral("qtbase_de"), QLibraryInfo::location(QLibraryInfo::TranslationsPath));
-  install(app, german ? QStringLiteral("abstand_de") : QStringLiteral("abstand_en"),
-          QStringLiteral(":/translations"));
+  if (german) {
+    auto* qt = new QTranslator;
+    install(app, qt,
+            qt->load(QStringLiteral("qtbase_de"), QLibraryInfo::location(QLibraryInfo::TranslationsPath)));
+  }
+  auto* own = new TsTranslator;
+  install(app, own,
+          own->read(german ? QStringLiteral(":/translations/abstand_de.ts")
+                           : QStringLiteral(":/translations/abstand_en.ts")));
 }
 
 }  // namespace abstand::ui
