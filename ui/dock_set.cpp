@@ -1,5 +1,6 @@
 #include "ui/dock_set.hpp"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QTabBar>
@@ -16,6 +17,7 @@
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"
 
@@ -26,6 +28,9 @@ namespace {
 // Sizes of the first layout, px.
 constexpr int kLeftWidth = 284, kRightWidth = 370, kTimelineHeight = 236, kTableHeight = 110,
               kPlotHeight = 560, kMarginHeight = 300;
+
+/// Not where it is hidden or covered by another tab.
+bool isInFront(const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); }
 
 }  // namespace
 
@@ -50,6 +55,8 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
                    key("Ctrl+Shift+8"), panels.recordings);
   curve = add("curve", tr("Margin curve"), tr("Show or hide what the margin of a body part costs"),
               key("Ctrl+Shift+5"), panels.curve);
+  cycles = add("cycles", tr("Cycle times"), tr("Show or hide how long the cycles of the loop take"),
+               key("Ctrl+Shift+4"), panels.cycles);
 }
 
 QDockWidget* DockSet::add(const char* name, const QString& title, const QString& tip, const QString& key,
@@ -57,7 +64,16 @@ QDockWidget* DockSet::add(const char* name, const QString& title, const QString&
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(QString::fromLatin1(name));
   dock->setWidget(content);
-  actions_->adopt(dock->toggleViewAction(), ActionGroup::kPanels, tip, QKeySequence(key));
+  auto* action = new QAction(title, window_);
+  action->setCheckable(true);
+  QObject::connect(action, &QAction::triggered, dock, [dock, action] {
+    isInFront(dock) ? dock->hide() : raise(dock);
+    action->setChecked(!dock->isHidden());
+  });
+  // As Qt's own action of the dock, which hides one that stands behind another.
+  QObject::connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
+  QObject::connect(dock, &QDockWidget::windowTitleChanged, action, &QAction::setText);
+  actions_->adopt(action, ActionGroup::kPanels, tip, QKeySequence(key));
   return dock;
 }
 
@@ -83,6 +99,7 @@ void DockSet::arrange() const {
   window_->tabifyDockWidget(events, bookmarks);
   window_->tabifyDockWidget(bookmarks, recordings);
   window_->tabifyDockWidget(recordings, curve);
+  window_->tabifyDockWidget(curve, cycles);
   pairs->raise();
   for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));

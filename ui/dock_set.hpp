@@ -13,13 +13,14 @@ namespace abstand::ui {
 class Actions;
 struct PanelSet;
 
-/// A dock for each panel, with an action that shows and hides it. The window owns the docks. GUI thread only.
+/// A dock for each panel, with an action that shows it in front, or hides it where it is in front. The window
+/// owns the docks. GUI thread only.
 class DockSet {
   Q_DECLARE_TR_FUNCTIONS(DockSet)
 
  public:
   /// To be increased when docks are added or removed, so that an old layout is not applied to a new window.
-  static constexpr int kLayoutVersion = 7;
+  static constexpr int kLayoutVersion = 8;
 
   /// The docks take the panels over. `window` and `actions` outlive this object.
   DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels);
@@ -29,13 +30,13 @@ class DockSet {
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 
-  std::array<QDockWidget*, 12> all() const {
-    return {scene,  pairs, timeline, plots,     margins,    robots,
-            groups, notes, events,   bookmarks, recordings, curve};
+  std::array<QDockWidget*, 13> all() const {
+    return {scene, pairs,  timeline,  plots,      margins, robots, groups,
+            notes, events, bookmarks, recordings, curve,   cycles};
   }
 
   QDockWidget *scene, *pairs, *timeline, *plots, *margins, *robots, *groups, *notes, *events, *bookmarks,
-      *recordings, *curve;
+      *recordings, *curve, *cycles;
 
  private:
   QDockWidget* add(const char* name, const QString& title, const QString& tip, const QString& key,

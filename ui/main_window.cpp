@@ -42,6 +42,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
@@ -145,6 +146,7 @@ void MainWindow::buildPanels() {
   panels_.bookmarks = new BookmarkPanel(this);
   panels_.recordings = new RecordingPanel((*actions_)[Id::kRecordingOptions], this);
   panels_.curve = new MarginCurve(*review_, *selection_, this);
+  panels_.cycles = new CyclePanel(this);
   panels_.status = new StatusPanel(statusBar());
   docks_ = std::make_unique<DockSet>(*this, *actions_, panels_);
   // What was hidden may show an older moment.
@@ -190,6 +192,7 @@ void MainWindow::setSession(SessionPort* session) {
   panels_.notes->open(session_ ? session_->notes() : kNoNotes);
   docks_->notes->setWindowTitle(panels_.notes->title());
   panels_.recordings->open(outline.recordings);
+  panels_.cycles->open(outline);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(snapshot_);
   panels_.status->clear();
@@ -227,6 +230,7 @@ void MainWindow::pull() {
   samples_.clear();
   session_->drainPlot(samples_);
   history_->add(samples_);
+  panels_.cycles->add(samples_);
   if (!session_->takeSnapshot(snapshot_)) return;
   history_->add(snapshot_);
   shown_.is_stale = true;
@@ -271,6 +275,7 @@ void MainWindow::refreshSlow() {
   }
   panels_.timeline->strip()->refresh();
   panels_.plots->refresh();
+  if (panels_.cycles->isVisible()) panels_.cycles->refresh();
 }
 
 std::vector<std::pair<const char*, long>> MainWindow::shownSteps() const {

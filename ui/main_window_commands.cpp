@@ -32,6 +32,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_export.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/style/actions.hpp"
@@ -158,7 +159,9 @@ void MainWindow::connectPanels() {
     history_->add(snapshot_);
   });
   connect(panels_.plots, &PlotPanel::timePicked, playback_, &Playback::seek);
+  connect(panels_.cycles, &CyclePanel::timePicked, playback_, &Playback::seek);
   connect(playback_, &Playback::timeChanged, panels_.plots, &PlotPanel::setTime);
+  connect(playback_, &Playback::timeChanged, panels_.cycles, &CyclePanel::setTime);
 }
 
 void MainWindow::connectReview() {

@@ -4,6 +4,7 @@
 namespace abstand::ui {
 
 class BookmarkPanel;
+class CyclePanel;
 class EventPanel;
 class GroupPanel;
 class MarginCurve;
@@ -33,6 +34,7 @@ struct PanelSet {
   BookmarkPanel* bookmarks{nullptr};
   RecordingPanel* recordings{nullptr};
   MarginCurve* curve{nullptr};
+  CyclePanel* cycles{nullptr};
   StatusPanel* status{nullptr};
 };
 

@@ -243,7 +243,13 @@ void LiveSession::timed(Timing& timing, Work work) {
   sample.t = t_;
   sample.min_distance = kInfinity;
   const scene::Scene& scene = session_->scene();
-  if (const auto nearest = scene.nearest()) sample.min_distance = scene.result(*nearest).distance;
+  if (const auto nearest = scene.nearest()) {
+    sample.min_distance = scene.result(*nearest).distance;
+    sample.nearest_pair = static_cast<int>(nearest->index());
+  }
+  sample.cycle_s = timing.last_s;
+  sample.step_s = step(timing);
+  sample.played = playing_;
   for (const PairId id : scene.touching())
     sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
   findTorques();

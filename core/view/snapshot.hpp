@@ -129,6 +129,10 @@ struct PlotSample {
   double min_distance{0.0};                     ///< m
   double peak_force{0.0};                       ///< N, largest force of a pair
   TorqueParts peak_torque{0.0, 0.0, 0.0, 0.0};  ///< N m or N, largest magnitudes of all joints
+  double cycle_s{0.0};                          ///< s of wall time that the cycle took
+  double step_s{1e-3};                          ///< s that it had, see SceneSnapshot
+  int nearest_pair{-1};                         ///< as SceneSnapshot::nearest_pair
+  bool played{false};                           ///< not for a seek or a step
 };
 
 }  // namespace abstand::view

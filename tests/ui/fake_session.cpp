@@ -190,7 +190,14 @@ void FakeSession::relate() {
     peak = {std::max(peak.contact, snapshot_.joint_efforts[j]), snapshot_.torques_on ? 2.0 * share : 0.0,
             3.0 * share, 0.5 * share};
   }
-  samples_.push_back({snapshot_.t, nearest, force, peak});
+  samples_.push_back({.t = snapshot_.t,
+                      .min_distance = nearest,
+                      .peak_force = force,
+                      .peak_torque = peak,
+                      .cycle_s = 1e-6 * snapshot_.cycle_us,
+                      .step_s = snapshot_.step_s,
+                      .nearest_pair = snapshot_.nearest_pair,
+                      .played = snapshot_.playing});
 }
 
 void FakeSession::group() {

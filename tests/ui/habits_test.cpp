@@ -9,13 +9,13 @@
 #include <cstdio>
 
 #include "tests/ui/shown_window.hpp"
-#include "ui/panels/elided_label.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/elided_label.hpp"
 
 namespace abstand::ui {
 namespace habits_test {
@@ -102,6 +102,26 @@ TEST_F(HabitsTest, FitsASmallScreen) {
     for (auto* label : window.statusBar()->findChildren<ElidedLabel*>())
       label->setText(label->text() + QString(80, 'x'));
     window.pull();
+  }
+}
+
+TEST_F(HabitsTest, APanelBehindAnotherComesToTheFrontAndThenHides) {
+  auto* dock = window.findChild<QDockWidget*>(QStringLiteral("cycles"));
+  ASSERT_NE(dock, nullptr);
+  QAction* action = nullptr;
+  for (const auto& entry : window.actions().all())
+    if (entry.action->shortcut() == QKeySequence(QStringLiteral("Ctrl+Shift+4"))) action = entry.action;
+  ASSERT_NE(action, nullptr);
+  const auto in_front = [&] { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
+  EXPECT_FALSE(in_front()) << "it starts behind the pairs";
+  EXPECT_TRUE(action->isChecked());
+  for (int round = 0; round < 2; ++round) {
+    action->trigger();
+    EXPECT_TRUE(QTest::qWaitFor(in_front, kWaitMs));
+    EXPECT_TRUE(action->isChecked());
+    action->trigger();
+    EXPECT_TRUE(dock->isHidden());
+    EXPECT_FALSE(action->isChecked());
   }
 }
 

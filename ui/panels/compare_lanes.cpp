@@ -12,8 +12,8 @@
 #include "ui/model/event_text.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/time_axis.hpp"
-#include "ui/panels/elided_label.hpp"
 #include "ui/panels/lane_view.hpp"
+#include "ui/style/elided_label.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 

@@ -12,7 +12,7 @@
 #include "ui/model/event_text.hpp"
 #include "ui/model/nearest_classes.hpp"
 #include "ui/model/stop_text.hpp"
-#include "ui/panels/elided_label.hpp"
+#include "ui/style/elided_label.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 

@@ -15,10 +15,10 @@
 #include "ui/model/playback.hpp"
 #include "ui/model/time_text.hpp"
 #include "ui/panels/compare_lanes.hpp"
-#include "ui/panels/elided_label.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/elided_label.hpp"
 #include "ui/style/format.hpp"
 
 namespace abstand::ui {

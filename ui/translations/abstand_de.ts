@@ -103,6 +103,14 @@
         <source>Panels</source>
         <translation>Bereiche</translation>
     </message>
+    <message>
+        <source>Cycle times</source>
+        <translation>Zykluszeiten</translation>
+    </message>
+    <message>
+        <source>Show or hide how long the cycles of the loop take</source>
+        <translation>Zykluszeiten der Schleife ein- oder ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::ReportJob</name>
@@ -1492,6 +1500,85 @@ B, die gemerkten Sicherheitsabstände: %2
     <message>
         <source>missed stops (right)</source>
         <translation>verpasste Stopps (rechts)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CyclePanel</name>
+    <message>
+        <source>%1 of %2 (%3 %)</source>
+        <translation>%1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the longest</source>
+        <translation>&amp;Zum längsten</translation>
+    </message>
+    <message>
+        <source>Count &amp;anew</source>
+        <translation>&amp;Neu zählen</translation>
+    </message>
+    <message>
+        <source>Longest cycle of each frame</source>
+        <translation>Längster Zyklus jedes Bildes</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>Längster</translation>
+    </message>
+    <message>
+        <source>Longer than 1 ms</source>
+        <translation>Länger als 1 ms</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Überläufe</translation>
+    </message>
+    <message>
+        <source>Cycles that took longer than the step that the loop had chosen for them</source>
+        <translation>Zyklen, die länger dauerten als der Schritt, den die Schleife für sie gewählt hatte</translation>
+    </message>
+    <message>
+        <source>Move to the moment of the longest cycle</source>
+        <translation>Zum Zeitpunkt des längsten Zyklus gehen</translation>
+    </message>
+    <message>
+        <source>Forget the cycles that were counted so far</source>
+        <translation>Die bisher gezählten Zyklen vergessen</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>nothing was played</source>
+        <translation>nichts abgespielt</translation>
+    </message>
+    <message>
+        <source>Median, 99 %, 99.9 %</source>
+        <translation>Median, 99 %, 99,9 %</translation>
+    </message>
+    <message>
+        <source>Nearest then</source>
+        <translation>Dabei am nächsten</translation>
+    </message>
+    <message>
+        <source>Wall times that half, 99 % and 99.9 % of the played cycles kept</source>
+        <translation>Zeiten, die die Hälfte, 99 % und 99,9 % der abgespielten Zyklen einhielten</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 µs</source>
+        <translation>%1, %2, %3 µs</translation>
+    </message>
+    <message>
+        <source>%1 µs at %2</source>
+        <translation>%1 µs bei %2</translation>
+    </message>
+    <message>
+        <source>The nearest pair of the scene in the longest cycle: %1</source>
+        <translation>Das nächste Paar der Szene im längsten Zyklus: %1</translation>
     </message>
 </context>
 <context>

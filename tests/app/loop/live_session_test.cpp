@@ -156,7 +156,13 @@ TEST(LiveSession, ShowsWhatActsOnTheJoints) {
   std::vector<view::PlotSample> samples;
   l.live.drainPlot(samples);
   double most = 0.0;
-  for (const view::PlotSample& sample : samples) most = std::max(most, sample.peak_torque.reaction);
+  for (const view::PlotSample& sample : samples) {
+    most = std::max(most, sample.peak_torque.reaction);
+    EXPECT_GT(sample.cycle_s, 0.0);
+    EXPECT_EQ(sample.step_s, ClosedLoop::kStep);
+    EXPECT_EQ(sample.nearest_pair, 0);
+    EXPECT_FALSE(sample.played) << "a step is none";
+  }
   EXPECT_GE(most, -parts.reaction);
 }
 

@@ -1,4 +1,4 @@
-#include "ui/panels/elided_label.hpp"
+#include "ui/style/elided_label.hpp"
 
 #include <QPainter>
 #include <algorithm>
