@@ -65,6 +65,7 @@ QDockWidget* DockSet::add(const char* name, const QString& title, const QString&
   dock->setObjectName(QString::fromLatin1(name));
   dock->setWidget(content);
   auto* action = new QAction(title, window_);
+  action->setObjectName(QStringLiteral("panel_") + dock->objectName());
   action->setCheckable(true);
   QObject::connect(action, &QAction::triggered, dock, [dock, action] {
     isInFront(dock) ? dock->hide() : raise(dock);

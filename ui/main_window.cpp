@@ -50,6 +50,7 @@
 #include "ui/style/file_kinds.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/kept_keys.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -115,6 +116,7 @@ MainWindow::MainWindow(QWidget* parent)
   resize(1440, 900);
   docks_->arrange();
   restore();
+  loadKeys(*actions_);
   Project first;
   first.work.view = document_->work().view;
   document_->open(first, QString(), false);

@@ -26,6 +26,7 @@
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
+#include "ui/panels/key_editor.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
@@ -74,6 +75,8 @@ void MainWindow::connectFile() {
   connect((*actions_)[Id::kPalette], &QAction::triggered, this,
           [this] { (new CommandPalette(*actions_, this))->open(); });
   connect((*actions_)[Id::kShortcuts], &QAction::triggered, this, [this] { showShortcuts(*actions_, this); });
+  connect((*actions_)[Id::kEditKeys], &QAction::triggered, this,
+          [this] { (new KeyEditor(*actions_, this))->open(); });
   connect((*actions_)[Id::kAbout], &QAction::triggered, this, [this] { showAbout(this); });
 }
 

@@ -191,10 +191,17 @@ const Spec kSpecs[] = {
      "Ctrl+K"},
     {Id::kShortcuts, In::kHelp, TEXT("&Shortcuts"), TEXT("All keys on one page"), "F1", Kind::kPlain,
      Glyph::kHelp},
+    {Id::kEditKeys, In::kHelp, TEXT("Change &keys…"), TEXT("Give commands other keys"), "Ctrl+F1"},
     {Id::kAbout, In::kHelp, TEXT("&About Abstand"), TEXT("What this program is, and what it is not"),
      "Shift+F1"},
 };
 #undef TEXT
+
+/// "Save project &as…": "save_project_as".
+QString nameOf(const char* text) {
+  QString name = QString::fromUtf8(text).toLower().replace(QLatin1Char(' '), QLatin1Char('_'));
+  return name.remove(QLatin1Char('&')).remove(QChar(0x2026));
+}
 
 }  // namespace
 
@@ -205,6 +212,7 @@ Actions::Actions(QObject* parent) : QObject(parent) {
     QList<QKeySequence> keys;
     for (const QString& key : QString::fromLatin1(spec.keys).split(QLatin1Char(' ')))
       keys << QKeySequence(key);
+    action->setObjectName(nameOf(spec.text));
     action->setShortcuts(keys);
     action->setCheckable(spec.kind != Kind::kPlain);
     action->setChecked(spec.kind == Kind::kOn);
@@ -222,9 +230,25 @@ void Actions::adopt(QAction* action, ActionGroup group, const QString& tip, cons
 
 void Actions::finish(QAction* action, ActionGroup group) {
   action->setStatusTip(action->toolTip());
+  entries_.push_back({action, group, action->shortcuts()});
+  setKeys(action, action->shortcuts());
+}
+
+void Actions::setKeys(QAction* action, const QList<QKeySequence>& keys) {
+  action->setShortcuts(keys);
+  const QString tip = action->statusTip();
   action->setToolTip(
-      tr("%1 (%2)").arg(action->toolTip(), action->shortcut().toString(QKeySequence::NativeText)));
-  entries_.push_back({action, group});
+      keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+}
+
+QAction* Actions::ownerOf(const QKeySequence& key, const QAction* except) const {
+  for (const Entry& entry : entries_) {
+    if (entry.action == except) continue;
+    for (const QKeySequence& own : entry.action->shortcuts())
+      if (own.matches(key) != QKeySequence::NoMatch || key.matches(own) != QKeySequence::NoMatch)
+        return entry.action;
+  }
+  return nullptr;
 }
 
 QString Actions::groupName(ActionGroup group) {

@@ -105,6 +105,7 @@ enum class ActionId {
   kCompareMargins,
   kPalette,
   kShortcuts,
+  kEditKeys,
   kAbout,
   kCount
 };
@@ -119,16 +120,22 @@ class Actions : public QObject {
   explicit Actions(QObject* parent);
 
   QAction* operator[](ActionId id) const { return actions_[static_cast<std::size_t>(id)]; }
-  /// Takes an action that somebody else made (a dock's toggle) into the table.
+  /// Takes an action that somebody else made and named (a dock's toggle) into the table.
   void adopt(QAction* action, ActionGroup group, const QString& tip, const QKeySequence& key);
 
   struct Entry {
-    QAction* action;
+    QAction* action;  ///< its object name is the same in all languages, and unique
     ActionGroup group;
+    QList<QKeySequence> default_keys;
   };
   /// All of them, in the order of the menus.
   const std::vector<Entry>& all() const { return entries_; }
   static QString groupName(ActionGroup group);
+  /// The first key stands in the tool tip, too. `action`: of the table.
+  static void setKeys(QAction* action, const QList<QKeySequence>& keys);
+  /// Another action of the table that has this key, or one that begins with it or that it begins with; null:
+  /// none.
+  QAction* ownerOf(const QKeySequence& key, const QAction* except) const;
 
  private:
   void finish(QAction* action, ActionGroup group);

@@ -1248,6 +1248,14 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Save a video of the 3D view between IN and OUT</source>
         <translation>Ein Video der 3D-Ansicht zwischen IN und OUT speichern</translation>
     </message>
+    <message>
+        <source>Change &amp;keys…</source>
+        <translation>Tasten ä&amp;ndern…</translation>
+    </message>
+    <message>
+        <source>Give commands other keys</source>
+        <translation>Befehlen andere Tasten geben</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -1772,6 +1780,61 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
     <message>
         <source>⚠ %1 of %2 pairs are not checked: their distances are stale.</source>
         <translation>⚠ %1 von %2 Paaren werden nicht geprüft: Ihre Abstände sind veraltet.</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::KeyEditor</name>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Zuweisen</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Vorgabe</translation>
+    </message>
+    <message>
+        <source>A&amp;ll default keys</source>
+        <translation>A&amp;lle Vorgabetasten</translation>
+    </message>
+    <message>
+        <source>Change keys</source>
+        <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Taste</translation>
+    </message>
+    <message>
+        <source>&amp;New key</source>
+        <translation>&amp;Neue Taste</translation>
+    </message>
+    <message>
+        <source>%1 › %2</source>
+        <translation>%1 › %2</translation>
+    </message>
+    <message>
+        <source>%1 is taken from “%2”.</source>
+        <translation>%1 wird „%2“ weggenommen.</translation>
     </message>
 </context>
 <context>
