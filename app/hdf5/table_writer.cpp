@@ -1,8 +1,12 @@
 #include "app/hdf5/table_writer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
+#include "app/hdf5/chunk_encoder.hpp"
 #include "app/hdf5/file_seal.hpp"
 #include "app/hdf5/hdf5_handle.hpp"
 #include "core/base/output_file.hpp"
@@ -13,6 +17,10 @@ namespace {
 
 constexpr hsize_t kChunkRows = 1024;
 constexpr int kDeflate = 1;
+constexpr std::size_t kStripBytes = 64;  // a cache line
+
+// Numbers are kept in memory as in the file.
+static_assert(std::endian::native == std::endian::little);
 
 hid_t typeOf(Storage storage) {
   switch (storage) {
@@ -40,38 +48,76 @@ Handle plainList() {
   return list;
 }
 
-/// A table that grows by rows, buffered in memory chunk by chunk.
+/// A table that grows by rows. Rows are kept in memory, in the file's type, until they fill a chunk.
 struct Table {
   std::vector<hsize_t> row;
   hsize_t width{1}, rows{0};
   Storage storage{Storage::kDouble};
   double step{1.0};
   Handle set;
-  std::vector<double> buffer;
+  std::vector<std::byte> buffer;
 
-  void add(double value) {
-    buffer.push_back(storage == Storage::kDouble ? value : steps(value, storage, step));
+  std::size_t size() const {
+    return storage == Storage::kDouble    ? sizeof(double)
+           : storage == Storage::kSteps32 ? sizeof(std::int32_t)
+                                          : sizeof(std::int16_t);
+  }
+  void add(std::span<const double> values) {
+    const std::size_t at = buffer.size();
+    buffer.resize(at + values.size() * size());
+    std::byte* to = buffer.data() + at;
+    const auto put = [&](auto number) {
+      std::memcpy(to, &number, sizeof number);
+      to += sizeof number;
+    };
+    if (storage == Storage::kDouble)
+      for (const double v : values) put(v);
+    else if (storage == Storage::kSteps32)
+      for (const double v : values) put(static_cast<std::int32_t>(steps(v, storage, step)));
+    else
+      for (const double v : values) put(static_cast<std::int16_t>(steps(v, storage, step)));
   }
 
-  bool flush() {
-    if (!set || buffer.empty()) return true;
-    const hsize_t more = buffer.size() / width;
-    std::vector<hsize_t> start{rows}, count{more}, all{rows + more};
-    for (const hsize_t n : row) {
-      start.push_back(0);
-      count.push_back(n);
-      all.push_back(n);
+  /// Writes the full chunks, or all rows.
+  bool flush(ChunkEncoder& encoder, bool all) {
+    if (!set) return true;
+    const std::size_t bytes = width * size();
+    std::size_t left = buffer.size() / bytes, done = 0;
+    while (left >= kChunkRows || (all && left > 0)) {
+      const std::size_t count = std::min<std::size_t>(left, kChunkRows);
+      if (!writeChunks(encoder, buffer.data() + done * bytes, count)) return false;
+      done += count;
+      left -= count;
     }
-    bool good = H5Dset_extent(set.get(), all.data()) >= 0;
-    const Handle space(H5Dget_space(set.get()), H5Sclose);
-    good = good && H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
-                                       nullptr) >= 0;
-    const Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
-    good = good &&
-           H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, buffer.data()) >= 0;
-    rows += more;
-    buffer.clear();
-    return good;
+    buffer.erase(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(done * bytes));
+    return true;
+  }
+
+ private:
+  /// Writes `count` rows, one chunk a column.
+  bool writeChunks(ChunkEncoder& encoder, const std::byte* first, std::size_t count) {
+    std::vector<hsize_t> extents{rows + count}, offset(row.size() + 1, 0);
+    extents.insert(extents.end(), row.begin(), row.end());
+    if (H5Dset_extent(set.get(), extents.data()) < 0) return false;
+    offset[0] = rows;
+    // Some columns of all rows at once, so that a row is fetched into the cache only once for them.
+    const std::size_t bytes = width * size(), strip = kStripBytes / size();
+    std::vector<std::byte> columns(count * kStripBytes);
+    for (std::size_t c = 0; c < width; ++c) {
+      if (c % strip == 0) {
+        const std::size_t wanted = std::min(kStripBytes, bytes - c * size());
+        for (std::size_t r = 0; r < count; ++r)
+          std::memcpy(columns.data() + r * kStripBytes, first + r * bytes + c * size(), wanted);
+      }
+      const auto chunk = encoder.encode(columns.data() + c % strip * size(), count, kStripBytes, size());
+      std::size_t rest = c;
+      for (std::size_t d = row.size(); d > 0; rest /= row[--d]) offset[d] = rest % row[d - 1];
+      if (H5Dwrite_chunk(set.get(), H5P_DEFAULT, chunk.filter_mask, offset.data(), chunk.bytes.size(),
+                         chunk.bytes.data()) < 0)
+        return false;
+    }
+    rows += count;
+    return true;
   }
 };
 
@@ -84,6 +130,7 @@ struct TableWriter::Impl {
   OutputFile out;
   Handle handle;
   std::vector<Table> tables;
+  ChunkEncoder encoder{kChunkRows};
   hsize_t pending{0};
   std::string failure;  ///< first failure; empty: none
 
@@ -94,9 +141,9 @@ struct TableWriter::Impl {
   void check() const {
     if (!failure.empty()) throw WriteError(file.string(), failure);
   }
-  void flush() {
+  void flush(bool all) {
     for (Table& table : tables)
-      if (failure.empty()) expect(table.flush());
+      if (failure.empty()) expect(table.flush(encoder, all));
     pending = 0;
     check();
   }
@@ -208,24 +255,22 @@ void TableWriter::describe(std::size_t table, const std::string& unit, const std
   if (!columns.empty()) impl_->text(set, "columns", columns);
 }
 
-void TableWriter::add(std::size_t table, double value) { impl_->tables[table].add(value); }
+void TableWriter::add(std::size_t table, double value) { impl_->tables[table].add({&value, 1}); }
 
-void TableWriter::add(std::size_t table, std::span<const double> values) {
-  for (const double v : values) impl_->tables[table].add(v);
-}
+void TableWriter::add(std::size_t table, std::span<const double> values) { impl_->tables[table].add(values); }
 
 void TableWriter::nextTables() {
-  impl_->flush();
+  impl_->flush(true);
   impl_->tables.clear();
 }
 
 void TableWriter::endRow() {
-  if (++impl_->pending >= kChunkRows) impl_->flush();
+  if (++impl_->pending >= kChunkRows) impl_->flush(false);
 }
 
 void TableWriter::finish() {
   if (!impl_->handle) return;
-  impl_->flush();
+  impl_->flush(true);
   impl_->close();
   impl_->check();
   seal(impl_->out.named());
