@@ -1,5 +1,7 @@
 #include "app/session/robot_mass.hpp"
 
+#include <algorithm>
+
 #include "core/base/number.hpp"
 #include "core/mechanism/effective_mass.hpp"
 
@@ -11,11 +13,13 @@ RobotMass::RobotMass(const mechanism::Mechanism& mechanism) : tree_(mechanism::m
   mechanism::massMatrix(tree_, state_, mass_);
   known_ = mechanism.dof > 0 && mechanism::factor(mass_) < 0;
   work_.resize(q.size());
+  factored_.reserve(q.size());
   for (const mechanism::TreeBody& body : tree_.bodies) half_moving_ += 0.5 * body.mass;
 }
 
 const Eigen::MatrixXd& RobotMass::at(std::span<const double> q) noexcept {
   if (!known_) return none_;
+  factored_.clear();
   mechanism::placeBodies(tree_, q, state_);
   mechanism::massMatrix(tree_, state_, mass_);
   return mass_.M;
@@ -24,8 +28,12 @@ const Eigen::MatrixXd& RobotMass::at(std::span<const double> q) noexcept {
 double RobotMass::effective(std::span<const double> q, int frame, const Vector3d& p_B,
                             const Vector3d& n_B) noexcept {
   if (!known_ || frame < 0) return kInfinity;
-  at(q);
-  if (mechanism::factor(mass_) >= 0) return kInfinity;
+  // Many points are asked for in the same posture.
+  if (!std::equal(q.begin(), q.end(), factored_.begin(), factored_.end())) {
+    at(q);
+    if (mechanism::factor(mass_) >= 0) return kInfinity;
+    factored_.assign(q.begin(), q.end());
+  }
   return mechanism::effectiveMass({tree_, state_, mass_}, frame, p_B, n_B, work_);
 }
 

@@ -30,6 +30,7 @@ class RobotMass {
   mechanism::MassMatrix mass_;
   Eigen::MatrixXd none_;
   std::vector<double> work_;
+  std::vector<double> factored_;  ///< joint values of the last mass matrix that was factored
   double half_moving_{0.0};
   bool known_{false};
 };

@@ -15,7 +15,24 @@ BrakingClearance::BrakingClearance(const session::Session& session, const Motion
       window_(window),
       limit_(limit),
       halts_(session.mechanisms().size()),
-      memories_(window.pairs().size()) {}
+      pairs_of_(halts_.size()),
+      links_of_(halts_.size()),
+      in_step_(window.pairs().size()),
+      uncertainty_(window.pairs().size()),
+      fastest_(session.scene().objects().size()),
+      braking_(fastest_.size()),
+      memories_(window.pairs().size()) {
+  for (std::size_t p = 0; p < window.pairs().size(); ++p) {
+    const WatchedPair& pair = window.pairs()[p];
+    std::vector<PairRange>& ranges = pairs_of_[pair.robot];
+    if (!ranges.empty() && ranges.back().end == p)
+      ++ranges.back().end;
+    else
+      ranges.push_back({p, p + 1});
+    std::vector<std::size_t>& links = links_of_[pair.robot];
+    if (std::find(links.begin(), links.end(), pair.link) == links.end()) links.push_back(pair.link);
+  }
+}
 
 bool BrakingClearance::ofFirst(std::vector<double>& out) {
   for (std::size_t r = 0; r < halts_.size(); ++r) {
@@ -23,30 +40,49 @@ bool BrakingClearance::ofFirst(std::vector<double>& out) {
     if (!halt) return false;
     halts_[r] = *halt;
   }
+  for (std::size_t r = 0; r < halts_.size(); ++r) gather(r);
   out.resize(window_.pairs().size());
   for (std::size_t p = 0; p < out.size(); ++p) out[p] = ofPair(p, halts_[window_.pairs()[p].robot]);
   return true;
 }
 
+/// Frame by frame instead of pair by pair, as the values of a frame lie side by side in memory.
+void BrakingClearance::gather(std::size_t robot) {
+  const Halt& halt = halts_[robot];
+  const auto& frames = window_.frames();
+  const WindowFrame& first = frames.front();
+  const double end = std::min(first.t + halt.duration(), frames.back().t);
+  const double path_end = first.t + halt.programTime(halt.duration());
+  const std::vector<PairRange>& pairs = pairs_of_[robot];
+  for (const PairRange& range : pairs)
+    for (std::size_t p = range.begin; p < range.end; ++p) {
+      in_step_[p] = first.clearance[p] + first.uncertainty[p];
+      uncertainty_[p] = std::max(0.0, first.uncertainty[p]);
+    }
+  for (const std::size_t link : links_of_[robot]) fastest_[link] = braking_[link] = 0.0;
+  for (std::size_t k = 0; k + 1 < frames.size() && frames[k].t < end; ++k) {
+    const WindowFrame &now = frames[k], &next = frames[k + 1];
+    for (const PairRange& range : pairs)
+      for (std::size_t p = range.begin; p < range.end; ++p) {
+        in_step_[p] = std::min(in_step_[p], now.between[p]);
+        uncertainty_[p] = std::max(uncertainty_[p], next.uncertainty[p]);
+      }
+    for (const std::size_t link : links_of_[robot]) {
+      fastest_[link] = std::max(fastest_[link], now.speed[link]);
+      if (now.t <= path_end) braking_[link] = std::max(braking_[link], now.speed[link]);
+    }
+  }
+}
+
 double BrakingClearance::ofPair(std::size_t p, const Halt& halt) {
-  const WatchedPair& pair = window_.pairs()[p];
+  const std::size_t link = window_.pairs()[p].link;
   const auto& frames = window_.frames();
   const double begin = frames.front().t, end = std::min(begin + halt.duration(), frames.back().t);
-  double fastest = 0.0, braking = 0.0, uncertainty = 0.0;
-  double in_step = frames.front().clearance[p] + frames.front().uncertainty[p];
-  const double path_end = begin + halt.programTime(halt.duration());
-  for (std::size_t k = 0; k < frames.size() && frames[k].t <= end; ++k) {
-    uncertainty = std::max(uncertainty, frames[k].uncertainty[p]);
-    if (k + 1 == frames.size() || frames[k].t == end) break;
-    in_step = std::min(in_step, frames[k].between[p]);
-    fastest = std::max(fastest, frames[k].speed[pair.link]);
-    if (frames[k].t <= path_end) braking = std::max(braking, frames[k].speed[pair.link]);
-    uncertainty = std::max(uncertainty, frames[k + 1].uncertainty[p]);
-  }
-  if (braking == 0.0) return kInfinity;
+  const double uncertainty = uncertainty_[p];
+  if (braking_[link] == 0.0) return kInfinity;
   // The link lags behind its recorded position by at most half the braking time, so its distance from there
   // is at most its fastest motion in that time.
-  const double lagging = in_step - uncertainty - fastest * 0.5 * halt.braking;
+  const double lagging = in_step_[p] - uncertainty - fastest_[link] * 0.5 * halt.braking;
   if (lagging > limit_ + kExact) return lagging;
   if (uncertainty == kInfinity) return -kInfinity;
   return std::max(lagging, exact(p, halt, end - begin, uncertainty) - uncertainty);

@@ -23,6 +23,8 @@ class BrakingClearance {
   long queries() const { return queries_; }
 
  private:
+  /// Sets the values of all pairs of a robot from the frames until it rests.
+  void gather(std::size_t robot);
   double ofPair(std::size_t pair, const Halt& halt);
   /// m, without uncertainty, which only guides the search.
   double exact(std::size_t pair, const Halt& halt, double duration, double uncertainty);
@@ -30,7 +32,18 @@ class BrakingClearance {
   const session::Session& session_;
   const MotionWindow& window_;
   double limit_;
-  std::vector<Halt> halts_;
+  /// Successive pairs [begin, end).
+  struct PairRange {
+    std::size_t begin, end;
+  };
+  std::vector<Halt> halts_;                         ///< of robots, from the oldest frame
+  std::vector<std::vector<PairRange>> pairs_of_;    ///< of robots
+  std::vector<std::vector<std::size_t>> links_of_;  ///< of robots: object indices
+  /// Of pairs, until their robot rests: m, smallest certified distance without uncertainty, had it not
+  /// braked; m, largest uncertainty.
+  std::vector<double> in_step_, uncertainty_;
+  /// m/s, of objects, until their robot rests: highest speed, and that on the path on which it brakes.
+  std::vector<double> fastest_, braking_;
   std::vector<query::PairMemory> memories_;
   kernels::PairScratch scratch_;
   query::PairResult result_;

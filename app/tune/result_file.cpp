@@ -172,18 +172,29 @@ void ResultWriter::begin(const PassResult& names) {
 void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
   const WindowFrame& frame = settled.frame;
   if (!begun_) begin(names);
+  const std::size_t pairs = frame.distance.size();
   out_.add(distance_, frame.distance);
-  for (std::size_t p = 0; p < frame.distance.size(); ++p) {
-    // The writer rounds down; one step more makes it an upper bound.
-    out_.add(bound_, frame.bound[p] + kDistanceStep);
-    out_.add(uncertainty_, frame.uncertainty[p] > 0.0 ? frame.uncertainty[p] + kDistanceStep : 0.0);
-    const bool near = frame.distance[p] < kPointsWithin;
-    const double step = near ? kPairSpeedStep : kFarSpeedStep;
-    for (const double speed : {settled.motions[p].robot_speed, settled.motions[p].person_speed})
-      out_.add(speeds_, step * std::ceil(std::max(0.0, speed) / step));
-    for (const Vector3d* point : {&frame.on_part[p], &frame.on_link[p]})
-      for (int i = 0; i < 3; ++i) out_.add(points_, near ? (*point)[i] : kNaN);
+  row_.resize(6 * pairs);
+  // The writer rounds down; one step more makes it an upper bound.
+  for (std::size_t p = 0; p < pairs; ++p) row_[p] = frame.bound[p] + kDistanceStep;
+  out_.add(bound_, {row_.data(), pairs});
+  for (std::size_t p = 0; p < pairs; ++p)
+    row_[p] = frame.uncertainty[p] > 0.0 ? frame.uncertainty[p] + kDistanceStep : 0.0;
+  out_.add(uncertainty_, {row_.data(), pairs});
+  for (std::size_t p = 0; p < pairs; ++p) {
+    const double step = frame.distance[p] < kPointsWithin ? kPairSpeedStep : kFarSpeedStep;
+    row_[2 * p] = step * std::ceil(std::max(0.0, settled.motions[p].robot_speed) / step);
+    row_[2 * p + 1] = step * std::ceil(std::max(0.0, settled.motions[p].person_speed) / step);
   }
+  out_.add(speeds_, {row_.data(), 2 * pairs});
+  for (std::size_t p = 0; p < pairs; ++p) {
+    const bool near = frame.distance[p] < kPointsWithin;
+    for (int i = 0; i < 3; ++i) {
+      row_[6 * p + static_cast<std::size_t>(i)] = near ? frame.on_part[p][i] : kNaN;
+      row_[6 * p + 3 + static_cast<std::size_t>(i)] = near ? frame.on_link[p][i] : kNaN;
+    }
+  }
+  out_.add(points_, row_);
   out_.endRow();
 }
 

@@ -30,6 +30,7 @@ class ResultWriter {
   hdf5::TableWriter out_;
   bool begun_{false};
   std::size_t distance_{0}, bound_{0}, uncertainty_{0}, points_{0}, speeds_{0};
+  std::vector<double> row_;  ///< of one table
 };
 
 struct StoredResult {

@@ -8,9 +8,13 @@
 namespace abstand::contact {
 namespace {
 
+/// m: boxes are widened by it, far more than rounding moves a corner.
+constexpr double kBoxSlack = 1e-9;
+
 /// What a search leaves behind, so that the next one need not allocate it.
 struct PatchMemory {
-  std::vector<Vector3d> points;  ///< of the mesh: u, v, height
+  PlacedVertices points;
+  std::vector<std::uint32_t> hiding;  ///< triangles that may hide the patch
   std::vector<PatchTriangle> open;
   ConnectedTriangles connected;
   ContactPatch patch;
@@ -23,9 +27,9 @@ class PatchSearch {
     const Vector3d u_B = place.n_B.unitOrthogonal(), v_B = place.n_B.cross(u_B);
     Matrix3d R_PB;
     R_PB << u_B.transpose(), v_B.transpose(), place.n_B.transpose();
-    points_.clear();
-    points_.reserve(surface.mesh().vertices.size());
-    for (const Vector3d& p_B : surface.mesh().vertices) points_.push_back(R_PB * (p_B - place.p_B));
+    R_PB_ = R_PB;
+    p_B_ = place.p_B;
+    points_.begin(surface.mesh(), R_PB, place.p_B);
     const ContactSurface::Nearest contact = surface.nearest(place.p_B);
     contact_height_ = place.n_B.dot(contact.point - place.p_B);
     start_ = *std::max_element(corners(contact.triangle).begin(), corners(contact.triangle).end(),
@@ -71,8 +75,33 @@ class PatchSearch {
     return std::min(flat_top, top + kPieceError * x_);
   }
 
+  /// Triangles of the clusters whose box reaches above `level` and over a piece; no other triangle can hide a
+  /// piece.
+  void findHiding(double level, const std::vector<PatchTriangle>& pieces) const {
+    Vector3d lower = Vector3d::Constant(kInfinity), upper = -lower;
+    for (const PatchTriangle& piece : pieces)
+      for (const Vector3d& c : piece) {
+        lower = lower.cwiseMin(c);
+        upper = upper.cwiseMax(c);
+      }
+    lower.z() = level;
+    upper.z() = kInfinity;
+    const Matrix3d spread = R_PB_.cwiseAbs();
+    memory_.hiding.clear();
+    for (std::size_t i = 0; i < surface_.clusters(); ++i) {
+      const ContactSurface::Cluster cluster = surface_.cluster(i);
+      const Vector3d centre = R_PB_ * (cluster.centre - p_B_);
+      const Vector3d half = spread * cluster.half + Vector3d::Constant(kBoxSlack);
+      if ((centre + half - lower).minCoeff() < 0.0 || (upper - centre + half).minCoeff() < 0.0) continue;
+      memory_.hiding.insert(memory_.hiding.end(), cluster.triangles.begin(), cluster.triangles.end());
+    }
+    // Sums are taken in the order of the mesh.
+    std::sort(memory_.hiding.begin(), memory_.hiding.end());
+  }
+
   void addBacks(double level, ContactPatch& patch) const {
-    for (std::uint32_t t = 0; t < surface_.mesh().triangles.size(); ++t) {
+    findHiding(level, patch.pieces);
+    for (const std::uint32_t t : memory_.hiding) {
       const PatchTriangle c = triangle(t);
       if (std::max({c[0].z(), c[1].z(), c[2].z()}) < level) continue;
       PatchPolygon polygon;
@@ -84,7 +113,9 @@ class PatchSearch {
   const ContactSurface& surface_;
   double x_, radius_;
   PatchMemory& memory_;
-  std::vector<Vector3d>& points_;  ///< of the mesh: u, v, height
+  PlacedVertices& points_;
+  Matrix3d R_PB_;
+  Vector3d p_B_;
   double contact_height_{0.0};
   std::uint32_t start_{0};
 };

@@ -25,8 +25,9 @@ struct PatchPolygon {
 
 struct ContactPatch {
   std::vector<PatchTriangle> pieces;  ///< of the patch, some of them in part or wholly below depth 0
-  std::vector<PatchPolygon> back;     ///< of the whole surface above the patch's lowest height, facing away
-  double floor{0.0};                  ///< m: depth = height - rho^2 / (2 body_radius) - floor
+  /// Of the surface above the patch's lowest height, facing away: all that overlap a piece in projection.
+  std::vector<PatchPolygon> back;
+  double floor{0.0};  ///< m: depth = height - rho^2 / (2 body_radius) - floor
   double body_radius{kInfinity};
   Vector3d foremost_B{Vector3d::Zero()};
   double offset{0.0};

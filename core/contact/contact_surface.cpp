@@ -23,6 +23,18 @@ ContactSurface::ContactSurface(const geometry::Surface& surface, double sagitta)
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     for (const std::uint32_t v : mesh_.triangles[t]) around_[next[v]++] = t;
+  makeClusters();
+}
+
+void ContactSurface::makeClusters() {
+  // Successive slots of the tree are neighbours.
+  for (std::uint32_t slot = 0; slot < tree_.size(); ++slot) clustered_.push_back(tree_.triangle(slot));
+  for (std::size_t first = 0; first < clustered_.size(); first += kClusterTriangles) {
+    geometry::Bounds box;
+    for (std::size_t i = first; i < std::min(first + kClusterTriangles, clustered_.size()); ++i)
+      for (const std::uint32_t v : mesh_.triangles[clustered_[i]]) box.add(mesh_.vertices[v]);
+    boxes_.emplace_back(box.centre(), 0.5 * box.extent());
+  }
 }
 
 }  // namespace abstand::contact

@@ -1,7 +1,9 @@
 // Triangles of a body, prepared for contact patches.
 #pragma once
 
+#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "core/geometry/surface.hpp"
 #include "core/geometry/triangle_tree.hpp"
@@ -35,17 +37,35 @@ class ContactSurface {
     const geometry::TriangleTree::Nearest found = tree_.closest(p);
     return {found.point, tree_.triangle(found.slot)};
   }
+  /// Some neighbouring triangles and a box around them: |p - centre| <= half for each of their points.
+  struct Cluster {
+    Vector3d centre, half;
+    std::span<const std::uint32_t> triangles;
+  };
+  /// All triangles, each in one cluster.
+  std::size_t clusters() const { return boxes_.size(); }
+  Cluster cluster(std::size_t i) const {
+    const std::size_t first = i * kClusterTriangles;
+    return {boxes_[i].first, boxes_[i].second,
+            std::span(clustered_).subspan(first, std::min(kClusterTriangles, clustered_.size() - first))};
+  }
   /// Triangles that share a vertex.
   std::span<const std::uint32_t> around(std::uint32_t vertex) const {
     return {around_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
 
  private:
+  static constexpr std::size_t kClusterTriangles = 16;
+
+  void makeClusters();
+
   geometry::TriangleMesh mesh_;
   double sagitta_{0.0};
   bool watertight_{false};
   geometry::TriangleTree tree_;
   std::vector<std::uint32_t> first_, around_;
+  std::vector<std::uint32_t> clustered_;              ///< triangles in the order of the clusters
+  std::vector<std::pair<Vector3d, Vector3d>> boxes_;  ///< of clusters: centre, half extent
 };
 
 }  // namespace abstand::contact

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/contact/contact_patch.hpp"
+#include "core/contact/contact_shadow.hpp"
+
 #include "tests/support/brute_force.hpp"
 #include "tests/support/bumpy_meshes.hpp"
 #include "tests/support/random_pose.hpp"
@@ -198,6 +201,50 @@ TEST(ContactArea, CountsWhatLiesBehindOnce) {
   EXPECT_NEAR(at(0.004), 0.004, 1e-9);
   EXPECT_NEAR(at(0.010), 0.004, 1e-9);  // through the upper flange, into the web
   EXPECT_NEAR(at(0.018), 0.006, 1e-9);  // the lower flange, where the upper one does not hide it
+}
+
+/// The extent with every triangle of the mesh asked whether it hides the patch.
+PatchExtent extentBesideAllTriangles(const ContactSurface& surface, const ContactPlace& place) {
+  ContactPatch patch = contactPatch(surface, place, place.indentation);
+  patch.back.clear();
+  const Vector3d u = place.n_B.unitOrthogonal(), v = place.n_B.cross(u);
+  Matrix3d R_PB;
+  R_PB << u.transpose(), v.transpose(), place.n_B.transpose();
+  const double level = (R_PB * (patch.foremost_B - place.p_B)).z() - place.indentation;
+  for (const auto& triangle : surface.mesh().triangles) {
+    PatchPolygon polygon;
+    double top = -kInfinity;
+    for (const std::uint32_t c : triangle) {
+      polygon.add(R_PB * (surface.mesh().vertices[c] - place.p_B));
+      top = std::max(top, polygon.corners[static_cast<std::size_t>(polygon.count - 1)].z());
+    }
+    if (top >= level && polygon.area() < 0.0) patch.back.push_back(polygon);
+  }
+  return visibleExtent(patch);
+}
+
+TEST(ContactArea, HasTheSameBitsAsBesideAllTrianglesWhateverWasAskedBefore) {
+  const ContactSurface torus(*geometry::makeSurface(testing::bumpyTorus(0.1, 0.04, 120, 40))),
+      ball(*geometry::makeSurface(testing::bumpyBall(0.1, 1e-3)));
+  bool hidden = false;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    SCOPED_TRACE(seed);
+    // Turns between the surfaces, as the memory of a search is kept for the next one.
+    const ContactSurface& surface = seed % 2 == 0 ? torus : ball;
+    const Transform X = randomPose(seed, 0.15);
+    ContactPlace place{surface.nearest(X.translation()).point, X.linear().col(2), 0.0, kInfinity};
+    place.indentation = seed % 3 == 0 ? 0.03 : kX;
+    if (seed % 5 < 3) place.body_radius = 0.04;
+    const PatchExtent all = extentBesideAllTriangles(surface, place);
+    const ContactArea found = contactArea(surface, place);
+    EXPECT_EQ(found.area, all.area);
+    EXPECT_EQ(found.volume, all.volume);
+    EXPECT_EQ(found.triangles, all.pieces);
+    ContactPatch alone = contactPatch(surface, place, place.indentation);
+    alone.back.clear();
+    hidden = hidden || visibleExtent(alone).area > found.area;
+  }
+  EXPECT_TRUE(hidden) << "some patch lies partly behind other surface";
 }
 
 TEST(ContactArea, OfAThinPlateIsItsFaceHoweverDeep) {
