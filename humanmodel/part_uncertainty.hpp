@@ -16,11 +16,15 @@ inline constexpr double kSpreadQuantile = 3.3682;
 /// joints wrongly by 0.05 to 0.1 m (Obdrzalek et al. 2012, EMBC).
 inline constexpr double kGuessedSpread = 0.05;
 
+/// m: age (s since last seen) times speed (m/s). 0 for ages that are not positive.
+inline double ageUncertainty(double age, double speed = kPersonSpeed) noexcept {
+  return age > 0.0 ? age * speed : 0.0;
+}
+
 /// m: age (s since last seen) times speed (m/s), plus kSpreadQuantile times spread (m, standard deviation of
 /// an axis). Infinite if an argument is infinite or NaN. Never negative. No throw.
 inline double partUncertainty(double age, double spread, double speed = kPersonSpeed) noexcept {
-  const double moved = age > 0.0 ? age * speed : 0.0;
-  const double uncertainty = moved + kSpreadQuantile * (spread > 0.0 ? spread : 0.0);
+  const double uncertainty = ageUncertainty(age, speed) + kSpreadQuantile * (spread > 0.0 ? spread : 0.0);
   const bool known = !std::isnan(age) && !std::isnan(spread) && !std::isnan(uncertainty);
   return known ? uncertainty : kInfinity;
 }

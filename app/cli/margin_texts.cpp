@@ -69,6 +69,7 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
                      {"pose", c.pose},
                      {"calibration", c.calibration},
                      {"between_frames", c.between_frames}};
+    row["pose_shares"] = {{"tracker", c.poseTracker()}, {"age", c.pose_age}};
     rows.push_back(std::move(row));
   }
   return rows;
@@ -77,15 +78,16 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
 std::string closestText(const tune::TuneAnswer& answer) {
   std::string text =
       "\nclosest approaches: measured distance, and how much smaller the true one may be (engine + pose + "
-      "calibration + between frames):\n";
+      "calibration + between frames; of the pose, what its age adds):\n";
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
       text += format("%-14s never seen\n", c.part.c_str());
       continue;
     }
-    text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f)  %s, %s at %.3f s\n", c.part.c_str(),
-                   1e3 * c.distance, 1e3 * c.error(), 1e3 * c.bound, 1e3 * c.pose, 1e3 * c.calibration,
-                   1e3 * c.between_frames, tune::verdictText(c.verdict()), c.link.c_str(), c.t);
+    text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f; age %.1f)  %s, %s at %.3f s\n",
+                   c.part.c_str(), 1e3 * c.distance, 1e3 * c.error(), 1e3 * c.bound, 1e3 * c.pose,
+                   1e3 * c.calibration, 1e3 * c.between_frames, 1e3 * c.pose_age,
+                   tune::verdictText(c.verdict()), c.link.c_str(), c.t);
   }
   return text;
 }

@@ -33,29 +33,31 @@ std::string linkTable(const tune::TuneAnswer& answer) {
 
 std::string closestSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> header{"part",        "distance",    "engine (mm)",         "pose (mm)",
-                                  "calib. (mm)", "frames (mm)", "certified clearance", "verdict",
-                                  "link",        "at (s)"};
+  std::vector<std::string> header{"part",     "distance",    "engine (mm)", "tracker (mm)",
+                                  "age (mm)", "calib. (mm)", "frames (mm)", "certified clearance",
+                                  "verdict",  "link",        "at (s)"};
   const bool several = answer.recordings.size() > 1;
   if (several) header.push_back("recording");
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
-      rows.push_back({c.part, "never seen", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
+      rows.push_back({c.part, "never seen", "", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
       if (several) rows.back().push_back("");
       continue;
     }
     rows.push_back({c.part, text::rounded(1e3 * c.distance, 1) + " \u00b1 " + millimetresText(c.error(), 1),
-                    text::rounded(1e3 * c.bound, 1), text::rounded(1e3 * c.pose, 1),
-                    text::rounded(1e3 * c.calibration, 1), text::rounded(1e3 * c.between_frames, 1),
-                    millimetresText(c.clearance(), 1), tune::verdictText(c.verdict()), c.link,
-                    text::rounded(c.t, 3)});
+                    text::rounded(1e3 * c.bound, 1), text::rounded(1e3 * c.poseTracker(), 1),
+                    text::rounded(1e3 * c.pose_age, 1), text::rounded(1e3 * c.calibration, 1),
+                    text::rounded(1e3 * c.between_frames, 1), millimetresText(c.clearance(), 1),
+                    tune::verdictText(c.verdict()), c.link, text::rounded(c.t, 3)});
     if (several) rows.back().push_back(answer.recordings[c.recording].recording);
   }
   return "<h2>How near people came</h2>\n<p>Of each body part the moment with the least certified clearance: "
          "the "
          "measured distance, and how much smaller the true one may be. The error is the sum of its shares: "
          "the "
-         "engine's bound, what is not known of the person's pose (tracking, gaps), the calibration between "
+         "engine's bound, what is not known of the person's pose (what the tracker states, and what the age "
+         "of the "
+         "pose adds where a part was not seen of late), the calibration between "
          "recording "
          "and robot (an assumption, below), and the motion between two frames.</p>\n" +
          htmlTable(header, rows);

@@ -129,8 +129,9 @@ void HumanDriver::growUncertainty(double t, scene::Scene& scene) const {
     const double bound = scene.object(*objects_[i]).max_speed;
     // A bound of 0 is for a person who stands still in the scene; it does not hold for a followed one.
     const double speed = std::isfinite(bound) && bound > 0.0 ? bound : humanmodel::kPersonSpeed;
-    scene.setPoseUncertainty(*objects_[i],
-                             humanmodel::partUncertainty(pose_.age[i] + since, pose_.spread[i], speed));
+    const double age = pose_.age[i] + since;
+    scene.setPoseUncertainty(*objects_[i], humanmodel::partUncertainty(age, pose_.spread[i], speed),
+                             humanmodel::ageUncertainty(age, speed));
   }
 }
 

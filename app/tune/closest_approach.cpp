@@ -25,6 +25,7 @@ void takeFrames(const TunedRecording& recording, std::size_t index, const PartCl
     closest.bound = part.bound[i];
     closest.calibration = calibration;
     closest.pose = std::max(0.0, part.uncertainty[i] - calibration);
+    closest.pose_age = std::min(part.age_uncertainty[i], closest.pose);
     // Between frames another link may be nearer; this contribution is the rest of the difference.
     closest.between_frames = 0.0;
     closest.between_frames = std::max(0.0, closest.clearance() - least);

@@ -46,7 +46,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
     result_.parts.push_back(
-        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
+        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
   for (PartClearance& part : result_.parts) part.contact_excluded = judge_.excluded(part.part);
   std::map<std::size_t, std::uint16_t> link_index;
   for (const WatchedPair& pair : window_.pairs()) {
@@ -124,7 +124,7 @@ void DistancePass::addFrame(double t) {
     if (!options_.keep_frames) {
       for (auto* list :
            {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
-            &part.bound, &part.uncertainty, &part.robot_speed, &part.person_speed, &part.separation.missing,
+            &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed, &part.separation.missing,
             &part.separation.speed_scale, &part.contact_scale})
         list->clear();
       part.link.clear();
@@ -136,6 +136,7 @@ void DistancePass::addFrame(double t) {
     part.distance.push_back(kInfinity);
     part.bound.push_back(0.0);
     part.uncertainty.push_back(0.0);
+    part.age_uncertainty.push_back(0.0);
     part.link.push_back(0);
     part.robot_speed.push_back(0.0);
     part.person_speed.push_back(0.0);
@@ -153,6 +154,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
     if (frame.clearance[p] < part.track.clearance[i] || part.track.clearance[i] == kInfinity) {
       part.track.clearance[i] = frame.clearance[p];
       part.uncertainty[i] = frame.uncertainty[p];
+      part.age_uncertainty[i] = frame.age_uncertainty[p];
       part.link[i] = result_.pairs[p].link;
       part.distance[i] = frame.distance[p];
       nearest_[result_.pairs[p].part] = p;

@@ -47,6 +47,8 @@ struct PartClearance {
   std::vector<double> distance;     ///< m, measured, of the pair with the smallest clearance
   std::vector<double> bound;        ///< m, of that pair
   std::vector<double> uncertainty;  ///< m, of that pair: pose uncertainty of the person
+  /// m, of that pair: share of the uncertainty due to the age of the pose, for a part not seen of late.
+  std::vector<double> age_uncertainty;
   std::vector<std::uint16_t> link;  ///< index of that pair's link in PassResult::links
   /// m/s, of that pair, towards each other; rounded up to whole steps of kSpeedStep.
   std::vector<double> robot_speed, person_speed;

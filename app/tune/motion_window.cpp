@@ -31,6 +31,8 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
     now.on_link.push_back(p.part_is_a ? r.witness_b : r.witness_a);
     now.clearance.push_back(safety::certifiedClearance({r.distance, r.bound, uncertainty}));
     now.uncertainty.push_back(uncertainty);
+    now.age_uncertainty.push_back(scene.objects()[p.part].pose_age_uncertainty +
+                                  scene.objects()[p.link].pose_age_uncertainty);
     now.lost.push_back(lost(p.part) || lost(p.link));
   }
   if (!frames_.empty()) {

@@ -21,6 +21,7 @@ struct WindowFrame {
   std::vector<Vector3d> on_part, on_link;  ///< m, world, of pairs: nearest points
   std::vector<double> clearance;           ///< m, of pairs: distance - bound - uncertainty
   std::vector<double> uncertainty;         ///< m, of pairs
+  std::vector<double> age_uncertainty;     ///< m, of pairs: share of it due to the age of poses
   std::vector<bool> lost;                  ///< of pairs: a pose is stale or was rejected
   std::vector<double> between;  ///< to next: m, of pairs: certified least distance, without uncertainty
   std::vector<safety::PoseSegment> motion;  ///< to next, of objects

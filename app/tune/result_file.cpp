@@ -25,7 +25,7 @@ constexpr double kNoLink = 65535.0;  // above kMaxNames
 
 /// Columns of one part, in file order.
 const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
-                                "bound",     "uncertainty", "link"};
+                                "bound",     "uncertainty", "link",    "age"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
 /// the hardest contact on the way, excluded, force, energy, share, pressure, its share.
@@ -236,7 +236,7 @@ void ResultWriter::writeParts(const std::vector<PartClearance>& all) {
     out_.add(t, all.front().track.t[i]);
     for (const PartClearance& p : all)
       for (const double v : {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
-                             p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i])})
+                             p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
         out_.add(parts, v);
     for (const PartClearance& p : all) {
       out_.add(speeds, p.robot_speed[i]);
@@ -363,7 +363,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
     PartClearance part{
-        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), {}, {}, {}, {}, {}, false};
+        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), list(7), {}, {}, {}, {}, {}, false};
     part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
     part.contact_scale = column(contact, frames, parts.size(), p);
     const std::vector<double> by_separation = column(separation, frames, 2 * parts.size(), 2 * p + 1);

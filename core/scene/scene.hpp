@@ -70,8 +70,9 @@ class Scene {
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
 
   /// Uncertainty (m) of the last pose; negative values and NaN count as infinite. Distances, contacts and
-  /// forces remain those of the observed poses. No allocation, no throw.
-  void setPoseUncertainty(ObjectId object, double radius) noexcept;
+  /// forces remain those of the observed poses. `from_age`: its share due to the age of the pose. No
+  /// allocation, no throw.
+  void setPoseUncertainty(ObjectId object, double radius, double from_age = 0.0) noexcept;
   /// m: by how much the bodies of a pair may be nearer than its distance; infinite for a paused pair.
   double pairUncertainty(PairId id) const {
     const Pair& pair = pairs_[id.index()];

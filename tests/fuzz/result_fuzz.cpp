@@ -67,8 +67,8 @@ class OddResult {
     lists();
     const std::size_t frames = 1 + in_.byte() % 4, parts = 2;
     table("t", frames, {}, [](std::size_t row, std::size_t) { return 0.1 * static_cast<double>(row); });
-    table("part_values", frames, {parts, 7},
-          [](std::size_t, std::size_t i) { return i % 7 == 6 ? 1.0 : 0.3; });
+    table("part_values", frames, {parts, 8},
+          [](std::size_t, std::size_t i) { return i % 8 == 6 ? 1.0 : 0.3; });
     table("part_separation", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_speeds", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("worst_separation", parts, {10}, [](std::size_t, std::size_t) { return 0.5; });

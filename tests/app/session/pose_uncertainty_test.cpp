@@ -68,6 +68,22 @@ double pairUncertainty(const std::string& name) {
   return object ? object->pose_uncertainty : kNaN;
 }
 
+double ageUncertainty(const std::string& name) {
+  const scene::Object* object = session().scene().find(name);
+  return object ? object->pose_age_uncertainty : kNaN;
+}
+
+TEST(Reach, SaysWhatOfItTheAgeOfThePoseAdds) {
+  for (const double t : {0.0, 1.0, 2.0, 3.0}) {
+    session().step(t);
+    const double age = std::max(0.0, t - kSeen);
+    EXPECT_NEAR(ageUncertainty("p/forearm_left"), 2.0 * age, kRounding) << t;
+    EXPECT_EQ(ageUncertainty("p/forearm_right"), 0.0) << "all of it is the tracker's";
+    EXPECT_EQ(ageUncertainty("p/calf_right"), kInfinity);
+    EXPECT_EQ(ageUncertainty("ball"), 0.0);
+  }
+}
+
 TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
   for (const double t : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     session().step(t);
