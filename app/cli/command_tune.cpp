@@ -1,5 +1,6 @@
 // abstand tune: outcomes of safety margins over recordings, and proposed margins.
 #include <cstdlib>
+#include <set>
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/question_arguments.hpp"
@@ -27,7 +28,7 @@ namespace {
 struct TuneArguments {
   std::string scene, limit, reaction_time, deceleration, restart_time, near, calibration_error,
       contact_limits, out, shard;
-  std::vector<std::string> recordings, separation;
+  std::vector<std::string> recordings, separation, clamped;
   QuestionArguments questions;
   int jobs{1};
   bool cut_things{false}, worst_phase{false};
@@ -55,6 +56,19 @@ void takeSeparation(const std::vector<std::string>& texts, safety::SeparationOpt
   options.validate();
 }
 
+/// Sorted names, each once.
+std::vector<std::string> clampedNames(const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (!humanmodel::parsePart(name)) {
+      std::string known;
+      for (const std::string_view part : humanmodel::partNames())
+        known += (known.empty() ? "" : ", ") + std::string(part);
+      throw UsageError("--clamped: found '" + name + "', expected parts of the body: " + known);
+    }
+  const std::set<std::string> parts(names.begin(), names.end());
+  return {parts.begin(), parts.end()};
+}
+
 tune::TuneOptions optionsOf(const TuneArguments& args) {
   tune::TuneOptions o;
   if (!args.limit.empty()) o.pass.limit = numberWithin(args.limit, "--limit", 0.0, 10.0, "m");
@@ -69,6 +83,7 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
   o.pass.separation.reaction_time = o.pass.braking.reaction_time;
   takeSeparation(args.separation, o.pass.separation);
   o.restart_time = restartTime(args.restart_time);
+  o.pass.clamped = clampedNames(args.clamped);
   o.pass.contact = std::make_shared<const contact::ContactLimits>(
       contact::loadContactLimits(args.contact_limits.empty() ? contact::defaultContactLimits()
                                                              : std::filesystem::path(args.contact_limits),
@@ -387,6 +402,8 @@ void addTune(CLI::App& root, CommandLine& line) {
                       "m: how far recording and robot may be apart, part of every uncertainty (default: 0)");
   command->add_option("--contact-limits", args->contact_limits,
                       "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
+  command->add_option("--clamped", args->clamped,
+                      "PART...: parts that may be clamped, whose contacts keep quasi-static limits");
   command->add_flag(
       "--cut-things", args->cut_things,
       "the depth images show the scene's robots and objects where the scene has them: they are cut out");

@@ -52,6 +52,7 @@ Json contactJson(const tune::ContactShare& c) {
   return {{"t", c.t},
           {"closing_speed", c.closing},
           {"region", c.region},
+          {"kind", contact::kindText(c.kind)},
           {"excluded", c.excluded},
           {"force", c.force},
           {"energy", c.energy},
@@ -71,9 +72,10 @@ std::string approachesText(const tune::TuneAnswer& answer) {
                    r.pass.links[a.link].c_str(), a.t);
     if (!a.contact.region.empty()) {
       text += format("; hardest contact before, at %.2f m/s: ", a.contact.closing);
-      text += a.contact.excluded ? "excluded there"
-                                 : format("%.0f N, %.0f %% of the limit (%s)", a.contact.force,
-                                          100.0 * a.contact.share, a.contact.region.c_str());
+      text += a.contact.excluded
+                  ? "excluded there"
+                  : format("%.0f N, %.0f %% of the %s limit (%s)", a.contact.force, 100.0 * a.contact.share,
+                           std::string(contact::kindText(a.contact.kind)).c_str(), a.contact.region.c_str());
     }
     text += answer.recordings.size() > 1 ? ", " + r.recording + "\n" : "\n";
   }
@@ -201,6 +203,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                            {"frames", r.frames},
                            {"seconds", r.seconds()},
                            {"not_judged", r.unjudged},
+                           {"clamped", r.clamped},
                            {"reservations", reservationsJson(r.reservations)}});
   j["failed"] = Json::array();
   for (const auto& f : answer.failed) j["failed"].push_back({{"recording", f.recording}, {"error", f.error}});
@@ -220,6 +223,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
     j["approaches"].push_back(approachJson(r));
   const std::string& stamp = answer.recordings.front().contact_limits;
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
+  j["clamped"] = tune::clampedParts(answer.recordings);
   if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
   j["separation"] = separationJson(answer);
   addSpeeds(answer, j);

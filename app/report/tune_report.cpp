@@ -34,6 +34,12 @@ std::string percent(double share) {
 }
 std::string seconds(double t) { return shown("%.3f s", t); }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
 std::string proposedSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
   for (const tune::ProposedMargin& p : answer.table.proposed) {
@@ -120,10 +126,8 @@ std::vector<tune::RankedApproach> ranked(const tune::TuneAnswer& answer) {
 std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOptions& options) {
   std::string html =
       "<h2>Nearest approaches</h2>\n<p>Local minima of the certified clearance, nearest first, and the "
-      "transient "
       "contact that the highest closing speed on the way there would have made, as shares of the limits of "
-      "the body "
-      "region.</p>\n";
+      "the body region: transient, or quasi-static where the part may be clamped.</p>\n";
   std::vector<std::vector<std::string>> rows;
   std::string pictures;
   const auto all = ranked(answer);
@@ -135,7 +139,8 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
     std::vector<std::string> row{mm(a.clearance), part, link, seconds(a.t)};
     if (contact)
       row.insert(row.end(),
-                 {shown("%.2f m/s", a.contact.closing), a.contact.region,
+                 {shown("%.2f m/s", a.contact.closing),
+                  a.contact.region + ", " + std::string(contact::kindText(a.contact.kind)),
                   a.contact.excluded ? "excluded"
                                      : shown("%.0f N", a.contact.force) + ", " + percent(a.contact.share),
                   a.contact.excluded ? "" : percent(a.contact.pressure_share)});
@@ -209,6 +214,10 @@ std::string assumptions(const tune::TuneAnswer& answer) {
            {"calibration error between recording and robot", mm(o.pass.calibration_error),
             "every clearance is smaller by it, and margins grow with it one to one; 0 says that nobody has "
             "measured it"},
+           {"parts that may be clamped", listed(tune::clampedParts(answer.recordings)),
+            "their contacts keep the quasi-static limits, which are half of the transient ones as a rule, "
+            "and no "
+            "part of their mass recoils"},
            {"restart time", seconds(o.restart_time), "adds to the time stopped, not to margins"}}) +
       "<p>Each stop is judged by itself; robot and person are in step with the recording until the margin is "
       "broken. Distances "

@@ -30,6 +30,7 @@ const char* const kApproachSchema =
 "person_speed":{"type":"number","description":"m/s"},
 "robot_mass":{"type":"number","description":"kg, effective; left out: not known, or a wall"},
 "region":{"type":"string","description":"of the body, of the hardest contact on the way there; left out: not judged"},
+"kind":{"type":"string","description":"transient, or quasi-static: the part may be clamped"},
 "excluded":{"type":"boolean","description":"contact with this region is excluded"},
 "force":{"type":"number","description":"N"},
 "force_share":{"type":"number","description":"of its limit; left out: excluded"},
@@ -105,6 +106,7 @@ std::string approachMessage(const tune::RankedApproach& ranked) {
       .number("robot_mass", a.motion.robot_mass);
   if (a.contact.region.empty()) return message.done();
   message.text("region", a.contact.region)
+      .text("kind", std::string(contact::kindText(a.contact.kind)))
       .flag("excluded", a.contact.excluded)
       .number("force", a.contact.force)
       .number("force_share", a.contact.share);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,8 @@ struct HumanDescription {
   BodySettings settings;
   bool follow_lengths{false};                          ///< `lengths: recording`
   std::map<humanmodel::BodyPart, BodySettings> parts;  ///< settings of single parts
+  /// Parts that a robot may clamp against something fixed; matters for limits of contacts only.
+  std::set<humanmodel::BodyPart> clamped;
   RecordingDescription recording;
   SourcePos pos;
 };

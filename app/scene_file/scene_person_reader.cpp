@@ -76,7 +76,7 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
   const config::YamlFields fields(
       node, file_, "a human",
       {"name", "height", "mass", "percentile", "sex", "preset", "lengths", "parts", "recording", "voxel",
-       "point", "outer_layers", "margin", "max_speed"});
+       "point", "outer_layers", "margin", "max_speed", "clamped"});
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
@@ -102,6 +102,15 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
   if (const auto* parts = fields.find("parts")) {
     const config::YamlFields known(*parts, file_, "`parts`", {part_names.begin(), part_names.end()});
     for (std::size_t i = 0; i < parts->keys.size(); ++i) readPart(parts->keys[i].text, parts->items[i], h);
+  }
+  for (const config::YamlNode& name : fields.list("clamped")) {
+    const std::string text = config::yamlText(name, file_, "`clamped`");
+    const auto part = humanmodel::parsePart(text);
+    if (!part)
+      throw ParseError(
+          fields.pos(name),
+          "found `" + text + "` in `clamped`, expected parts of the body: hand_left, torso, ...");
+    h.clamped.insert(*part);
   }
   if (const auto* node_recording = fields.find("recording")) h.recording = recording(*node_recording);
   return h;

@@ -162,6 +162,10 @@ std::string humanText(const HumanDescription& h) {
   }
   if (!parts.empty()) s += "    parts:\n";
   for (const auto& [name, text] : parts) s += "      " + std::string(name) + ": " + text + "\n";
+  std::string clamped;
+  for (const humanmodel::BodyPart part : h.clamped)
+    clamped += (clamped.empty() ? "" : ", ") + std::string(humanmodel::partName(part));
+  if (!clamped.empty()) s += "    clamped: [" + clamped + "]\n";
   return h.recording.file.empty() ? s : s + recordingText(h.recording);
 }
 

@@ -20,8 +20,9 @@ double bodyRadius(const structure::HapticStructure& part) {
 }  // namespace
 
 ApproachJudge::ApproachJudge(const session::Session& session,
-                             std::shared_ptr<const contact::ContactLimits> limits)
-    : session_(session), limits_(std::move(limits)) {
+                             std::shared_ptr<const contact::ContactLimits> limits,
+                             std::vector<std::string> clamped)
+    : session_(session), limits_(std::move(limits)), clamped_(std::move(clamped)) {
   std::size_t first = 0;
   for (const auto& m : session.mechanisms()) {
     const auto dof = static_cast<std::size_t>(m->dof());
@@ -63,10 +64,10 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
   ContactShare share;
   share.t = t;
   share.closing = motion.closing();
+  share.kind = kindOf(part);
   if (!limits_ || !(share.closing > 0.0)) return share;
-  const contact::ContactMotion moves{motion.closing(),
-                                     {motion.robot_mass, contact::RobotMassSource::kPosture},
-                                     contact::ContactKind::kTransient};
+  const contact::ContactMotion moves{
+      motion.closing(), {motion.robot_mass, contact::RobotMassSource::kPosture}, share.kind};
   const contact::RegionContact worst = contact::worstContact(regionsOf(part), moves);
   if (!worst.region) return share;
   share.region = worst.region->name;
@@ -77,7 +78,7 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
   if (share.excluded || !(worst.contact.indentation > 0.0)) return share;
   const contact::ContactArea area = areaAt(motion, pair, worst.contact.indentation);
   const contact::PredictedPressure pressure =
-      contact::predictPressure(*worst.region, worst.contact, area, contact::ContactKind::kTransient);
+      contact::predictPressure(*worst.region, worst.contact, area, share.kind);
   share.pressure = pressure.peak;
   share.pressure_share = pressure.share;
   return share;
@@ -105,6 +106,12 @@ bool ApproachJudge::excluded(const std::string& part) {
          std::any_of(regions.begin(), regions.end(), [](const auto* r) { return r->excluded(); });
 }
 
+contact::ContactKind ApproachJudge::kindOf(const std::string& part) const {
+  return std::find(clamped_.begin(), clamped_.end(), part) == clamped_.end()
+             ? contact::ContactKind::kTransient
+             : contact::ContactKind::kQuasiStatic;
+}
+
 double ApproachJudge::contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
                                    const ClosingMotion& motion, double wanted) {
   if (excluded(part)) return 0.0;
@@ -113,8 +120,8 @@ double ApproachJudge::contactShare(const WindowFrame& frame, const WatchedPair& 
   ClosingMotion complete_motion = motion;
   complete(frame, pair, complete_motion);
   const contact::AllowedSpeed allowed = contact::allowedSpeed(
-      regionsOf(part), {complete_motion.robot_mass, contact::RobotMassSource::kPosture}, wanted_closing,
-      [&](double indentation) { return areaAt(complete_motion, pair, indentation); });
+      regionsOf(part), {{complete_motion.robot_mass, contact::RobotMassSource::kPosture}, kindOf(part)},
+      wanted_closing, [&](double indentation) { return areaAt(complete_motion, pair, indentation); });
   if (allowed.speed >= wanted_closing) return wanted;
   return std::min(wanted, contact::speedShare(allowed.speed, motion.robot_speed, motion.person_speed));
 }

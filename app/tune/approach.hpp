@@ -10,6 +10,7 @@
 #include "app/tune/motion_window.hpp"
 #include "core/contact/contact_area.hpp"
 #include "core/contact/contact_limits.hpp"
+#include "core/contact/predicted_contact.hpp"
 
 namespace abstand::tune {
 
@@ -35,6 +36,7 @@ struct ContactShare {
   double share{0.0};               ///< of the force limit; infinite if contact is excluded
   double pressure{0.0};            ///< Pa, peak, from the link's surface
   double pressure_share{0.0};
+  contact::ContactKind kind{contact::ContactKind::kTransient};  ///< quasi-static: the part may be clamped
 };
 
 /// A local minimum of a part's clearance, where closing speeds are low, and the hardest possible contact on
@@ -50,8 +52,10 @@ struct Approach {
 /// Closing speeds, masses and predicted contacts of the frames of a pass. One thread.
 class ApproachJudge {
  public:
-  /// `limits` null: contacts are not judged. The session must outlive this object.
-  ApproachJudge(const session::Session& session, std::shared_ptr<const contact::ContactLimits> limits);
+  /// `limits` null: contacts are not judged. `clamped`: names of parts whose contacts are quasi-static. The
+  /// session must outlive this object.
+  ApproachJudge(const session::Session& session, std::shared_ptr<const contact::ContactLimits> limits,
+                std::vector<std::string> clamped);
 
   /// Motion of pair `index` at `frame`, with the velocities to the next frame; at rest if there is none.
   /// Without the members set by complete().
@@ -65,7 +69,8 @@ class ApproachJudge {
                        const std::string& part);
   /// True if no contact with part `part` is allowed: the table excludes it, or does not know it.
   bool excluded(const std::string& part);
-  /// 0 to `wanted`, which is 1 at most: share of the robot's speed at which a transient contact of the pair
+  contact::ContactKind kindOf(const std::string& part) const;
+  /// 0 to `wanted`, which is 1 at most: share of the robot's speed at which a contact of the pair
   /// would stay within the limits of every region of the part, with the person's speed as it is
   /// (contact::allowedSpeed). The robot moves towards the person. 0 for what is excluded. `motion` need not
   /// be complete(). The less is wanted, the less is computed.
@@ -82,6 +87,7 @@ class ApproachJudge {
   };
   const session::Session& session_;
   std::shared_ptr<const contact::ContactLimits> limits_;
+  std::vector<std::string> clamped_;
   std::vector<Robot> robots_;
   std::map<std::size_t, int> frame_of_;  ///< for a link's object: index of its mechanism's frame
   std::map<std::size_t, std::unique_ptr<contact::ContactSurface>> surfaces_;

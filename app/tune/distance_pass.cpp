@@ -37,7 +37,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
       swept_(session.scene()),
       window_(session, watchedPairs(session), options.braking, options.calibration_error),
       braking_(session, window_, options.limit),
-      judge_(session, options.contact) {
+      judge_(session, options.contact, options.clamped) {
   validate(options);
   if (window_.pairs().empty())
     throw UsageError(session.description().file.string() +
@@ -124,8 +124,8 @@ void DistancePass::addFrame(double t) {
     if (!options_.keep_frames) {
       for (auto* list :
            {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
-            &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed, &part.separation.missing,
-            &part.separation.speed_scale, &part.contact_scale})
+            &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed,
+            &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
         list->clear();
       part.link.clear();
     }

@@ -33,6 +33,9 @@ struct PassOptions {
   /// m: registration error between the frames of recording and robots. Part of every uncertainty.
   double calibration_error{0.0};
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
+  /// Names of body parts that may be clamped between a robot and something fixed: their contacts are judged
+  /// as quasi-static ones. Sorted, each once.
+  std::vector<std::string> clamped;
   safety::SeparationOptions separation;
   /// False: the lists of PartClearance hold the last frame alone, so that memory does not grow.
   bool keep_frames{true};
@@ -54,7 +57,7 @@ struct PartClearance {
   std::vector<double> robot_speed, person_speed;
   PartSeparation
       separation;  ///< over all pairs of the part; in whole steps of kSpeedStep, rounded to the safe side
-  /// 0 to 1: share of the recorded robot speed at which transient contacts of all pairs nearer than
+  /// 0 to 1: share of the recorded robot speed at which contacts of all pairs nearer than
   /// PassOptions::near would be within the limits; if contact is excluded, separation.speed_scale, as only
   /// distance helps there. Rounded down to whole steps of kSpeedStep.
   std::vector<double> contact_scale;

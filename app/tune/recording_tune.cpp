@@ -1,10 +1,12 @@
 #include "app/tune/recording_tune.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "app/session/input_content.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/margin/safe_margin.hpp"
+#include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
 namespace {
@@ -27,6 +29,14 @@ std::string contentOf(const session::Session& session) {
   return any ? hash.value().hex() : std::string();
 }
 
+/// These parts and those that the scene names for any of its people, sorted.
+std::vector<std::string> clampedWith(const std::vector<std::string>& more, const session::Session& session) {
+  std::set<std::string> parts(more.begin(), more.end());
+  for (const auto& human : session.description().humans)
+    for (const humanmodel::BodyPart part : human.clamped) parts.emplace(humanmodel::partName(part));
+  return {parts.begin(), parts.end()};
+}
+
 }  // namespace
 
 std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options) {
@@ -39,7 +49,9 @@ std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::Marg
 TunedRecording tuneRecording(session::Session& session, const TuneOptions& options,
                              const run::RunOptions& run, const std::string& name) {
   margin::validate(options.margins());
-  DistancePass pass(session, options.pass);
+  PassOptions pass_options = options.pass;
+  pass_options.clamped = clampedWith(options.pass.clamped, session);
+  DistancePass pass(session, pass_options);
   pauseOthers(pass.watched(), session);
   run::RunOptions as_recorded = run;
   as_recorded.react = false;
@@ -52,6 +64,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.content = contentOf(session);
   tuned.frames = summary.frames;
   tuned.interrupted = summary.interrupted;
+  tuned.clamped = pass_options.clamped;
   tuned.reservations = summary.reservations;
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();

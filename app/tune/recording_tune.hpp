@@ -23,7 +23,8 @@ struct TunedRecording {
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
   PassResult pass;
-  std::string contact_limits;  ///< ContactLimits::stamp(); empty: contacts were not judged
+  std::string contact_limits;        ///< ContactLimits::stamp(); empty: contacts were not judged
+  std::vector<std::string> clamped;  ///< PassOptions::clamped, with the parts that the scene names
   std::vector<run::Reservation> reservations;
   bool interrupted{false};
 

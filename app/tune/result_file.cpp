@@ -28,8 +28,8 @@ const char* const kColumns[] = {"clearance", "between",     "braking", "distance
                                 "bound",     "uncertainty", "link",    "age"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
-/// the hardest contact on the way, excluded, force, energy, share, pressure, its share.
-constexpr std::size_t kApproachColumns = 16;
+/// the hardest contact on the way, excluded, force, energy, share, pressure, its share, quasi-static.
+constexpr std::size_t kApproachColumns = 17;
 /// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
 constexpr double kAllMissing = 1e4;
 /// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
@@ -137,7 +137,12 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
     approach.t = a[2], approach.distance = a[3], approach.clearance = a[4];
     approach.motion.robot_speed = a[5], approach.motion.person_speed = a[6],
     approach.motion.robot_mass = a[7];
-    approach.contact = {a[8], a[9], regions[i], a[10] != 0.0, a[11], a[12], a[13], a[14], a[15]};
+    approach.contact = {
+        a[8],       a[9],
+        regions[i], a[10] != 0.0,
+        a[11],      a[12],
+        a[13],      a[14],
+        a[15],      a[16] != 0.0 ? contact::ContactKind::kQuasiStatic : contact::ContactKind::kTransient};
     all.push_back(std::move(approach));
   }
   return all;
@@ -222,6 +227,7 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
   for (const PartClearance& p : tuned.pass.parts)
     if (p.contact_excluded) excluded.push_back(p.part);
   out_.texts("contact_excluded", excluded);
+  out_.texts("clamped", tuned.clamped);
 }
 
 void ResultWriter::writeParts(const std::vector<PartClearance>& all) {
@@ -235,8 +241,9 @@ void ResultWriter::writeParts(const std::vector<PartClearance>& all) {
   for (std::size_t i = 0; i < all.front().track.frames(); ++i) {
     out_.add(t, all.front().track.t[i]);
     for (const PartClearance& p : all)
-      for (const double v : {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
-                             p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
+      for (const double v :
+           {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
+            p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
         out_.add(parts, v);
     for (const PartClearance& p : all) {
       out_.add(speeds, p.robot_speed[i]);
@@ -255,10 +262,10 @@ void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
   const std::size_t approaches = out_.table("approaches", {kApproachColumns});
   for (const Approach& a : all) {
     const ContactShare& c = a.contact;
-    for (const double v :
-         {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance, a.clearance,
-          a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t, c.closing,
-          c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share})
+    for (const double v : {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance,
+                           a.clearance, a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t,
+                           c.closing, c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure,
+                           c.pressure_share, c.kind == contact::ContactKind::kQuasiStatic ? 1.0 : 0.0})
       out_.add(approaches, v);
     out_.endRow();
     regions.push_back(c.region);
@@ -343,6 +350,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.braking = {in.number("reaction_time"), in.number("deceleration")};
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));
+  tuned.clamped = in.texts("clamped");
   const std::vector<std::string> parts = in.texts("parts");
   tuned.pass.links = in.texts("links");
   if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
@@ -363,7 +371,8 @@ StoredResult readResult(const std::filesystem::path& file) {
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
     PartClearance part{
-        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), list(7), {}, {}, {}, {}, {}, false};
+        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), list(7), {}, {}, {}, {}, {},
+        false};
     part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
     part.contact_scale = column(contact, frames, parts.size(), p);
     const std::vector<double> by_separation = column(separation, frames, 2 * parts.size(), 2 * p + 1);

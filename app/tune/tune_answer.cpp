@@ -1,6 +1,7 @@
 #include "app/tune/tune_answer.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace abstand::tune {
 
@@ -25,6 +26,12 @@ TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders) {
   answer.recordings = std::move(merged.recordings);
   answer.kept = answer.recordings.size();
   return answer;
+}
+
+std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordings) {
+  std::set<std::string> parts;
+  for (const TunedRecording& r : recordings) parts.insert(r.clamped.begin(), r.clamped.end());
+  return {parts.begin(), parts.end()};
 }
 
 std::vector<RankedApproach> rankedApproaches(const TuneAnswer& answer) {

@@ -60,6 +60,9 @@ void answerQuestions(const TuneQuestions& questions, TuneAnswer& answer);
 /// Results of mergeResults() with their options; without the tables. Throws likewise.
 TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders);
 
+/// Parts that may be clamped in any of the recordings, sorted.
+std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordings);
+
 /// Approaches of all recordings, nearest first.
 struct RankedApproach {
   const TunedRecording* recording;

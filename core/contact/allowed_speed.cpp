@@ -57,13 +57,14 @@ class SpeedBracket {
 };
 
 /// Allowed speed for one region, at most `wanted`.
-AllowedSpeed speedOf(const RegionLimits& region, const RobotMass& robot, double wanted, const AreaAt& area) {
+AllowedSpeed speedOf(const RegionLimits& region, const ContactPartner& partner, double wanted,
+                     const AreaAt& area) {
   if (region.excluded()) return {0.0, LimitKind::kExcluded, &region};
-  const double by_force = predictContact(region, {0.0, robot}).allowed_speed;
+  const double by_force = predictContact(region, {0.0, partner.robot, partner.kind}).allowed_speed;
   if (!(by_force > 0.0)) return {0.0, LimitKind::kForce, &region};
   const auto shareAt = [&](double speed) {
-    const PredictedContact contact = predictContact(region, {speed, robot});
-    return predictPressure(region, contact, area(contact.indentation), ContactKind::kTransient).share;
+    const PredictedContact contact = predictContact(region, {speed, partner.robot, partner.kind});
+    return predictPressure(region, contact, area(contact.indentation), partner.kind).share;
   };
   const AllowedSpeed force{std::min(by_force, wanted), LimitKind::kForce, &region};
   // A small indentation has the smaller patch; that of a large one may be certain where the small one's is
@@ -77,14 +78,14 @@ AllowedSpeed speedOf(const RegionLimits& region, const RobotMass& robot, double 
 
 }  // namespace
 
-AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const RobotMass& robot,
+AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const ContactPartner& partner,
                           double wanted, const AreaAt& area) {
   AllowedSpeed least;
   for (const RegionLimits* region : regions)
     if (region->excluded()) return {0.0, LimitKind::kExcluded, region};
   if (!(wanted > 0.0)) return least;
   for (const RegionLimits* region : regions) {
-    const AllowedSpeed allowed = speedOf(*region, robot, least.region ? least.speed : wanted, area);
+    const AllowedSpeed allowed = speedOf(*region, partner, least.region ? least.speed : wanted, area);
     if (!least.region || allowed.speed < least.speed) least = allowed;
     if (!(least.speed > 0.0)) break;
   }

@@ -18,8 +18,14 @@ struct AllowedSpeed {
 /// Contact patch of the robot's surface at an indentation (m).
 using AreaAt = std::function<ContactArea(double indentation)>;
 
-/// The highest speed of approach, at most `wanted` (m/s), at which a transient contact stays within the
-/// limits of force, energy and pressure of every region, as it is unknown which one is touched. Force and
+/// What a contact has in common at all speeds.
+struct ContactPartner {
+  RobotMass robot;
+  ContactKind kind{ContactKind::kTransient};
+};
+
+/// The highest speed of approach, at most `wanted` (m/s), at which a contact stays within the limits of
+/// force, energy and pressure of every region, as it is unknown which one is touched. Force and
 /// energy have the closed form v = F_max / sqrt(mu k) (predicted_contact.hpp). Pressure depends on the shape
 /// and is searched for: the result is a speed whose pressure was computed and is within its limit, or 0.
 ///
@@ -28,7 +34,7 @@ using AreaAt = std::function<ContactArea(double indentation)>;
 /// with the indentation. If the pressure at the force's limit is within its own limit, force alone decides.
 /// Calls `area` once or twice for each region, and up to kPressureHalvings + kMoreThanHalvings times more
 /// if pressure decides (mostly three). Pure if `area` is.
-AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const RobotMass& robot,
+AllowedSpeed allowedSpeed(const std::vector<const RegionLimits*>& regions, const ContactPartner& partner,
                           double wanted, const AreaAt& area);
 
 /// The search for a speed limited by pressure ends as narrow as after so many bisections: the result is below

@@ -20,6 +20,10 @@ bool isWorse(const PredictedContact& a, const PredictedContact& b) {
 
 }  // namespace
 
+std::string_view kindText(ContactKind kind) {
+  return kind == ContactKind::kTransient ? "transient" : "quasi-static";
+}
+
 std::string_view sourceText(RobotMassSource source) {
   return source == RobotMassSource::kPosture ? "effective mass of the posture"
                                              : "m_R = M/2 + m_L (ISO/TS 15066:2016)";

@@ -13,6 +13,9 @@ namespace abstand::contact {
 /// [ISO/TS 15066:2016, clause 3].
 enum class ContactKind : std::uint8_t { kTransient, kQuasiStatic };
 
+/// "transient" or "quasi-static".
+std::string_view kindText(ContactKind kind);
+
 /// Source of a robot's effective mass: inertia along the contact normal in this posture
 /// (mechanism::effectiveMass; Khatib 1995), or the estimate of ISO/TS 15066:2016.
 enum class RobotMassSource : std::uint8_t { kPosture, kHalfMovingMass };

@@ -75,9 +75,10 @@ class OddResult {
     table("pairs", 2, {2},
           [](std::size_t row, std::size_t i) { return i == 0 ? 0.0 : static_cast<double>(row); });
     table("needs", 5, {7}, [](std::size_t, std::size_t) { return 0.1; });
-    table("approaches", in_.byte() % 3, {16}, [](std::size_t, std::size_t) { return 0.5; });
+    table("approaches", in_.byte() % 3, {17}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_contact", frames, {parts}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("contact_excluded", {"part1"});
+    out_.texts("clamped", {"part2"});
     out_.commit();
   }
 

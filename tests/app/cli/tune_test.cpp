@@ -194,6 +194,37 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person1.csv]\n", "twice");
 }
 
+TEST_F(Tune, JudgesContactsOfClampedPartsByQuasiStaticLimits) {
+  const std::string command = "tune " + scene_ + " --near 1 --out " + out("clamped");
+  const json free = runJson("tune " + scene_ + " --near 1");
+  EXPECT_EQ(free["clamped"], json::array());
+  const json j = runJson(command + " --clamped torso hand_left torso");
+  EXPECT_EQ(j["clamped"], json({"hand_left", "torso"}));
+  EXPECT_EQ(j["inputs"][0]["clamped"], j["clamped"]);
+  int clamped = 0;
+  for (std::size_t i = 0; i < j["approaches"].size(); ++i) {
+    const json &a = j["approaches"][i], &contact = a["contact"], &as_free = free["approaches"][i]["contact"];
+    if (contact.is_null()) continue;
+    const bool is_clamped = a["part"] == "torso" || a["part"] == "hand_left";
+    clamped += is_clamped;
+    EXPECT_EQ(contact["kind"], is_clamped ? "quasi-static" : "transient") << a;
+    EXPECT_EQ(as_free["kind"], "transient");
+    if (!is_clamped) {
+      EXPECT_EQ(contact, as_free);
+    }
+  }
+  EXPECT_GT(clamped, 0);
+  json merged = runJson("merge " + out("clamped"));
+  EXPECT_EQ(answerOf(merged), answerOf(j)) << "the result file keeps it";
+  EXPECT_EQ(run("merge " + out("clamped") + " --report " + out("clamped.html")).code, 0);
+  const std::string html = readFile(out("clamped.html"));
+  for (const char* said : {"quasi-static", "parts that may be clamped", "hand_left, torso"})
+    EXPECT_NE(html.find(said), std::string::npos) << said;
+  const Answer wrong = run("tune " + scene_ + " --clamped paw");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("'paw', expected parts of the body: "), std::string::npos) << wrong.err;
+}
+
 TEST_F(Tune, RefusesWhatMakesNoSense) {
   for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 3/2",
                                   "--jobs 0", "--reaction-time -1", "--deceleration 0", "--limit -0.1"})

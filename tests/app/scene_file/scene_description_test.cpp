@@ -271,6 +271,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
     EXPECT_EQ(h.body.sex, g.body.sex);
     EXPECT_EQ(h.body.preset, g.body.preset);
     EXPECT_EQ(h.follow_lengths, g.follow_lengths);
+    EXPECT_EQ(h.clamped, g.clamped);
     expectSame(h.settings, g.settings);
     ASSERT_EQ(h.parts.size(), g.parts.size());
     for (const auto& [part, own] : h.parts) {
@@ -342,6 +343,15 @@ TEST_F(SceneFile, APercentileTakesThePlaceOfHeightAndMass) {
   const auto described = describeScene(scene);
   EXPECT_NE(described.find("percentile: 95\n"), std::string::npos) << described;
   expectSame(scene, parse(described));
+}
+
+TEST_F(SceneFile, NamesPartsThatMayBeClamped) {
+  const auto scene =
+      parse("abstand: 1\nhumans:\n  - {name: p, clamped: [torso, hand_left]}\n  - {name: q}\n");
+  using enum humanmodel::BodyPart;
+  EXPECT_EQ(scene.humans[0].clamped, (std::set{kHandLeft, kTorso}));
+  EXPECT_TRUE(scene.humans[1].clamped.empty());
+  expectSame(scene, parse(describeScene(scene)));
 }
 
 TEST_F(SceneFile, AReactionReadsBackTheSame) {

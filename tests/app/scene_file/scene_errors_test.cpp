@@ -208,6 +208,8 @@ TEST(BadScenes, Humans) {
           {"  - {name: p, height: 0.6, percentile: 95}\n", 3, 40, "body mass index"},
           {"  - {name: p, preset: thesys}\n", 3, 23, "did you mean `thesis`?"},
           {"  - {name: p, lengths: yes}\n", 3, 24, "model, recording"},
+          {"  - {name: p, clamped: [hand_left, paw]}\n", 3, 36, "found `paw` in `clamped`"},
+          {"  - {name: p, clamped: hand_left}\n", 3, 24, "list"},
           {"  - {name: p, parts: {hand_leftt: {}}}\n", 3, 23, "did you mean `hand_left`?"},
           {"  - {name: p, parts: {hand_left: {contuor: 1}}}\n", 3, 35, "did you mean `contour`?"},
           {"  - {name: p, parts: {hand_left: {contour: -1}}}\n", 3, 44, "contour"},

@@ -54,6 +54,67 @@ TEST(Approach, TellsWhereAPersonStoppedAndTheHardestContactBefore) {
   EXPECT_GT(torso->contact.pressure, 0.0);
 }
 
+/// The ball on the rail, of 10 kg.
+std::unique_ptr<session::Session> openHeavySlide(const testing::ScratchFolder& folder,
+                                                 const testing::SlideSpeeds& speeds) {
+  const auto scene = testing::writeSlide(folder, speeds);
+  folder.write("slide.mech",
+               "units\nlength m\nangle degrees\nend_units\nmapping\ndof 0 1\nend_mapping\nchain\n"
+               "frame 1 0 90 d 0\nend_chain\ninertia\nbody 1 10 0 0 0 0.01 0.01 0.01 0 0 0\nend_inertia\n");
+  session::SessionOptions options;
+  options.threads = 1;
+  options.cache = false;
+  options.rest = 0.0;
+  return depth::openSession(scene_file::loadScene(scene), options);
+}
+
+TEST(Approach, OfAPartThatMayBeClampedKeepsQuasiStaticLimits) {
+  const testing::ScratchFolder folder;
+  const auto session = openHeavySlide(folder, {.robot = 0.0, .person = 0.7, .stops_at = 3.0});
+  TuneOptions options;
+  options.pass.contact = limits();
+  options.pass.near = 0.6;
+  options.pass.clamped = {"torso"};
+  const TunedRecording tuned = tuneRecording(*session, options, {}, "slide");
+  EXPECT_EQ(tuned.clamped, options.pass.clamped);
+  int clamped = 0, free = 0;
+  for (const Approach& a : tuned.pass.approaches) {
+    const std::string& part = tuned.pass.parts[a.part].part;
+    if (a.contact.region.empty() || part == "head") continue;
+    const bool is_torso = part == "torso";
+    ++(is_torso ? clamped : free);
+    const auto kind = is_torso ? contact::ContactKind::kQuasiStatic : contact::ContactKind::kTransient;
+    EXPECT_EQ(a.contact.kind, kind) << part;
+    const contact::RegionLimits& region = *options.pass.contact->region(a.contact.region);
+    const double allowed = region.force.value * (is_torso ? 1.0 : region.transient.value);
+    EXPECT_NEAR(a.contact.share, a.contact.force / allowed, 1e-9 * a.contact.share) << part;
+    if (!is_torso) continue;
+    // Straight on: the whole mass, and none of the person recoils.
+    const contact::RegionContact expected =
+        contact::worstContact(options.pass.contact->regionsOf(part), {a.contact.closing, {10.0}, kind});
+    EXPECT_EQ(region.name, expected.region->name);
+    EXPECT_NEAR(a.contact.force, expected.contact.force, kEngine * a.contact.force);
+    EXPECT_NEAR(a.contact.force, a.contact.closing * std::sqrt(10.0 * region.spring.value),
+                kEngine * a.contact.force);
+  }
+  EXPECT_EQ(clamped, 1);
+  EXPECT_GT(free, 0);
+}
+
+TEST(Approach, TakesThePartsThatTheSceneNamesAsClamped) {
+  const testing::ScratchFolder folder;
+  const auto slide = testing::writeSlide(folder, {.robot = 0.5, .seconds = 1.0});
+  scene_file::SceneDescription scene = scene_file::loadScene(slide);
+  scene.humans.front().clamped = {humanmodel::BodyPart::kHandLeft};
+  session::SessionOptions session_options;
+  session_options.cache = false;
+  const auto session = depth::openSession(std::move(scene), session_options);
+  TuneOptions options;
+  options.pass.clamped = {"torso"};
+  EXPECT_EQ(tuneRecording(*session, options, {}, "slide").clamped,
+            (std::vector<std::string>{"hand_left", "torso"}));
+}
+
 TEST(Approach, OfTheHeadIsExcluded) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.0, .person = 0.7, .stops_at = 3.0});

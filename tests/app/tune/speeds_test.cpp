@@ -74,6 +74,23 @@ INSTANTIATE_TEST_SUITE_P(
                       ContactCase{"robot_goes_away", {.robot = -0.2, .person = 1.0, .stops_at = 2.5}}),
     [](const auto& c) { return c.param.name; });
 
+TEST(ContactSpeed, OfAClampedPartAgainstAWallIsNone) {
+  // Of a clamped part no mass recoils, and a robot without masses counts as a wall.
+  const testing::ScratchFolder folder;
+  const auto session = testing::openSlide(folder, {.robot = 0.1, .seconds = 22.0});
+  TuneOptions options = withLimits();
+  options.pass.clamped = {"torso"};
+  const TunedRecording tuned = tuneRecording(*session, options, {}, "slide");
+  const PartClearance& torso = clearanceOf(tuned, "torso");
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i + 1 < torso.track.frames(); ++i) {
+    const bool near = torso.track.clearance[i] < options.pass.near && torso.robot_speed[i] > 0.0;
+    judged += near;
+    EXPECT_EQ(torso.contact_scale[i], near ? 0.0 : 1.0) << i;
+  }
+  EXPECT_GT(judged, 5u);
+}
+
 TEST(ContactSpeed, OfTheHeadIsThatOfTheDistanceAlone) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.2});

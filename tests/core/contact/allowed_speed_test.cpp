@@ -60,6 +60,25 @@ TEST(AllowedSpeed, OfForceAndEnergyIsTheClosedForm) {
     }
 }
 
+TEST(AllowedSpeed, OfAClampedPartIsTheClosedFormWithoutTheFactorAndWithTheRobotsMassAlone) {
+  for (const RegionLimits* region : limitedRegions())
+    for (const double kg : {2.0, 15.0, kInfinity}) {
+      const ContactPartner clamped{{kg}, ContactKind::kQuasiStatic};
+      const AllowedSpeed v = allowedSpeed({region}, clamped, kFast, flat(1.0));
+      const double k = region->spring.value, by_force = region->force.value / std::sqrt(kg * k);
+      EXPECT_EQ(v.kind, LimitKind::kForce) << region->name;
+      EXPECT_NEAR(v.speed, by_force, kExact * by_force) << region->name << ": a wall allows no speed";
+      EXPECT_LT(v.speed, allowedSpeed({region}, {{kg}}, kFast, flat(1.0)).speed) << region->name;
+      // The area that just carries the quasi-static force at the quasi-static pressure, and half of it.
+      if (std::isinf(kg)) continue;
+      const double full = region->force.value / region->pressure();
+      EXPECT_EQ(allowedSpeed({region}, clamped, kFast, flat(1.01 * full)).kind, LimitKind::kForce);
+      const AllowedSpeed half = allowedSpeed({region}, clamped, kFast, flat(0.5 * full));
+      EXPECT_EQ(half.kind, LimitKind::kPressure) << region->name;
+      EXPECT_NEAR(half.speed, 0.5 * by_force, kBisected * by_force) << region->name;
+    }
+}
+
 TEST(AllowedSpeed, OfPressureOnAFlatFaceIsLinearInSpeed) {
   // Pressure is F / A: half the area that carries the largest force allows half of its speed.
   for (const RegionLimits* region : limitedRegions()) {
