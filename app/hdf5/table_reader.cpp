@@ -1,5 +1,8 @@
 #include "app/hdf5/table_reader.hpp"
 
+#include <cstdint>
+#include <limits>
+
 #include "app/hdf5/file_seal.hpp"
 #include "app/hdf5/hdf5_handle.hpp"
 #include "core/base/error.hpp"
@@ -75,17 +78,29 @@ std::vector<double> TableReader::Impl::values(const Handle& s, const std::string
   const H5T_class_t kind = H5Tget_class(type.get());
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) fail("found no numbers in `" + name + "`, expected some");
   std::vector<double> values(count);
-  if (count > 0 &&
-      H5Dread(s.get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT, values.data()) < 0)
-    fail("`" + name + "` is damaged");
-  if (kind == H5T_INTEGER && H5Aexists(s.get(), "step") > 0) {
-    double step = 0.0;
-    const Handle a(H5Aopen(s.get(), "step", H5P_DEFAULT), H5Aclose);
-    if (H5Aread(a.get(), H5T_NATIVE_DOUBLE, &step) < 0 || !(step > 0.0))
-      fail("found a bad `step` of `" + name + "`, expected a positive number");
-    const double none = H5Tget_size(type.get()) == 2 ? -32768.0 : -2147483648.0;
-    for (double& v : values) v = v == none ? kNaN : v * step;
+  const auto read = [&](hid_t as, void* to) {
+    if (count > 0 && H5Dread(s.get(), as, memory.get(), space.get(), H5P_DEFAULT, to) < 0)
+      fail("`" + name + "` is damaged");
+  };
+  if (kind != H5T_INTEGER || H5Aexists(s.get(), "step") <= 0) {
+    read(H5T_NATIVE_DOUBLE, values.data());
+    return values;
   }
+  double step = 0.0;
+  const Handle a(H5Aopen(s.get(), "step", H5P_DEFAULT), H5Aclose);
+  if (H5Aread(a.get(), H5T_NATIVE_DOUBLE, &step) < 0 || !(step > 0.0))
+    fail("found a bad `step` of `" + name + "`, expected a positive number");
+  // The library converts numbers one by one, so it is asked for none.
+  const auto scaled = [&](auto none, hid_t as) {
+    std::vector<decltype(none)> steps(count);
+    read(as, steps.data());
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = steps[i] == none ? kNaN : static_cast<double>(steps[i]) * step;
+  };
+  if (H5Tget_size(type.get()) == 2)
+    scaled(std::numeric_limits<std::int16_t>::min(), H5T_NATIVE_INT16);
+  else
+    scaled(std::numeric_limits<std::int32_t>::min(), H5T_NATIVE_INT32);
   return values;
 }
 

@@ -39,6 +39,15 @@ bool wouldDo(const MarginRules& rules) {
                      [](const MarginRule& r) { return std::isfinite(r.margin.margin); });
 }
 
+/// True if a margin of any set depends on speeds.
+bool growWithSpeed(const std::vector<std::vector<margin::PairMargin>>& sets) {
+  return std::any_of(sets.begin(), sets.end(), [](const auto& margins) {
+    return std::any_of(margins.begin(), margins.end(), [](const margin::PairMargin& m) {
+      return m.robot_time != 0.0 || m.person_time != 0.0;
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const MarginRules& rules) {
@@ -119,8 +128,9 @@ std::vector<StrategyOutcome> strategyOutcomes(const std::vector<TunedRecording>&
     if (first >= recording.frames) continue;
     std::vector<std::vector<margin::PairMargin>> margins;
     for (const MarginRules& rules : sets) margins.push_back(marginsOf(recording, rules));
+    const bool grow = growWithSpeed(margins);
     margin::PairMarginSets judged(std::move(margins), options);
-    PairRows rows(recording);
+    PairRows rows(recording, grow);
     while (rows.next())
       if (rows.index() >= first) judged.add(rows.frame());
     const std::vector<margin::MarginOutcome> of_recording = judged.finish();

@@ -11,10 +11,25 @@ MotionWindow::MotionWindow(const session::Session& session, std::vector<WatchedP
                            const BrakingOptions& options, double calibration_error)
     : session_(session), pairs_(std::move(pairs)), options_(options), calibration_error_(calibration_error) {}
 
+WindowFrame MotionWindow::emptyFrame() {
+  if (spare_.empty()) return {};
+  WindowFrame frame = std::move(spare_.back());
+  spare_.pop_back();
+  frame.X_WB.clear();
+  for (auto* list : {&frame.q, &frame.distance, &frame.bound, &frame.clearance, &frame.uncertainty,
+                     &frame.age_uncertainty, &frame.between, &frame.speed, &frame.braking_time})
+    list->clear();
+  frame.on_part.clear();
+  frame.on_link.clear();
+  frame.lost.clear();
+  frame.motion.clear();
+  return frame;
+}
+
 void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
                        std::span<const double> between, std::span<const safety::PoseSegment> motions) {
   const scene::Scene& scene = session_.scene();
-  WindowFrame now;
+  WindowFrame now = emptyFrame();
   now.t = t;
   for (const scene::Object& o : scene.objects()) now.X_WB.push_back(o.X_WB);
   for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());

@@ -41,7 +41,10 @@ class MotionWindow {
   /// scene's pairs, and `motions` of its objects.
   void add(double t, const std::vector<query::PairResult>& results, std::span<const double> between,
            std::span<const safety::PoseSegment> motions);
-  void drop() { frames_.pop_front(); }
+  void drop() {
+    spare_.push_back(std::move(frames_.front()));
+    frames_.pop_front();
+  }
   /// Declares that no more frames follow.
   void finish() { finished_ = true; }
 
@@ -58,11 +61,14 @@ class MotionWindow {
   std::optional<Halt> haltOfFirst(std::size_t robot) const;
 
  private:
+  WindowFrame emptyFrame();
+
   const session::Session& session_;
   std::vector<WatchedPair> pairs_;
   BrakingOptions options_;
   double calibration_error_;
   std::deque<WindowFrame> frames_;
+  std::vector<WindowFrame> spare_;  ///< dropped ones, whose memory is used again
   bool finished_{false};
 };
 

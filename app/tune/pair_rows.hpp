@@ -14,9 +14,9 @@ namespace abstand::tune {
 /// that memory does not grow with the recording. One thread.
 class PairRows {
  public:
-  /// The recording was read from a result file (TunedRecording::file) and outlives this object. Throws
-  /// ParseError.
-  explicit PairRows(const TunedRecording& recording);
+  /// The recording was read from a result file (TunedRecording::file) and outlives this object. `speeds`
+  /// false: the speeds of pairs are not read, and 0. Throws ParseError.
+  explicit PairRows(const TunedRecording& recording, bool speeds = true);
 
   std::size_t pairs() const { return recording_.pass.pairs.size(); }
   /// Advances to the next frame; false after the last one. Throws ParseError.
@@ -31,7 +31,7 @@ class PairRows {
   const TunedRecording& recording_;
   hdf5::TableReader file_;
   std::size_t index_{0}, first_{0}, rows_{0};  ///< of the frame; of the block in memory
-  bool begun_{false};
+  bool begun_{false}, speeds_;
   std::vector<double> clearance_, robot_speed_, person_speed_;  ///< of the block, row by row
 };
 

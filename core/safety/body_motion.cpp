@@ -14,7 +14,11 @@ constexpr double kUp = 1.0 + 1e-12;
 
 PoseSegment::PoseSegment(const geometry::EnclosingSphere& sphere_B, const Transform& X_0,
                          const Transform& X_1, double duration) noexcept
-    : X_0_(X_0), centre_B_(sphere_B.centre), velocity_(Vector3d::Zero()), axis_(Vector3d::UnitZ()) {
+    : X_0_(X_0),
+      centre_B_(sphere_B.centre),
+      centre_W_(X_0 * centre_B_),
+      velocity_(Vector3d::Zero()),
+      axis_(Vector3d::UnitZ()) {
   duration_ = std::max(0.0, duration);
   rate_ = speed_ = 0.0;
   if (duration_ == 0.0) return;
@@ -22,7 +26,7 @@ PoseSegment::PoseSegment(const geometry::EnclosingSphere& sphere_B, const Transf
   const double angle = rotation.norm();
   if (angle > 0.0) axis_ = rotation / angle;
   rate_ = angle / duration_;
-  velocity_ = (X_1 * centre_B_ - X_0 * centre_B_) / duration_;
+  velocity_ = (X_1 * centre_B_ - centre_W_) / duration_;
   speed_ = (velocity_.norm() + rate_ * sphere_B.radius) * kUp;
 }
 
@@ -30,12 +34,12 @@ Transform PoseSegment::pose(double t) noexcept {
   t = std::clamp(t, 0.0, duration_);
   Transform X = X_0_;
   X.linear() = Eigen::AngleAxisd(rate_ * t, axis_).toRotationMatrix() * Matrix3d(X_0_.linear());
-  X.translation() = X_0_ * centre_B_ + t * velocity_ - X.linear() * centre_B_;
+  X.translation() = centre_W_ + t * velocity_ - X.linear() * centre_B_;
   return X;
 }
 
 Vector3d PoseSegment::velocityAt(const Vector3d& p_W) const noexcept {
-  return velocity_ + rate_ * axis_.cross(p_W - X_0_ * centre_B_);
+  return velocity_ + rate_ * axis_.cross(p_W - centre_W_);
 }
 
 UnknownMotion::UnknownMotion(const Transform& X_0, const Vector3d& velocity, const MotionBounds& bounds,

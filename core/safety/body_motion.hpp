@@ -34,7 +34,7 @@ class PoseSegment final : public BodyMotion {
 
  private:
   Transform X_0_;
-  Vector3d centre_B_, velocity_, axis_;
+  Vector3d centre_B_, centre_W_, velocity_, axis_;  ///< centre_W_: at t = 0
   double rate_, duration_, speed_;
 };
 
