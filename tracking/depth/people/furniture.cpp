@@ -1,6 +1,8 @@
 // Straight runs of sheer cells, and cells of one height.
 #include "tracking/depth/people/furniture.hpp"
 
+#include <algorithm>
+
 #include "core/math/random.hpp"
 
 namespace abstand::tracking {
@@ -18,11 +20,14 @@ constexpr int kLines = 40;            // tries for each front
 constexpr int kFronts = 3;            // of a component
 constexpr int kGapCells = 2;
 constexpr std::uint8_t kKeptImages = 10;  // that furniture is remembered for, as a search may miss it
-constexpr float kWall = 1.0f;             // m, fronts higher than that are walls
-constexpr double kDeepest = 1.0;          // m, of the level top of a front
-constexpr float kAbove = 0.03f;           // m, of the surface that belongs to furniture above its top
+constexpr int kOften = 6;                 // images
+constexpr int kNearCells = 7;
+constexpr float kWall = 1.0f;     // m, fronts higher than that are walls
+constexpr double kDeepest = 1.0;  // m, of the level top of a front
+constexpr float kAbove = 0.03f;   // m, of the surface that belongs to furniture above its top
 
-constexpr double kLevel = 0.3;  // m^2
+constexpr double kLevel = 0.3;    // m^2
+constexpr float kUneven = 0.01f;  // m, of a level above its median
 constexpr float kLowestLevel = 0.3f, kHighestLevel = 1.2f, kLevelBin = 0.04f;
 
 /// Points p with n . p = offset; `along` is perpendicular to n.
@@ -50,32 +55,88 @@ Slabs lowestSlabs(const PlanView::Cell& c) { return {c.area[0], c.area[1], c.are
 Furniture::Furniture()
     : top_(static_cast<std::size_t>(PlanView::kColumns) * PlanView::kRows, 0.0f),
       age_(top_.size(), 0),
+      found_(top_.size(), 0),
+      seen_(top_.size(), 0),
+      beside_(top_.size(), 0),
       line_(static_cast<std::size_t>(4.0 * PlanView::kReach / PlanView::kCell)) {
   marked_.reserve(top_.size());
+  filled_.reserve(top_.size());
   sheer_.reserve(top_.size());
-  on_line_.reserve(top_.size());
+  chosen_.reserve(top_.size());
   tops_.reserve(top_.size());
 }
 
+void Furniture::noteBackground(int cell, float height) {
+  const auto k = static_cast<std::size_t>(cell);
+  if (height < top_[k]) seen_[k] = image_;
+}
+
+/// Whether furniture was found, or is background, beside a cell in this image.
+bool Furniture::isKept(int cell) const {
+  const int row = cell / PlanView::kColumns, column = cell % PlanView::kColumns;
+  for (int r = std::max(0, row - kNearCells); r <= std::min(PlanView::kRows - 1, row + kNearCells); ++r)
+    for (int c = std::max(0, column - kNearCells); c <= std::min(PlanView::kColumns - 1, column + kNearCells);
+         ++c)
+      if (seen_[static_cast<std::size_t>(r * PlanView::kColumns + c)] == image_) return true;
+  return false;
+}
+
+/// Cells of a surface seen at a low angle are often missed: they take the top of their neighbours for one
+/// image.
+void Furniture::fillHoles() {
+  constexpr std::uint8_t kSurrounded = 4;  // of eight neighbours
+  const auto visit = [&](int cell, const auto& neighbour) {
+    const int row = cell / PlanView::kColumns, column = cell % PlanView::kColumns;
+    if (row == 0 || column == 0 || row == PlanView::kRows - 1 || column == PlanView::kColumns - 1) return;
+    for (int r = -1; r <= 1; ++r)
+      for (int c = -1; c <= 1; ++c)
+        if (r != 0 || c != 0) neighbour(static_cast<std::size_t>(cell + r * PlanView::kColumns + c));
+  };
+  const std::size_t lasting = marked_.size();
+  for (std::size_t m = 0; m < lasting; ++m)
+    if (found_[static_cast<std::size_t>(marked_[m])] >= kOften)
+      visit(marked_[m], [&](std::size_t k) { ++beside_[k]; });
+  for (std::size_t m = 0; m < lasting; ++m)
+    visit(marked_[m], [&](std::size_t k) {
+      if (beside_[k] >= kSurrounded && top_[k] == 0.0f) {
+        top_[k] = top_[static_cast<std::size_t>(marked_[m])];
+        filled_.push_back(static_cast<int>(k));
+      }
+      beside_[k] = 0;
+    });
+}
+
 bool Furniture::find(const PlanView& plan) {
-  std::erase_if(marked_, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (++age_[k] <= kKeptImages) return false;
-    top_[k] = 0.0f;
-    return true;
-  });
+  for (const int i : filled_) top_[static_cast<std::size_t>(i)] = 0.0f;
+  filled_.clear();
   for (std::size_t k = 0; k < plan.components(); ++k) {
     findFronts(plan, plan.component(k));
     findLevels(plan, plan.component(k));
   }
+  std::erase_if(marked_, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (seen_[k] == image_) {
+      age_[k] = 0;
+      return false;
+    }
+    if (found_[k] >= kOften && isKept(i)) return false;
+    if (++age_[k] <= kKeptImages) return false;
+    top_[k] = 0.0f;
+    found_[k] = 0;
+    return true;
+  });
+  fillHoles();
+  ++image_;
   return !marked_.empty();
 }
 
 void Furniture::mark(int cell, float top) {
-  float& mine = top_[static_cast<std::size_t>(cell)];
-  if (mine == 0.0f) marked_.push_back(cell);
-  mine = std::max(mine, top + kAbove);
-  age_[static_cast<std::size_t>(cell)] = 0;
+  const auto k = static_cast<std::size_t>(cell);
+  if (top_[k] == 0.0f) marked_.push_back(cell);
+  top_[k] = std::max(top_[k], top + kAbove);
+  if (seen_[k] == image_) return;
+  seen_[k] = image_;
+  if (found_[k] < 255) ++found_[k];
 }
 
 void Furniture::findFronts(const PlanView& plan, std::span<const int> component) {
@@ -119,20 +180,20 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
       }
     }
     if (best.breadth() < kFront) return;
-    on_line_.clear();
+    chosen_.clear();
     tops_.clear();
     for (const int i : component) {
       const Place p = PlanView::placeOf(i);
       const double along = best.along.dot(p);
       if (!best.holds(p) || along < best.begin - PlanView::kCell || along > best.end + PlanView::kCell)
         continue;
-      on_line_.push_back(i);
+      chosen_.push_back(i);
       tops_.push_back(plan.cell(i).top);
     }
     std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
                      tops_.end());
     const float top = tops_[tops_.size() / 2];
-    for (const int i : on_line_) mark(i, top);
+    for (const int i : chosen_) mark(i, top);
     std::erase_if(sheer_, [&](int i) { return topOf(i) > 0.0f; });
     // A wall goes on where somebody hides its lower part. What is level with the top of a lower front and
     // beside it is, for instance, the top of a bench that is seen at a low angle.
@@ -160,11 +221,19 @@ void Furniture::findLevels(const PlanView& plan, std::span<const int> component)
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const double area = (count[bin] + count[bin + 1]) * PlanView::kCell * PlanView::kCell;
     if (area < kLevel) continue;
-    const float top = kLowestLevel + static_cast<float>(bin + 2) * kLevelBin;
+    chosen_.clear();
+    tops_.clear();
     for (const int i : component) {
       const float mine = plan.cell(i).top;
-      if (inside(mine) && (binOf(mine) == bin || binOf(mine) == bin + 1)) mark(i, top);
+      if (!inside(mine) || (binOf(mine) != bin && binOf(mine) != bin + 1)) continue;
+      chosen_.push_back(i);
+      tops_.push_back(mine);
     }
+    std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
+                     tops_.end());
+    const float top = tops_[tops_.size() / 2] + kUneven;
+    for (const int i : chosen_)
+      if (plan.cell(i).top < top + kAbove) mark(i, top);
   }
 }
 

@@ -17,7 +17,12 @@ class Furniture {
  public:
   Furniture();
   /// Adds what is found to what the last ten images had; returns whether there is any. After plan.join().
+  /// What was found in six images stays while furniture or its background lies within 0.3 m, as below a hand
+  /// that rests on a bench. So does a cell that lasting furniture surrounds.
   bool find(const PlanView& plan);
+  bool any() const { return !marked_.empty(); }
+  /// Before find(): learned background lies in this cell at `height` (m above the floor).
+  void noteBackground(int cell, float height);
   /// m above the floor: surface of this cell below that height is furniture; 0: none is.
   float topOf(int cell) const { return top_[static_cast<std::size_t>(cell)]; }
 
@@ -25,10 +30,16 @@ class Furniture {
   void findFronts(const PlanView& plan, std::span<const int> component);
   void findLevels(const PlanView& plan, std::span<const int> component);
   void mark(int cell, float top);
+  bool isKept(int cell) const;
+  void fillHoles();
 
-  std::vector<float> top_;         ///< m, of every cell
-  std::vector<std::uint8_t> age_;  ///< images since a cell was last found to be furniture
-  std::vector<int> marked_, sheer_, on_line_;
+  std::vector<float> top_;           ///< m, of every cell
+  std::vector<std::uint8_t> age_;    ///< images since a cell was last found to be furniture
+  std::vector<std::uint8_t> found_;  ///< images in which it was, up to 255
+  std::vector<std::uint32_t> seen_;  ///< image in which it was last found, or was background
+  std::uint32_t image_{1};
+  std::vector<int> marked_, filled_, sheer_, chosen_;
+  std::vector<std::uint8_t> beside_;  ///< lasting neighbours of each cell
   std::vector<float> tops_;
   std::vector<std::array<float, 3>> line_;  ///< m^2 in the lowest slabs, by cells along a line
 };

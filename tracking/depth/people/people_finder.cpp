@@ -113,6 +113,7 @@ void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* know
 }
 
 void PeopleFinder::project(const DepthImage& image, const DepthImage* known, bool has_furniture) {
+  constexpr int kEvery = 3;  // pixels and rows of background that are looked at
   plan_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
@@ -124,11 +125,14 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
   for (int v = 0; v < image.height; ++v) {
     const float y = y_[static_cast<std::size_t>(v)];
     const float up_row = U.y() * y + U.z(), ahead_row = A.y() * y + A.z(), right_row = R.y() * y + R.z();
+    const bool notes_background = !has_furniture && furniture_.any() && v % kEvery == 0;
     std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width);
     for (int u = 0; u < image.width; ++u, ++i) {
       cell_of_[i] = -1;
       const float z = image.z[i];
-      if (!(z > nearest && z < farthest) || isStable(background_[i], z)) continue;
+      if (!(z > nearest && z < farthest)) continue;
+      const bool is_background = isStable(background_[i], z);
+      if (is_background && !(notes_background && u % kEvery == 0)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
       const float x = x_[static_cast<std::size_t>(u)];
       const float rise = U.x() * x + up_row;  // slope of the ray
@@ -139,6 +143,10 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
       const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
                                         static_cast<double>(z * (A.x() * x + ahead_row)));
       if (cell < 0 || (has_furniture && h < furniture_.topOf(cell))) continue;
+      if (is_background) {
+        furniture_.noteBackground(cell, h);
+        continue;
+      }
       cell_of_[i] = cell;
       plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
     }
