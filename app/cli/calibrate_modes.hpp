@@ -13,7 +13,8 @@ struct CalibrateArguments {
   std::string squares, square;
   std::vector<std::string> boards;  ///< "X,Y,Z[,R,P,Y]" each
   bool intrinsics{false};
-  std::filesystem::path links;  ///< a depth recording
+  std::filesystem::path links;   ///< a depth recording
+  std::filesystem::path person;  ///< a recording of the person in world
   std::string robot;
   robot_file::PackagePaths packages;
   std::uint64_t seed{1};
@@ -26,6 +27,8 @@ int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args);
 int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args);
 /// From depth images of a robot's links.
 int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args);
+/// From depth images of a person who is known in the world.
+int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args);
 
 /// The twelve numbers of `T_WC` in JSON.
 std::vector<double> rowsOf(const Transform& X_WC);

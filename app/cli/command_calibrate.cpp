@@ -18,7 +18,11 @@ int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
     throw UsageError("found --squares, --square, --board or --intrinsics without --chessboard, expected it");
   if (args.input.empty())
     throw UsageError(
-        "found neither a table of points, nor --chessboard, nor SCENE with --links, expected one of them");
+        "found neither a table of points, nor --chessboard, nor SCENE with --links, nor CLIP with --person, "
+        "expected one of them");
+  if (!args.person.empty() && !args.links.empty())
+    throw UsageError("--person: found beside --links, expected one of them");
+  if (!args.person.empty()) return calibrateByPerson(line, args);
   if (!args.links.empty()) return calibrateByLinks(line, args);
   if (args.camera.empty()) throw UsageError("--camera: found none, expected a camera file");
   return calibrateByPoints(line, args);
@@ -34,16 +38,18 @@ std::vector<double> rowsOf(const Transform& X_WC) {
 void addCalibrate(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(
       root, line, "calibrate",
-      "where a depth camera stands, from matched points, a chessboard or a robot's links",
+      "where a depth camera stands, from matched points, a chessboard, a robot's links or a person",
       "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml\n"
       "  abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
       "--camera kinect.yaml --out placed.yaml\n  "
       "abstand calibrate data/scenes/hug_boxing.yaml --links clip --robot left_arm --camera rough.yaml "
-      "--out placed.yaml");
+      "--out placed.yaml\n  "
+      "abstand calibrate side_clip --person front_clip --out placed.yaml");
   auto args = std::make_shared<CalibrateArguments>();
-  command->add_option(
-      "POINTS", args->input,
-      "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene file");
+  command->add_option("POINTS", args->input,
+                      "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene "
+                      "file; with --person a "
+                      "depth recording of the camera");
   command->add_option("--camera", args->camera, "camera file with the intrinsics");
   line.output(command->add_option("--out", args->out, "the same with the pose T_WC and its spread"));
   command->add_option("--chessboard", args->images, "PNG images of a board, infrared or colour");
@@ -64,6 +70,10 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
       "--links", args->links,
       "depth recording of a robot of SCENE, at the scene's times; the start is the camera file's T_WC, "
       "wrong by 0.1 m and 10 degrees at most");
+  command->add_option("--person", args->person,
+                      "recording of the same person in world: depth images of a camera with T_WC, or "
+                      "skeletons; clocks may differ "
+                      "by 5 s");
   command->add_option("--robot", args->robot,
                       "mechanism of SCENE whose links are seen; where it has one: that");
   command->add_option("--seed", args->seed, "of the search with --links");

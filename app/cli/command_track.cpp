@@ -1,5 +1,8 @@
 // abstand track: tracks a person in a depth recording or a live camera.
+#include <algorithm>
+
 #include "app/cli/live_track.hpp"
+#include "app/cli/track_cameras.hpp"
 #include "app/cli/track_people.hpp"
 #include "app/depth/scene_things.hpp"
 #include "core/base/error.hpp"
@@ -14,10 +17,11 @@ namespace abstand::cli {
 namespace {
 
 struct TrackArguments {
-  std::filesystem::path depth, camera, out, pictures, scene;
+  std::vector<std::filesystem::path> depth, camera;
+  std::filesystem::path out, pictures, scene;
   robot_file::PackagePaths packages;
   std::string height, rate, seconds, send, facing{"auto"};
-  std::vector<std::string> names;
+  std::vector<std::string> names, clock;
   int person{1};
   bool usual_body{false}, mirror{false};
   std::uint64_t seed{1};
@@ -45,7 +49,7 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
   if (args.send.empty() && !args.names.empty())
     throw UsageError("--as: found without --send, expected them together");
   LiveTrackArguments own;
-  own.camera = args.depth.string();
+  own.camera = args.depth.front().string();
   own.stream = stream;
   own.person = options.person;
   own.person.fit_aside = true;
@@ -58,10 +62,16 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
   return runLiveTrack(line, own);
 }
 
+double rateOf(const TrackArguments& args) {
+  return args.rate.empty() ? 0.0 : positive(args.rate, "--rate", 1e-3, 1e6);
+}
+
+/// Of a camera that looks now.
 tracking::DepthStreamOptions streamOptions(const TrackArguments& args) {
   tracking::DepthStreamOptions options;
-  options.camera = args.camera;
-  if (!args.rate.empty()) options.rate = positive(args.rate, "--rate", 1e-3, 1e6);
+  if (args.camera.size() > 1) throw UsageError("--camera: found several files, expected one for live:kinect");
+  if (!args.camera.empty()) options.camera = args.camera.front();
+  options.rate = rateOf(args);
   options.mirror = args.mirror;
   return options;
 }
@@ -79,6 +89,7 @@ tracking::ClipTrackerOptions trackerOptions(const CommandLine& line, const Track
 
 /// One person of a tracked recording.
 struct TrackedClip {
+  const TrackCameras& cameras;
   const tracking::ClipTrack& track;
   const tracking::ClipPerson& person;
   const tracking::DepthFacts& facts;
@@ -87,7 +98,7 @@ struct TrackedClip {
 };
 
 nlohmann::ordered_json trackedDocument(const TrackedClip& clip) {
-  const auto& [track, person, facts, recording] = clip;
+  const auto& [cameras, track, person, facts, recording] = clip;
   nlohmann::ordered_json document{{"format", facts.format},
                                   {"frames", track.images},
                                   {"tracked", person.found},
@@ -99,6 +110,7 @@ nlohmann::ordered_json trackedDocument(const TrackedClip& clip) {
                                   {"rate_reason", facts.rate_reason},
                                   {"camera_reason", facts.camera_reason},
                                   {"world", track.world},
+                                  {"cameras", cameras.json(track)},
                                   {"notes", recording.report.notes},
                                   {"warnings", recording.report.warnings},
                                   {"interrupted", track.interrupted}};
@@ -108,11 +120,11 @@ nlohmann::ordered_json trackedDocument(const TrackedClip& clip) {
 }
 
 std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
-  const auto& [track, person, facts, recording] = clip;
-  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.string().c_str(),
+  const auto& [cameras, track, person, facts, recording] = clip;
+  std::string text = format("%s: %s, %zu images of %d x %d\n", args.depth.front().string().c_str(),
                             facts.format.c_str(), track.images, track.camera.width, track.camera.height);
   text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
-  text += "world: " + track.world + "\n";
+  text += "world: " + track.world + "\n" + cameras.text(track);
   text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
   text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
   text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
@@ -124,15 +136,17 @@ std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
 }
 
 /// Tracks, and writes the requested outputs.
-int trackStream(const CommandLine& line, const TrackArguments& args, tracking::DepthStream& stream,
-                const tracking::ClipTrackerOptions& options, std::optional<OutputFolder>& pictures) {
-  const tracking::ClipTrack track = tracking::trackClip(stream, options);
+int trackCameras(const CommandLine& line, const TrackArguments& args, const TrackCameras& cameras,
+                 const tracking::ClipTrackerOptions& options, std::optional<OutputFolder>& pictures) {
+  const tracking::ClipTrack track = tracking::trackClips(cameras.cameras(), options);
   // A person not found yet may be in the remaining images.
   const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
   if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
   if (track.people.empty())
-    throw ParseError({args.depth.string()}, "found nobody in the depth recording, expected a person");
-  const tracking::Recording recording = tracking::recordingOf(track, stream.facts(), chosen);
+    throw ParseError({args.depth.front().string()}, "found nobody in the depth recording, expected a person");
+  tracking::Recording recording = tracking::recordingOf(track, cameras.facts(), chosen);
+  for (std::string& warning : cameras.warnings(track))
+    recording.report.warnings.push_back(std::move(warning));
   std::optional<OutputFile> csv;
   if (!args.out.empty()) {
     tracking::writeSkeletonCsv(csv.emplace(args.out).stream(), recording);
@@ -141,14 +155,13 @@ int trackStream(const CommandLine& line, const TrackArguments& args, tracking::D
   if (pictures) pictures->commit();
   if (csv) csv->commit();
 
-  const TrackedClip clip{track, track.people[chosen], stream.facts(), recording};
+  const TrackedClip clip{cameras, track, track.people[chosen], cameras.facts(), recording};
   for (const std::string& warning : recording.report.warnings) line.warn(warning);
   line.print(trackedDocument(clip), trackedText(args, clip));
   return track.interrupted ? kInterrupted : kDone;
 }
 
-int trackRecording(const CommandLine& line, const TrackArguments& args,
-                   const tracking::DepthStreamOptions& stream_options, tracking::ClipTrackerOptions options,
+int trackRecording(const CommandLine& line, const TrackArguments& args, tracking::ClipTrackerOptions options,
                    std::optional<OutputFolder>& pictures) {
   if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
     throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
@@ -160,25 +173,29 @@ int trackRecording(const CommandLine& line, const TrackArguments& args,
     robots.emplace(scene_file::loadScene(args.scene, args.packages), session_options);
     options.known = [&](double t, const tracking::DepthCamera& camera) { return &robots->at(t, camera); };
   }
-  const auto stream = tracking::openDepthStream(args.depth, stream_options);
-  if (robots && !stream->facts().pose_known)
+  TrackCameras cameras({args.depth, args.camera, args.clock, rateOf(args), args.mirror});
+  if (robots && !cameras.facts().pose_known)
     throw UsageError(
         "--scene: found a recording that does not say how the camera stands, expected a camera file "
         "with T_WC (--camera)");
-  return trackStream(line, args, *stream, options, pictures);
+  cameras.compareClocks(options);
+  return trackCameras(line, args, cameras, options, pictures);
 }
 
 int runTrack(const CommandLine& line, const TrackArguments& args) {
-  const tracking::DepthStreamOptions stream_options = streamOptions(args);
   tracking::ClipTrackerOptions options = trackerOptions(line, args);
   std::optional<OutputFolder> pictures;
   if (!args.pictures.empty()) {
     pictures.emplace(args.pictures);
     options.watch = [&](const tracking::ClipMoment& moment) { draw(moment, *pictures); };
   }
-  if (!tracking::isLiveSource(args.depth.string()))
-    return trackRecording(line, args, stream_options, options, pictures);
-  const int code = live(line, args, stream_options, options);
+  const bool is_live = std::any_of(args.depth.begin(), args.depth.end(),
+                                   [](const auto& depth) { return tracking::isLiveSource(depth.string()); });
+  if (!is_live) return trackRecording(line, args, options, pictures);
+  if (args.depth.size() > 1)
+    throw UsageError(
+        "found live:kinect and other recordings, expected one live camera or several recordings");
+  const int code = live(line, args, streamOptions(args), options);
   if (pictures) pictures->commit();
   return code;
 }
@@ -191,9 +208,19 @@ void addTrack(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<TrackArguments>();
   command
       ->add_option("DEPTH", args->depth,
-                   "folder or file of depth images, which docs/recordings.md lists; or live:kinect")
-      ->required();
-  command->add_option("--camera", args->camera, "camera file (.yaml)");
+                   "folder or file of depth images, which docs/recordings.md lists; several, of cameras with "
+                   "known poses in one world, are fitted together; or live:kinect")
+      ->required()
+      ->expected(1, static_cast<int>(tracking::BodyObservation::kMaxViews));
+  command
+      ->add_option("--camera", args->camera,
+                   "camera file (.yaml); with several recordings one for each, with commas")
+      ->delimiter(',');
+  command
+      ->add_option("--clock", args->clock,
+                   "s, added to the times of each recording after the first, with commas; auto: found by the "
+                   "movements of people (default)")
+      ->delimiter(',');
   command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
   line.output(command->add_option("--out", args->out, "CSV of the joints (m, z up)"));
   line.output(command->add_option("--pictures", args->pictures,

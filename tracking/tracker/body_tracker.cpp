@@ -11,7 +11,6 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kHalfBody = 0.10;    // m, from the visible skin to the middle of the body
 constexpr double kDamp = 0.7;         // share of the predicted motion that is used
 constexpr double kHandRelaxes = 0.8;  // factor for each image; decays the wrist angle if nothing shows it
 constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
@@ -71,9 +70,8 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
   narrow_.reach = 0.07;
 }
 
-const TrackedBody& BodyTracker::track(double t, const DepthImage& image, const DepthCamera& camera,
-                                      std::span<const std::uint8_t> is_person) {
-  seen_.update(image, camera, is_person);
+const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
+  seen_.update(images);
   const double dt = t - last_t_;
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {
@@ -146,31 +144,58 @@ void BodyTracker::follow(double dt) {
 void BodyTracker::find() {
   wide_.planted = narrow_.planted = 0;
   const SeenPoints& points = seen_.points();
-  Vector3d mean = Vector3d::Zero();
+  std::array<Vector3d, BodyObservation::kMaxViews> mean;
+  std::array<double, BodyObservation::kMaxViews> count{};
+  mean.fill(Vector3d::Zero());
   double top = -kInfinity;
   for (std::size_t i = 0; i < points.count; ++i) {
-    mean += points.point(i);
+    mean[points.view[i]] += points.point(i);
+    count[points.view[i]] += 1.0;
     top = std::max(top, static_cast<double>(points.z[i]));
   }
-  mean /= static_cast<double>(points.count);
-  Vector3d away = mean - seen_.eye();
-  away.z() = 0.0;
-  if (away.norm() < 1e-6) away = Vector3d::UnitX();
-  away.normalize();
-  const double facing = front_ ? *front_ : std::atan2(-away.y(), -away.x()) + (away_ ? kPi : 0.0);
+  // The middle of the body lies behind what each camera sees of it.
+  Vector3d middle = Vector3d::Zero();
+  std::array<double, BodyObservation::kMaxViews> towards{};
+  double views = 0.0;
+  for (std::size_t v = 0; v < seen_.views().size(); ++v) {
+    if (count[v] == 0.0) continue;
+    mean[v] /= count[v];
+    Vector3d away = mean[v] - seen_.views()[v].eye();
+    away.z() = 0.0;
+    if (away.norm() < 1e-6) away = Vector3d::UnitX();
+    away.normalize();
+    middle += mean[v] + kHalfBody * away;
+    towards[v] = std::atan2(-away.y(), -away.x());
+    views += 1.0;
+  }
+  middle /= views;
+  TrackedBody best;
+  if (front_) {
+    tryStarts(middle, top, *front_, best);
+  } else {
+    for (std::size_t v = 0; v < seen_.views().size(); ++v)
+      if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (away_ ? kPi : 0.0), best);
+  }
+  body_ = best;
+  body_.found = body_.misfit.explained > kFoundAbove;
+  velocity_.setZero();
+  badly_ = 0;
+}
+
+/// Fits the postures of a start that faces `facing` (rad), about the middle of the body, its highest point at
+/// z = `top` (m); keeps the best of these and of `best`.
+void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best) {
   RigPlacement X_WS;
   place(*rig_, RigPose{}, X_WS);
   const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
   const double above = (X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex]).z();
-
   const bool is_low = top < kStandingHead * rig_->height;
   const std::span<const StartPosture> postures =
       is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
-  TrackedBody best;
   for (const StartPosture& posture : postures) {
     for (const double yaw : {0.0, 0.7, -0.7}) {
       RigPose pose;
-      pose.X_WP.translation() = mean + kHalfBody * away;
+      pose.X_WP.translation() = middle;
       pose.X_WP.translation().z() = top - above - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
@@ -185,10 +210,6 @@ void BodyTracker::find() {
       if (body_.misfit.cost < best.misfit.cost) best = body_;
     }
   }
-  body_ = best;
-  body_.found = body_.misfit.explained > kFoundAbove;
-  velocity_.setZero();
-  badly_ = 0;
 }
 
 void BodyTracker::finish(double t) {

@@ -20,11 +20,12 @@ struct TrackedBody {
       frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
 };
 
-/// Steps for each image: prediction from the last two poses, fit, search for limbs left behind, second fit.
-/// The initial search assumes a person upright and facing the camera, or with the back to it (expectAway()),
-/// and tolerates rotations up to 60 degrees. Afterwards left and right persist, as motion between two images
-/// is small. Lost when more than a third of the person's points are far from the body for some images; then
-/// searched anew, within a second in the last orientation.
+/// Steps for each moment, of which there is one image or one of each camera: prediction from the last two
+/// poses, fit, search for limbs left behind, second fit. The initial search assumes a person upright and
+/// facing a camera, or with the back to it (expectAway()), and tolerates rotations up to 60 degrees.
+/// Afterwards left and right persist, as motion between two images is small. Lost when more than a third of
+/// the person's points are far from the body for some images; then searched anew, within a second in the last
+/// orientation.
 ///
 /// One tracker for each person and thread. The rig must outlive it. track() allocates nothing after the first
 /// image; it does not throw.
@@ -32,9 +33,9 @@ class BodyTracker {
  public:
   explicit BodyTracker(const BodyRig& rig, std::uint64_t seed = 1);
 
-  /// `t` (s) increases. `is_person` for every pixel; if no pixel is set, the person is not in view, and lost.
-  const TrackedBody& track(double t, const DepthImage& image, const DepthCamera& camera,
-                           std::span<const std::uint8_t> is_person);
+  /// `t` (s) increases. One image of each camera that looks at that time, at most BodyObservation::kMaxViews;
+  /// if no pixel is set, the person is not in view, and lost.
+  const TrackedBody& track(double t, std::span<const PersonImage> images);
   /// The initial search assumes that the person's back is to the camera.
   void expectAway() { away_ = true; }
   /// Whether it is known which way the person faces. If not, the reach of each joint includes its place in a
@@ -48,8 +49,12 @@ class BodyTracker {
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }
 
+  /// m, typical distance from the visible skin to the middle of the body.
+  static constexpr double kHalfBody = 0.10;
+
  private:
   void find();
+  void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
   void follow(double dt);
   void plantHiddenFeet();
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);

@@ -1,5 +1,5 @@
 // Subsampling of a depth image, points and normals, distance transform to the person.
-#include "tracking/tracker/body_observation.hpp"
+#include "tracking/tracker/body_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,21 @@ int squared(std::array<std::int16_t, 2> w) { return w[0] * w[0] + w[1] * w[1]; }
 
 }  // namespace
 
-void BodyObservation::update(const DepthImage& image, const DepthCamera& camera,
-                             std::span<const std::uint8_t> is_person) {
+void SeenPoints::append(const SeenPoints& from, std::size_t i) {
+  if (count == kMax) return;
+  const std::size_t k = count++;
+  x[k] = from.x[i], y[k] = from.y[i], z[k] = from.z[i];
+  nx[k] = from.nx[i], ny[k] = from.ny[i], nz[k] = from.nz[i];
+  view[k] = from.view[i];
+}
+
+void BodyView::update(const PersonImage& person, std::size_t max_cells) {
+  const DepthImage& image = *person.image;
+  const DepthCamera& camera = *person.camera;
   std::size_t pixels = 0;
-  for (const std::uint8_t p : is_person) pixels += p != 0;
+  for (const std::uint8_t p : person.is_person) pixels += p != 0;
   step_ = 1;
-  while (pixels / static_cast<std::size_t>(step_ * step_) > max_cells_) ++step_;
+  while (pixels / static_cast<std::size_t>(step_ * step_) > max_cells) ++step_;
   width_ = (image.width + step_ - 1) / step_;
   height_ = (image.height + step_ - 1) / step_;
   const double middle = 0.5 * (step_ - 1);
@@ -33,12 +42,11 @@ void BodyObservation::update(const DepthImage& image, const DepthCamera& camera,
   X_WC_ = camera.X_WC;
   X_CW_ = X_WC_.inverse();
   p_WE_ = X_WC_.translation();
-  coarsen(image, is_person);
+  coarsen(image, person.is_person);
   propagateOffsets();
-  collectPoints();
 }
 
-void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person) {
+void BodyView::coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person) {
   const std::size_t cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   state_.assign(cells, CellState::kUnknown);
   z_.assign(cells, 0.0f);
@@ -85,7 +93,7 @@ void BodyObservation::coarsen(const DepthImage& image, std::span<const std::uint
 
 // Vector distance transform (Danielsson 1980), four neighbours in two sweeps of two passes: offset to the
 // nearest cell of the person, with an error below one cell.
-void BodyObservation::propagateOffsets() {
+void BodyView::propagateOffsets() {
   offset_to_person_.resize(state_.size());
   for (std::size_t c = 0; c < state_.size(); ++c)
     offset_to_person_[c] = state_[c] == CellState::kPerson ? std::array<std::int16_t, 2>{0, 0}
@@ -109,8 +117,8 @@ void BodyObservation::propagateOffsets() {
   }
 }
 
-void BodyObservation::collectPoints() {
-  points_.count = 0;
+void BodyView::appendPoints(std::uint8_t index, SeenPoints& points) const {
+  const std::size_t end = std::min(points.count + kMaxPoints, SeenPoints::kMax);
   const auto point = [&](int u, int v) {
     const double z = z_[cell(u, v)];
     return Vector3d{(u - cx_) / fx_ * z, (v - cy_) / fy_ * z, z};
@@ -122,7 +130,7 @@ void BodyObservation::collectPoints() {
   for (int v = 0; v < height_; ++v) {
     for (int u = 0; u < width_; ++u) {
       const std::size_t c = cell(u, v);
-      if (state_[c] != CellState::kPerson || points_.count == SeenPoints::kMax) continue;
+      if (state_[c] != CellState::kPerson || points.count == end) continue;
       const Vector3d p = point(u, v);
       const auto slope = [&](int du, int dv) -> Vector3d {
         const bool next = smooth(u + du, v + dv, z_[c]), last = smooth(u - du, v - dv, z_[c]);
@@ -133,14 +141,15 @@ void BodyObservation::collectPoints() {
       n = n.norm() > 1e-12 ? n.normalized() : Vector3d(-view);
       if (n.dot(view) > 0.0) n = -n;
       const Vector3f p_W = (X_WC_ * p).cast<float>(), n_W = (X_WC_.linear() * n).cast<float>();
-      const std::size_t i = points_.count++;
-      points_.x[i] = p_W.x(), points_.y[i] = p_W.y(), points_.z[i] = p_W.z();
-      points_.nx[i] = n_W.x(), points_.ny[i] = n_W.y(), points_.nz[i] = n_W.z();
+      const std::size_t i = points.count++;
+      points.x[i] = p_W.x(), points.y[i] = p_W.y(), points.z[i] = p_W.z();
+      points.nx[i] = n_W.x(), points.ny[i] = n_W.y(), points.nz[i] = n_W.z();
+      points.view[i] = index;
     }
   }
 }
 
-BodyObservation::Probe BodyObservation::at(const Vector3d& p_CX) const {
+BodyView::Probe BodyView::at(const Vector3d& p_CX) const {
   Probe probe;
   if (p_CX.z() < 1e-3 || state_.empty()) return probe;
   const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;

@@ -1,4 +1,4 @@
-// Observation of one person in one depth image on a coarse grid: points with normals, and free space.
+// One camera's view of a person on a coarse grid: points with normals, and free space.
 #pragma once
 
 #include <array>
@@ -17,26 +17,36 @@ enum class CellState : std::uint8_t { kUnknown, kPerson, kEmpty };
 
 /// Points of a person as a structure of arrays, world, m.
 struct SeenPoints {
-  static constexpr std::size_t kMax = 2048;
+  static constexpr std::size_t kMax = 4096;
   std::size_t count{0};
   alignas(64) std::array<float, kMax> x, y, z;     ///< on the surface
   alignas(64) std::array<float, kMax> nx, ny, nz;  ///< unit, towards the camera's side of the surface
+  std::array<std::uint8_t, kMax> view;             ///< index of the view that the point is from
 
   Vector3d point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+  /// Appends point `i` of other points; ignored if there is no room.
+  void append(const SeenPoints& from, std::size_t i);
+};
+
+/// Image of one camera, and the pixels of one person in it.
+struct PersonImage {
+  const DepthImage* image;
+  const DepthCamera* camera;
+  std::span<const std::uint8_t> is_person;  ///< for every pixel: 1 is the person
 };
 
 /// One person in one image. update() allocates nothing after the first image of a size.
-class BodyObservation {
+class BodyView {
  public:
-  /// `cells`: largest number of grid cells of the person; determines the grid's step in pixels.
-  explicit BodyObservation(std::size_t cells = 1200) : max_cells_{cells} {}
+  /// Sets the grid's step in pixels such that the person has at most `max_cells` cells. Pixels without depth
+  /// (0) are unknown, except if the image contains only the person, because the background was removed: then
+  /// they are empty.
+  void update(const PersonImage& person, std::size_t max_cells);
 
-  /// `is_person`: for every pixel of `image`. Pixels without depth (0) are unknown, except if the image
-  /// contains only the person, because the background was removed: then they are empty.
-  void update(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
+  /// Appends the points of the view, marked with `index`, at most kMaxPoints of them.
+  void appendPoints(std::uint8_t index, SeenPoints& points) const;
 
-  const SeenPoints& points() const { return points_; }
   const Vector3d& eye() const { return p_WE_; }  ///< position of the camera, world
   const Transform& X_CW() const { return X_CW_; }
 
@@ -50,13 +60,13 @@ class BodyObservation {
   };
   Probe at(const Vector3d& p_CX) const;
 
+  static constexpr std::size_t kMaxPoints = 2048;
+
  private:
   void coarsen(const DepthImage& image, std::span<const std::uint8_t> is_person);
   void propagateOffsets();
-  void collectPoints();
   std::size_t cell(int u, int v) const { return static_cast<std::size_t>(v * width_ + u); }
 
-  std::size_t max_cells_;
   int step_{1}, width_{0}, height_{0};            ///< pixels for each cell; size in cells
   double fx_{1.0}, fy_{1.0}, cx_{0.0}, cy_{0.0};  ///< intrinsics of the grid
   Transform X_WC_, X_CW_;
@@ -65,7 +75,6 @@ class BodyObservation {
   std::vector<float> z_;
   std::vector<std::array<std::int16_t, 2>>
       offset_to_person_;  ///< offset in cells to the nearest cell of the person
-  SeenPoints points_;
 };
 
 }  // namespace abstand::tracking

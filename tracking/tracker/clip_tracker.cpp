@@ -5,44 +5,84 @@
 #include <cmath>
 #include <ctime>
 
+#include "core/base/error.hpp"
 #include "tracking/tracker/camera_stand.hpp"
+#include "tracking/tracker/people_across.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-constexpr double kLearning = 5.0;  // s of the stream used to learn sizes
+constexpr double kLearning = 5.0;   // s of the stream used to learn sizes
+constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// One of the cameras during a pass.
+struct PassCamera {
+  const DepthCamera* camera;
+  PeopleFinder finder;
+  std::vector<std::uint8_t> mask;
+};
+
+/// A person of a moment in one camera's image.
+struct Sighting {
+  int person;  ///< common to all cameras
+  std::size_t camera;
+  int id;  ///< of the camera's finder
+};
+
+Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
+  const Vector3d p_W = camera.X_WC * person.centroid;
+  const Eigen::Vector2d away = (p_W - camera.X_WC.translation()).head<2>();
+  return p_W.head<2>() + BodyTracker::kHalfBody * away.normalized();
+}
+
+/// Adds to the last frame what each joint moved in `lag` (s) at its present speed.
+void widenByLag(double lag, std::vector<humanmodel::SkeletonFrame>& frames) {
+  if (lag <= 0.0 || frames.size() < 2) return;
+  humanmodel::SkeletonFrame& frame = frames.back();
+  const humanmodel::SkeletonFrame& last = frames[frames.size() - 2];
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto joint = static_cast<humanmodel::Joint>(j);
+    if (!frame.has(joint) || !last.has(joint)) continue;
+    const double moved = (frame.p[j] - last.p[j]).norm() * lag / (frame.t - last.t);
+    frame.spread[j] = std::hypot(frame.spread[j], moved);
+  }
+}
+
 class ClipPasses {
  public:
-  ClipPasses(DepthStream& stream, const ClipTrackerOptions& options) : stream_{stream}, options_{options} {}
+  ClipPasses(std::span<const ClipCamera> streams, const ClipTrackerOptions& options)
+      : streams_{streams}, options_{options}, moments_{streams} {}
 
   ClipTrack run() {
-    track_.camera = stream_.camera();
+    for (const ClipCamera& camera : streams_) cameras_.push_back(camera.stream->camera());
     estimateCameraPose();
+    track_.camera = cameras_.front();
     std::map<int, KnownBody> learned;
-    const std::vector<double>& times = stream_.times();
-    const double end = times.empty() ? 0.0 : times.front() + kLearning;
+    const double end =
+        moments_.size() == 0 ? 0.0 : std::min(moments_.times().front() + kLearning, options_.until);
     pass(end, learned, false);
-    pass(kInfinity, learned, true);
+    pass(options_.until, learned, true);
     finishTrack(track_);
     return std::move(track_);
   }
 
  private:
   void estimateCameraPose() {
-    if (stream_.facts().pose_known) {
-      track_.world = "the camera's pose is that of its file";
+    DepthStream& stream = *streams_.front().stream;
+    if (stream.facts().pose_known) {
+      track_.world = cameras_.size() == 1 ? "the camera's pose is that of its file"
+                                          : "the cameras' poses are those of their files";
       return;
     }
-    stream_.seek(0);
+    stream.seek(0);
     DepthFrame frame;
-    CameraStand camera_pose(track_.camera);
-    while (!isInterrupted() && stream_.next(frame) && !camera_pose.see(frame.t, frame.image)) {
+    CameraStand camera_pose(cameras_.front());
+    while (!isInterrupted() && stream.next(frame) && !camera_pose.see(frame.t, frame.image)) {
     }
     camera_pose.settle();
-    track_.camera.X_WC = camera_pose.X_WC();
+    cameras_.front().X_WC = camera_pose.X_WC();
     track_.world = camera_pose.reason();
   }
 
@@ -51,45 +91,101 @@ class ClipPasses {
     return track_.interrupted;
   }
 
-  /// Processes all images before `end`; learns sizes, or tracks with the learned ones.
+  /// People in the images of a moment, by increasing number of the person.
+  void findPeople(const DepthMoment& moment, std::vector<PassCamera>& cameras, PeopleAcross& across) {
+    sightings_.clear();
+    places_.clear();
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      if (!moment.frames[c]) continue;
+      PassCamera& camera = cameras[c];
+      const DepthFrame& frame = *moment.frames[c];
+      if (moment.is_new[c])
+        camera.finder.find(frame.t, frame.image,
+                           options_.known ? options_.known(moment.t, *camera.camera) : nullptr);
+      for (const FoundPerson& person : camera.finder.people().persons) {
+        sightings_.push_back({person.id, c, person.id});
+        places_.push_back({c, person.id, placeOf(person, *camera.camera)});
+      }
+    }
+    if (cameras.size() == 1) return;
+    const std::span<const int> ids = across.match(moment.t, places_);
+    for (std::size_t i = 0; i < ids.size(); ++i) sightings_[i].person = ids[i];
+    std::stable_sort(sightings_.begin(), sightings_.end(),
+                     [](const Sighting& a, const Sighting& b) { return a.person < b.person; });
+  }
+
+  void noteCameras(const DepthMoment& moment, const std::vector<PassCamera>& cameras) {
+    track_.cameras.resize(cameras.size());
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      track_.cameras[c].without += moment.frames[c] == nullptr;
+      if (!moment.is_new[c]) continue;
+      ++track_.cameras[c].images;
+      track_.cameras[c].people += !cameras[c].finder.people().persons.empty();
+    }
+    if (!sightings_.empty()) track_.lag = std::max(track_.lag, moment.lag);
+  }
+
+  TrackedPerson& trackerOf(int person, const std::map<int, KnownBody>& learned,
+                           std::map<int, TrackedPerson>& trackers) const {
+    if (const auto it = trackers.find(person); it != trackers.end()) return it->second;
+    const auto of = learned.find(person);
+    return of != learned.end() ? trackers.try_emplace(person, options_.person, of->second).first->second
+                               : trackers.try_emplace(person, options_.person).first->second;
+  }
+
+  /// Processes all moments before `end`; learns sizes, or tracks with the learned ones.
   void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
-    stream_.seek(0);
-    PeopleFinder finder(track_.camera);
+    moments_.rewind();
+    std::vector<PassCamera> cameras;
+    for (const DepthCamera& camera : cameras_) cameras.push_back({&camera, PeopleFinder(camera), {}});
+    PeopleAcross across;
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
-    DepthFrame frame;
-    std::vector<std::uint8_t> mask;
-    for (std::size_t i = 0; stream_.next(frame) && frame.t < end; ++i) {
+    DepthMoment moment;
+    std::vector<PersonImage> images;
+    for (std::size_t i = 0; moments_.next(moment) && moment.t < end; ++i) {
       if (isInterrupted()) break;
-      const DepthImage* known = options_.known ? options_.known(frame.t, track_.camera) : nullptr;
       const double begin = processorSeconds();
-      const PeopleImage& people = finder.find(frame.t, frame.image, known);
-      for (const FoundPerson& person : people.persons) {
-        auto it = trackers.find(person.id);
-        if (it == trackers.end()) {
-          const auto of = learned.find(person.id);
-          it = of != learned.end() ? trackers.try_emplace(person.id, options_.person, of->second).first
-                                   : trackers.try_emplace(person.id, options_.person).first;
+      findPeople(moment, cameras, across);
+      if (keep) noteCameras(moment, cameras);
+      for (std::size_t k = 0; k < sightings_.size();) {
+        const int person = sightings_[k].person;
+        const std::size_t first = sightings_[k].camera;
+        images.clear();
+        for (; k < sightings_.size() && sightings_[k].person == person; ++k) {
+          PassCamera& camera = cameras[sightings_[k].camera];
+          camera.finder.mask(sightings_[k].id, camera.mask);
+          images.push_back({&moment.frames[sightings_[k].camera]->image, camera.camera, camera.mask});
         }
-        finder.mask(person.id, mask);
-        const TrackedBody* body = it->second.see(frame.t, frame.image, track_.camera, mask);
+        TrackedPerson& tracker = trackerOf(person, learned, trackers);
+        const TrackedBody* body = tracker.see(moment.t, images);
         if (!keep) continue;
-        noteMoment(track_, place, person.id, frame.t, body, true);
+        noteMoment(track_, place, person, moment.t, body, true);
+        widenByLag(images.size() > 1 ? moment.lag : 0.0, track_.people[place[person]].frames);
         if (!body || !options_.watch) continue;
         const double pause = processorSeconds();
-        options_.watch({i, person.id, frame, track_.camera, *it->second.rig(), *body});
+        options_.watch({i, person, *moment.frames[first], *cameras[first].camera, *tracker.rig(), *body});
         track_.seconds -= processorSeconds() - pause;
       }
-      // People not in this image are lost.
-      humanmodel::SkeletonFrame none;
-      none.t = frame.t;
-      for (const auto& [id, k] : place)
-        if (track_.people[k].frames.back().t < frame.t) track_.people[k].frames.push_back(none);
       if (!keep) continue;
+      noteAbsent(moment.t, place);
       track_.seconds += processorSeconds() - begin;
       ++track_.images;
-      if (options_.progress) options_.progress(i + 1, stream_.size());
+      if (options_.progress) options_.progress(i + 1, moments_.size());
     }
+    learn(trackers, place, keep, learned);
+  }
+
+  /// People not in these images are lost.
+  void noteAbsent(double t, const std::map<int, std::size_t>& place) {
+    humanmodel::SkeletonFrame none;
+    none.t = t;
+    for (const auto& [id, k] : place)
+      if (track_.people[k].frames.back().t < t) track_.people[k].frames.push_back(none);
+  }
+
+  void learn(std::map<int, TrackedPerson>& trackers, const std::map<int, std::size_t>& place, bool keep,
+             std::map<int, KnownBody>& learned) {
     for (auto& [id, person] : trackers) {
       if (!keep) {
         person.settle();
@@ -98,14 +194,19 @@ class ClipPasses {
       if (!person.body()) continue;
       learned.insert_or_assign(id, KnownBody{*person.body(), person.stature(), person.facing()});
       if (!keep || place.count(id) == 0) continue;
-      track_.people[place[id]].body = *person.body();
-      track_.people[place[id]].facing = person.facing();
-      track_.people[place[id]].stature = person.stature();
+      ClipPerson& tracked = track_.people[place.at(id)];
+      tracked.body = *person.body();
+      tracked.facing = person.facing();
+      tracked.stature = person.stature();
     }
   }
 
-  DepthStream& stream_;
+  std::span<const ClipCamera> streams_;
   const ClipTrackerOptions& options_;
+  DepthMoments moments_;
+  std::vector<DepthCamera> cameras_;
+  std::vector<Sighting> sightings_;
+  std::vector<SeenPlace> places_;
   ClipTrack track_;
 };
 
@@ -139,7 +240,41 @@ void finishTrack(ClipTrack& track) {
 }
 
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options) {
-  return ClipPasses(stream, options).run();
+  const ClipCamera camera{&stream, 0.0};
+  return ClipPasses({&camera, 1}, options).run();
+}
+
+ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptions& options) {
+  if (cameras.empty() || cameras.size() > BodyObservation::kMaxViews)
+    throw UsageError("found " + std::to_string(cameras.size()) + " depth cameras, expected 1 to " +
+                     std::to_string(BodyObservation::kMaxViews));
+  for (const ClipCamera& camera : cameras)
+    if (cameras.size() > 1 && !camera.stream->facts().pose_known)
+      throw UsageError(
+          "found several depth cameras of which one does not say how it stands, expected T_WC in a camera "
+          "file for each");
+  return ClipPasses(cameras, options).run();
+}
+
+ClockOffset clockOffset(DepthStream& first, DepthStream& second, const ClipTrackerOptions& options) {
+  ClipTrackerOptions alone = options;
+  alone.watch = {};
+  alone.progress = {};
+  const auto tracked = [&](DepthStream& stream) {
+    alone.until = stream.times().empty() ? 0.0 : stream.times().front() + kCompared;
+    return trackClip(stream, alone);
+  };
+  const ClipTrack a = tracked(first), b = tracked(second);
+  ClockOffset best;
+  best.apart = kInfinity;
+  for (const ClipPerson& one : a.people) {
+    for (const ClipPerson& other : b.people) {
+      const ClockOffset offset = estimateClockOffset(one.frames, other.frames);
+      const bool is_better = offset.decided != best.decided ? offset.decided : offset.apart < best.apart;
+      if (offset.overlap > 0.0 && is_better) best = offset;
+    }
+  }
+  return best;
 }
 
 }  // namespace abstand::tracking

@@ -1,16 +1,17 @@
-// Skeleton recordings of the people in a depth recording.
+// Skeleton recordings of the people in depth recordings.
 #pragma once
 
 #include <functional>
 #include <map>
 
-#include "tracking/depth/formats/depth_stream.hpp"
 #include "tracking/recording/recording.hpp"
+#include "tracking/tracker/clock_offset.hpp"
+#include "tracking/tracker/depth_moments.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand::tracking {
 
-/// A person in an image; valid during the call.
+/// A person in an image; valid during the call. Of several cameras the first that sees the person.
 struct ClipMoment {
   std::size_t image;
   int id;
@@ -26,6 +27,7 @@ using KnownThings = std::function<const DepthImage*(double, const DepthCamera&)>
 
 struct ClipTrackerOptions {
   TrackedPerson::Options person;
+  double until{kInfinity};                                 ///< s; later images are not tracked
   std::function<void(std::size_t, std::size_t)> progress;  ///< images done, and total; may be empty
   std::function<bool()> interrupted;                       ///< may be empty
   KnownThings known;                                       ///< may be empty
@@ -44,12 +46,21 @@ struct ClipPerson {
   double residual{kNaN};  ///< m, mean over these images of the RMS distance to the body
 };
 
+/// Share of one camera in a track.
+struct CameraShare {
+  std::size_t images{0};   ///< images that were used
+  std::size_t without{0};  ///< moments without an image of this camera
+  std::size_t people{0};   ///< images with at least one person
+};
+
 struct ClipTrack {
-  DepthCamera camera;              ///< with the pose that defines the skeletons' world
+  DepthCamera camera;  ///< the first, with the pose that defines the skeletons' world
+  std::vector<CameraShare> cameras;
+  double lag{0.0};                 ///< s, largest difference in time of images that were fitted together
   std::string world;               ///< source of that pose
   std::vector<ClipPerson> people;  ///< sorted by the number of images found, descending
-  std::size_t images{0};
-  double seconds{0.0};  ///< s of processor time for all images, without reading them
+  std::size_t images{0};           ///< images of one camera, moments of several
+  double seconds{0.0};             ///< s of processor time for all images, without reading them
   bool interrupted{false};
 };
 
@@ -66,5 +77,15 @@ void finishTrack(ClipTrack& track);
 /// without a visible floor the camera is assumed level, above a floor at the lowest point of a person. Throws
 /// ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
+
+/// The same for several cameras that look at the same people: one fit to the images of all of them. Each must
+/// know its pose in one world. Images that lie beside each other in time (DepthMoments) are fitted together;
+/// what a joint moves between them is added to its spread. Throws UsageError for no camera, more than
+/// BodyObservation::kMaxViews, or one without a pose.
+ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptions& options);
+
+/// Offset of the clock of `second` against that of `first`: the people of both are tracked separately in the
+/// first seconds, and the two whose joints agree best are taken for the same.
+ClockOffset clockOffset(DepthStream& first, DepthStream& second, const ClipTrackerOptions& options);
 
 }  // namespace abstand::tracking

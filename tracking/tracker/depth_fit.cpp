@@ -67,24 +67,31 @@ DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}
   }
 }
 
-DepthFit::Violation DepthFit::violation(const BodyObservation& seen, const Sample& sample,
-                                        const Vector3d& p_W) const {
+DepthFit::Violation DepthFit::violation(const BodyView& view, const Sample& sample, const Vector3d& p_W) {
   Violation v{Vector3d::Zero(), 0.0};
-  const Vector3d p_C = seen.X_CW() * p_W;
-  const BodyObservation::Probe probe = seen.at(p_C);
+  const Vector3d p_C = view.X_CW() * p_W;
+  const BodyView::Probe probe = view.at(p_C);
   if (probe.state == CellState::kEmpty) {
     if (probe.z > 0.0 && probe.z < p_C.z()) return v;  // behind the measured surface: occluded, not refuted
     const double out = probe.to_person.norm();
     if (out <= 0.0) return v;
-    v.n = -(seen.X_CW().linear().transpose() * probe.to_person) / out;
+    v.n = -(view.X_CW().linear().transpose() * probe.to_person) / out;
     v.depth = std::min(out, kMaxViolation);
   } else if (probe.state == CellState::kPerson && probe.z > 0.0) {
     const double before = probe.z - p_C.z() - kBefore + 0.5 * sample.radius;
     if (before <= 0.0) return v;
-    v.n = -(p_W - seen.eye()).normalized();
+    v.n = -(p_W - view.eye()).normalized();
     v.depth = std::min(before, kMaxViolation);
   }
   return v;
+}
+
+DepthFit::Violation DepthFit::violation(const BodyObservation& seen, const Sample& sample,
+                                        const Vector3d& p_W) {
+  Violation deepest{Vector3d::Zero(), 0.0};
+  for (const BodyView& view : seen.views())
+    if (const Violation v = violation(view, sample, p_W); v.depth > deepest.depth) deepest = v;
+  return deepest;
 }
 
 DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
@@ -162,7 +169,7 @@ DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_
   std::size_t explained = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
     const std::size_t s = segment_[i];
-    const double d = seenDistance(surfaces_[s], X_WS[s], points.point(i), seen.eye()).d;
+    const double d = seenDistance(surfaces_[s], X_WS[s], points.point(i), seen.eyeOf(i)).d;
     if (std::abs(d) > kExplainedFit) continue;
     ++explained;
     sum += d * d;
@@ -185,7 +192,7 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
     for (std::size_t i = 0; i < points.count; ++i) {
       const std::size_t s = segment_[i];
       const Vector3d p = points.point(i);
-      const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eye());
+      const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eyeOf(i));
       const double robust = c2 / (c2 + hit.d * hit.d);
       // The body's surface moves towards the point: moving a point of the segment by v along n reduces the
       // distance by n.v.
@@ -221,11 +228,13 @@ void DepthFit::visibility(const BodyObservation& seen, const RigPlacement& X_WS,
   std::array<int, kRigSegments> all{}, visible{};
   for (const Sample& sample : samples_) {
     const std::size_t s = index(sample.segment);
-    const Vector3d p_C = seen.X_CW() * (X_WS[s] * sample.p_S);
-    const BodyObservation::Probe probe = seen.at(p_C);
+    const Vector3d p_W = X_WS[s] * sample.p_S;
     ++all[s];
-    visible[s] +=
-        probe.state == CellState::kPerson && std::abs(probe.z - (p_C.z() - sample.radius)) < kSeenWithin;
+    visible[s] += std::any_of(seen.views().begin(), seen.views().end(), [&](const BodyView& view) {
+      const Vector3d p_C = view.X_CW() * p_W;
+      const BodyView::Probe probe = view.at(p_C);
+      return probe.state == CellState::kPerson && std::abs(probe.z - (p_C.z() - sample.radius)) < kSeenWithin;
+    });
   }
   for (std::size_t s = 0; s < kRigSegments; ++s)
     share[s] = static_cast<double>(visible[s]) / std::max(all[s], 1);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracking/body/body_solver.hpp"
+#include "tracking/tracker/body_observation.hpp"
 #include "tracking/tracker/fit_surface.hpp"
 
 namespace abstand::tracking {
@@ -15,10 +16,10 @@ struct DepthMisfit {
   double residual{kNaN};   ///< m, RMS distance of those
 };
 
-/// Points of the image attract the surface of the segment that explains them best, by distance and normal, on
-/// its side facing the camera (Ganapathi and others, ECCV 2012). Sample points on the axes of the segments
-/// must not be in free space, nor in front of the measured surface, nor inside of the trunk, the head or the
-/// other leg. Not shared between threads; no allocation, no throw.
+/// Points of all images attract the surface of the segment that explains them best, by distance and normal,
+/// on its side facing the camera that saw them (Ganapathi and others, ECCV 2012). Sample points on the axes
+/// of the segments must not be in free space of any camera, nor in front of the measured surface, nor inside
+/// of the trunk, the head or the other leg. Not shared between threads; no allocation, no throw.
 class DepthFit {
  public:
   explicit DepthFit(const BodyRig& rig);
@@ -48,7 +49,7 @@ class DepthFit {
   static double robustMean(const float* score, std::size_t count);
   /// Cost (m^2) of the samples of these segments in free space and in other segments.
   double placeCost(const BodyObservation& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
-  /// Share of the samples of each segment that are visible at the pose.
+  /// Share of the samples of each segment that any camera sees at the pose.
   void visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                   std::array<double, kRigSegments>& share) const;
 
@@ -65,7 +66,9 @@ class DepthFit {
     Vector3d n;  ///< world; opposite to the direction out
     double depth{0.0};
   };
-  Violation violation(const BodyObservation& seen, const Sample& sample, const Vector3d& p_W) const;
+  static Violation violation(const BodyView& view, const Sample& sample, const Vector3d& p_W);
+  /// The deepest violation of all views.
+  static Violation violation(const BodyObservation& seen, const Sample& sample, const Vector3d& p_W);
   /// Violation of a sample inside of a segment that it must not enter.
   Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                     const Transform& X_WS) const;

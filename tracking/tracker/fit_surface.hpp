@@ -4,7 +4,7 @@
 #include <array>
 
 #include "tracking/body/body_rig.hpp"
-#include "tracking/tracker/body_observation.hpp"
+#include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
 

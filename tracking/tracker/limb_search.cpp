@@ -85,11 +85,7 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
   const SeenPoints& all = seen.points();
   const std::size_t stride = std::max<std::size_t>(1, all.count / kPoints);
   points_.count = 0;
-  for (std::size_t i = 0; i < all.count; i += stride) {
-    const std::size_t k = points_.count++;
-    points_.x[k] = all.x[i], points_.y[k] = all.y[i], points_.z[k] = all.z[i];
-    points_.nx[k] = all.nx[i], points_.ny[k] = all.ny[i], points_.nz[k] = all.nz[i];
-  }
+  for (std::size_t i = 0; i < all.count; i += stride) points_.append(all, i);
   const RigPose start = pose;
   place(fit_->rig(), start, X_WS_);
   const RigPlacement X_WS = X_WS_;
@@ -115,7 +111,8 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
     if (others_[i] < kUnexplained) continue;
     ++picked;
     const Vector3d p = points_.point(i);
-    attempt(p + kUnderSkin * (p - seen.eye()).normalized(), uniform(random, -1.5, 1.5));
+    attempt(p + kUnderSkin * (p - seen.views()[points_.view[i]].eye()).normalized(),
+            uniform(random, -1.5, 1.5));
   }
   return found;
 }

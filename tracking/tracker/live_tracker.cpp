@@ -38,7 +38,8 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
     follower.last = frame.t;
     TrackedPerson& tracker = follower.person;
     finder_->mask(person.id, mask_);
-    const TrackedBody* body = tracker.see(frame.t, frame.image, track_.camera, mask_);
+    const PersonImage image{&frame.image, &track_.camera, mask_};
+    const TrackedBody* body = tracker.see(frame.t, {&image, 1});
     noteMoment(track_, place_, person.id, frame.t, body, options_.keep);
     if (!body) continue;
     if (body->found) seen_.push_back({person.id, body});

@@ -22,24 +22,30 @@ std::string metres(double m) {
 
 }  // namespace
 
-VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera,
-                              std::span<const std::uint8_t> is_person) {
+VerticalExtent verticalExtent(std::span<const PersonImage> images) {
   std::vector<double> heights;
-  bool cut = false, headless = false;
-  for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      const float z = image.at(u, v);
-      if (z <= 0.0f || is_person[static_cast<std::size_t>(v * image.width + u)] == 0) continue;
-      heights.push_back((camera.X_WC * camera.at(u, v, static_cast<double>(z))).z());
-      headless |= v == 0;
-      cut |= v == 0 || v == image.height - 1;
+  bool all_cut_above = true, all_cut_below = true;
+  for (const auto& [image, camera, is_person] : images) {
+    bool cut_above = false, cut_below = false, sees = false;
+    for (int v = 0; v < image->height; ++v) {
+      for (int u = 0; u < image->width; ++u) {
+        const float z = image->at(u, v);
+        if (z <= 0.0f || is_person[static_cast<std::size_t>(v * image->width + u)] == 0) continue;
+        heights.push_back((camera->X_WC * camera->at(u, v, static_cast<double>(z))).z());
+        sees = true;
+        cut_above |= v == 0;
+        cut_below |= v == image->height - 1;
+      }
     }
+    all_cut_above &= !sees || cut_above;
+    all_cut_below &= !sees || cut_below;
   }
   if (heights.empty()) return {};
   const double low = nearestQuantile(heights, kOutermost), top = nearestQuantile(heights, 1.0 - kOutermost);
   const bool to_floor = low < kFeet;
   // A person seen down to the feet stands on the floor, whose nearest pixels are classified as floor.
-  return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !cut, headless};
+  return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !all_cut_above && !all_cut_below,
+          all_cut_above};
 }
 
 double Stature::deviation() const { return known() ? 0.0 : (interval[1] - interval[0]) / std::sqrt(12.0); }

@@ -7,23 +7,21 @@
 #include <string>
 #include <vector>
 
-#include "tracking/depth/camera/depth_camera.hpp"
-#include "tracking/depth/camera/depth_image.hpp"
+#include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
 
-/// The vertical extent of a person in one image.
+/// The vertical extent of a person in one image, or in those of several cameras together.
 struct VerticalExtent {
   double height{0.0};    ///< m, highest to lowest pixel (to the floor if the lowest is close to it)
   double top{0.0};       ///< m, z of the highest pixel in the camera's world
-  bool whole{false};     ///< seen down to the floor, and not cut by the top or bottom of the image
-  bool headless{false};  ///< cut by the top of the image: the head is higher than `top`
+  bool whole{false};     ///< seen down to the floor, and top and bottom not cut by the image of every camera
+  bool headless{false};  ///< cut by the top of every image: the head is higher than `top`
 };
 
-/// Vertical extent without the outermost 0.5 % of the pixels. Height 0 without pixels. The floor is z = 0 of
-/// `camera`'s world.
-VerticalExtent verticalExtent(const DepthImage& image, const DepthCamera& camera,
-                              std::span<const std::uint8_t> is_person);
+/// Vertical extent without the outermost 0.5 % of the pixels, of all images together. Height 0 without
+/// pixels. The floor is z = 0 of the cameras' world.
+VerticalExtent verticalExtent(std::span<const PersonImage> images);
 
 /// Knowledge of a person's stature, m.
 struct Stature {

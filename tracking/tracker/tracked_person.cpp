@@ -42,17 +42,15 @@ void TrackedPerson::use(const humanmodel::HumanOptions& body) {
   rig_ = std::move(rig);
 }
 
-const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const DepthCamera& camera,
-                                      std::span<const std::uint8_t> is_person) {
+const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> images) {
   if (!tracker_) {
-    const VerticalExtent extent = verticalExtent(image, camera, is_person);
+    const VerticalExtent extent = verticalExtent(images);
     if (extent.height > 0.0) extents_.push_back(extent);
     if (extents_.size() < kMeasured) return nullptr;
     settle();
   }
-  const TrackedBody* body = &tracker_->track(t, image, camera, is_person);
-  if (!stature_.known() && !fitting_.valid() && remeasure(image, camera, is_person))
-    return &tracker_->track(t, image, camera, is_person);
+  const TrackedBody* body = &tracker_->track(t, images);
+  if (!stature_.known() && !fitting_.valid() && remeasure(images)) return &tracker_->track(t, images);
   if (fitted_) return body;
   if (!fitting_.valid()) {
     calibration_.add(t, *tracker_);
@@ -63,7 +61,7 @@ const TrackedBody* TrackedPerson::see(double t, const DepthImage& image, const D
   if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return body;
   settle();
-  return &tracker_->track(t, image, camera, is_person);
+  return &tracker_->track(t, images);
 }
 
 bool TrackedPerson::standsUpright() const {
@@ -75,13 +73,12 @@ bool TrackedPerson::standsUpright() const {
   return frame[kHeadTop].z() - low > kUpright * rig_->height;
 }
 
-bool TrackedPerson::remeasure(const DepthImage& image, const DepthCamera& camera,
-                              std::span<const std::uint8_t> is_person) {
+bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
   if (!standsUpright()) {
     extents_.clear();
     return false;
   }
-  extents_.push_back(verticalExtent(image, camera, is_person));
+  extents_.push_back(verticalExtent(images));
   if (extents_.size() < kMeasured) return false;
   const auto [low, high] = std::minmax_element(
       extents_.begin(), extents_.end(),

@@ -28,11 +28,12 @@ struct KnownBody {
   Facing facing;
 };
 
-/// Processes images of one person. The body is first made from the stature of the first images (median of the
-/// pixel extents, unless given) and tracked as facing the camera; then, from the images explained well,
-/// facing is decided, lengths and girths are fitted, and the person is tracked with these. A stature that is
-/// an interval is measured again as soon as the person stands upright in view, and the body fitted anew. One
-/// thread, and another one for fit_aside. May allocate until it is fitted() and the stature known.
+/// Processes the images of one person, of one camera or several. The body is first made from the stature of
+/// the first images (median of the pixel extents, unless given) and tracked as facing the camera; then, from
+/// the images explained well, facing is decided, lengths and girths are fitted, and the person is tracked
+/// with these. A stature that is an interval is measured again as soon as the person stands upright in view,
+/// and the body fitted anew. One thread, and another one for fit_aside. May allocate until it is fitted() and
+/// the stature known.
 class TrackedPerson {
  public:
   struct Options {
@@ -48,9 +49,8 @@ class TrackedPerson {
   /// Starts with a known body.
   TrackedPerson(const Options& options, const KnownBody& known);
 
-  /// Null while the stature is being measured.
-  const TrackedBody* see(double t, const DepthImage& image, const DepthCamera& camera,
-                         std::span<const std::uint8_t> is_person);
+  /// One image of each camera that looks at `t` (s). Null while the stature is being measured.
+  const TrackedBody* see(double t, std::span<const PersonImage> images);
   bool fitted() const { return fitted_; }
   /// The current body; nullopt while the stature is being measured.
   const std::optional<humanmodel::HumanOptions>& body() const { return body_; }
@@ -72,7 +72,7 @@ class TrackedPerson {
   void use(const humanmodel::HumanOptions& body);
   void adopt(const Fit& fit);
   /// Returns whether there is a new body, which has tracked nothing yet.
-  bool remeasure(const DepthImage& image, const DepthCamera& camera, std::span<const std::uint8_t> is_person);
+  bool remeasure(std::span<const PersonImage> images);
   bool standsUpright() const;
 
   Options options_;

@@ -117,6 +117,72 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
       runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
 }
 
+TEST_F(Cli, TrackFitsTheImagesOfTwoCamerasTogether) {
+  const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
+                             " --body skin --width 320 --end 0.6 --no-cache --look 0,0,0.9 ";
+  const std::string front = (folder_.path() / "front").string(), side = (folder_.path() / "side").string();
+  ASSERT_EQ(run(render + "--eye 2.8,0,1.4 --out " + front).code, 0);
+  ASSERT_EQ(run(render + "--eye 0,-2.8,1.4 --out " + side).code, 0);
+  const std::string csv = (folder_.path() / "person.csv").string();
+  const std::string both = "track " + front + " " + side;
+  const json j = runJson(both + " --clock 0 --out " + csv);
+  EXPECT_EQ(j["frames"], 19);
+  EXPECT_EQ(j["tracked"], 19);
+  EXPECT_EQ(j["people"].size(), 1u);
+  ASSERT_EQ(j["cameras"].size(), 2u);
+  for (const json& camera : j["cameras"]) {
+    EXPECT_EQ(camera["images"], 19);
+    EXPECT_EQ(camera["images_with_people"], 19);
+    EXPECT_EQ(camera["moments_without"], 0);
+    EXPECT_EQ(camera["clock_known"], true);
+  }
+  EXPECT_EQ(j["cameras"][1]["file"], side);
+  EXPECT_TRUE(j["warnings"].empty()) << j["warnings"];
+  EXPECT_EQ(runJson("skeleton " + csv)["gaps"], 0);
+  // Half a second does not tell whether the clocks agree.
+  const json guessed = runJson(both);
+  EXPECT_EQ(guessed["cameras"][1]["clock_known"], false);
+  EXPECT_EQ(guessed["cameras"][1]["clock_offset"], 0.0);
+  EXPECT_EQ(guessed["warnings"].size(), 1u) << guessed["warnings"];
+  EXPECT_THAT(run(both + " --clock 0").out, ::testing::HasSubstr("camera 2: " + side + ", 19 images"));
+  // A clock that is far off: nothing is seen together.
+  EXPECT_EQ(runJson(both + " --clock 10")["frames"], 38);
+  EXPECT_EQ(run(both + " --clock 1,2").code, 2);
+  EXPECT_EQ(run(both + " --clock soon").code, 2);
+  EXPECT_EQ(run(both + " --camera " + front + "/camera.yaml").code, 2);
+  EXPECT_EQ(run(both + " live:kinect").code, 2);
+  tracking::DepthCamera nowhere = tracking::loadDepthCamera(front + "/camera.yaml");
+  nowhere.X_WC = Transform::Identity();
+  const std::string lens = write("lens.yaml", tracking::describeDepthCamera(nowhere));
+  EXPECT_EQ(run(both + " --camera " + front + "/camera.yaml," + lens).code, 2) << "a camera without a pose";
+}
+
+TEST_F(Cli, CalibrateByAPersonWhomTwoCamerasSee) {
+  constexpr double kPlaced = 0.15;  // m, by a person who stays at one place
+  const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
+                             " --body skin --width 320 --room --no-cache --look 0,0,0.9 ";
+  const std::string front = (folder_.path() / "front").string(), side = (folder_.path() / "side").string();
+  ASSERT_EQ(run(render + "--end 3 --eye 2.8,0,1.4 --out " + front).code, 0);
+  ASSERT_EQ(run(render + "--end 3 --eye 1.8,-2.2,1.4 --out " + side).code, 0);
+  const std::string placed = (folder_.path() / "placed.yaml").string();
+  const json j = runJson("calibrate " + side + " --person " + front + " --out " + placed);
+  const Transform X_WC = tracking::loadDepthCamera(placed).X_WC;
+  const Transform truth = tracking::loadDepthCamera(side + "/camera.yaml").X_WC;
+  EXPECT_LT((X_WC.translation() - truth.translation()).norm(), kPlaced);
+  EXPECT_NEAR(tracking::loadDepthCamera(placed).spread, j["spread"].get<double>(), 1e-6);
+  EXPECT_GT(j["used"], 500);
+  EXPECT_EQ(j["exchanged"], false);
+  EXPECT_THAT(j["warnings"].dump(), ::testing::HasSubstr("let the person walk about"));
+  // What is refused, and why.
+  const std::string brief = (folder_.path() / "brief").string();
+  ASSERT_EQ(run(render + "--end 0.6 --eye 2.8,0,1.4 --out " + brief).code, 0);
+  EXPECT_THAT(run("calibrate " + brief + " --person " + front).err,
+              ::testing::HasSubstr("less than a second"));
+  EXPECT_EQ(run("calibrate " + side + " --person " + front + " --links " + front).code, 2);
+  EXPECT_EQ(run("calibrate --person " + front).code, 2);
+  EXPECT_EQ(run("calibrate " + side + " --person nothing.csv").code, 3);
+}
+
 TEST_F(Cli, TrackSaysThatAStatureWasNotMeasured) {
   const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();

@@ -23,6 +23,7 @@ DepthCamera cameraOf(int width, int height) {
 struct Picture {
   DepthImage image;
   std::vector<std::uint8_t> is_person;
+  std::array<PersonImage, 1> of(const DepthCamera& camera) const { return {{{&image, &camera, is_person}}}; }
 };
 Picture picture(const DepthCamera& camera, float person, float wall) {
   Picture p{DepthImage(camera.width, camera.height), {}};
@@ -42,7 +43,7 @@ TEST(BodyObservation, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.update(p.image, camera, p.is_person);
+  seen.update(p.of(camera));
   const Transform X_CW = camera.X_WC.inverse();
   ASSERT_EQ(seen.points().count, 15u * 23u);
   for (std::size_t i = 0; i < seen.points().count; ++i) {
@@ -57,7 +58,7 @@ TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
   const DepthCamera camera = cameraOf(640, 480);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen(1000);
-  seen.update(p.image, camera, p.is_person);
+  seen.update(p.of(camera));
   EXPECT_LE(seen.points().count, 1200u);
   EXPECT_GT(seen.points().count, 500u);
   for (std::size_t i = 0; i < seen.points().count; ++i)
@@ -68,11 +69,11 @@ TEST(BodyObservation, EmptyCellsKnowTheOffsetToThePerson) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.update(p.image, camera, p.is_person);
+  seen.update(p.of(camera));
   constexpr double kZ = 1.8;
   for (int v = 0; v < 48; v += 5) {
     for (int u = 0; u < 64; u += 3) {
-      const BodyObservation::Probe probe = seen.at(camera.at(u, v, kZ));
+      const BodyView::Probe probe = seen.views()[0].at(camera.at(u, v, kZ));
       const bool in = p.is_person[static_cast<std::size_t>(v * 64 + u)] != 0;
       EXPECT_EQ(probe.state, in ? CellState::kPerson : CellState::kEmpty);
       EXPECT_NEAR(probe.z, in ? 1.8 : 3.0, 1e-5);
@@ -93,22 +94,22 @@ TEST(BodyObservation, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
   Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
   p.image.at(2, 2) = 0.0f;
-  seen.update(p.image, camera, p.is_person);
-  EXPECT_EQ(seen.at(camera.at(2, 2, 1.0)).state, CellState::kUnknown);
+  seen.update(p.of(camera));
+  EXPECT_EQ(seen.views()[0].at(camera.at(2, 2, 1.0)).state, CellState::kUnknown);
   p = picture(camera, 1.8f, 0.0f);
-  seen.update(p.image, camera, p.is_person);
-  EXPECT_EQ(seen.at(camera.at(2, 2, 1.0)).state, CellState::kEmpty);
-  EXPECT_EQ(seen.at(camera.at(-5, 2, 1.0)).state, CellState::kUnknown);
-  EXPECT_EQ(seen.at({0.0, 0.0, -1.0}).state, CellState::kUnknown);
+  seen.update(p.of(camera));
+  EXPECT_EQ(seen.views()[0].at(camera.at(2, 2, 1.0)).state, CellState::kEmpty);
+  EXPECT_EQ(seen.views()[0].at(camera.at(-5, 2, 1.0)).state, CellState::kUnknown);
+  EXPECT_EQ(seen.views()[0].at({0.0, 0.0, -1.0}).state, CellState::kUnknown);
 }
 
 TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
-  seen.update(p.image, camera, p.is_person);
+  seen.update(p.of(camera));
   testing::NoAlloc guard;
-  seen.update(p.image, camera, p.is_person);
+  seen.update(p.of(camera));
   EXPECT_EQ(guard.count(), 0);
 }
 

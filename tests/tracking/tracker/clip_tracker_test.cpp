@@ -122,8 +122,9 @@ TEST(BodyTracker, AllocatesNothingOnceItFollows) {
     std::vector<std::uint8_t> mask(frame.image.z.size());
     for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
     const bool follows = tracker.body().found;
+    const PersonImage image{&frame.image, &clip.stream->camera(), mask};
     testing::NoAlloc guard;
-    tracker.track(frame.t, frame.image, clip.stream->camera(), mask);
+    tracker.track(frame.t, {&image, 1});
     if (follows) {
       EXPECT_EQ(guard.count(), 0);
     }

@@ -79,7 +79,9 @@ void drawRoom(const ClipPlan& plan, const Transform& X_WC, tracking::DepthRender
   render.draw(rectangle(foot - aside, foot + aside, foot + aside + up), X_CW);
 }
 
-void drawBox(const FurnitureBox& box, const Transform& X_CW, tracking::DepthRender& render) {
+void drawBox(const FurnitureBox& standing, double t, const Transform& X_CW, tracking::DepthRender& render) {
+  const Vector3d off = std::sin(2.0 * kPi * t / FurnitureBox::kSwing) * standing.swing;
+  const FurnitureBox box{standing.low + off, standing.high + off};
   const Vector3d size = box.high - box.low;
   for (int k = 0; k < 3; ++k) {
     const Vector3d u = size[(k + 1) % 3] * Vector3d::Unit((k + 1) % 3),
@@ -110,7 +112,7 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
     const Transform X_CW = camera.X_WC.inverse();
     for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
     if (plan.room) drawRoom(plan, camera.X_WC, render);
-    for (const FurnitureBox& box : boxes) drawBox(box, X_CW, render);
+    for (const FurnitureBox& box : boxes) drawBox(box, frames[i].t, X_CW, render);
     return tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
   };
   clip.stream = std::make_unique<tracking::DepthStream>(std::move(source));
@@ -135,6 +137,14 @@ SimulatedClip simulate(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
                        std::vector<FurnitureBox> furniture) {
   const SkinPointer skin = skinFor(plan, truth);
   return seenClip(plan, std::move(truth), skin, std::move(furniture));
+}
+
+tracking::DepthImage depthOf(std::span<const FurnitureBox> boxes, double t,
+                             const tracking::DepthCamera& camera) {
+  tracking::DepthRender render(camera);
+  render.clear();
+  for (const FurnitureBox& box : boxes) drawBox(box, t, camera.X_WC.inverse(), render);
+  return render.image();
 }
 
 double JointErrors::mean(const std::vector<double>& errors) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "tracking/depth/formats/depth_stream.hpp"
 #include "tracking/recording/recording.hpp"
@@ -28,10 +29,15 @@ struct SimulatedClip {
 
 SimulatedClip simulate(const ClipPlan& plan);
 
-/// A box that stands in the way: corners, m, world.
+/// A box that stands or swings in the way: corners, m, world.
 struct FurnitureBox {
   Vector3d low, high;
+  Vector3d swing{Vector3d::Zero()};      ///< m, amplitude: the box is off by it times sin(2 pi t / kSwing)
+  static constexpr double kSwing = 2.0;  ///< s
 };
+/// Depth of the boxes alone at `t` (s), as of a robot whose joints are known.
+tracking::DepthImage depthOf(std::span<const FurnitureBox> boxes, double t,
+                             const tracking::DepthCamera& camera);
 /// Of `plan` the camera, the room and the body; `truth` is shown as it is.
 SimulatedClip simulate(const ClipPlan& plan, std::vector<humanmodel::SkeletonFrame> truth,
                        std::vector<FurnitureBox> furniture);

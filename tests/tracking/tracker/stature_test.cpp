@@ -40,7 +40,11 @@ struct Flat {
       }
     }
   }
-  VerticalExtent extent() const { return verticalExtent(image, camera, mask); }
+  PersonImage person() const { return {&image, &camera, mask}; }
+  VerticalExtent extent() const {
+    const PersonImage one = person();
+    return verticalExtent({&one, 1});
+  }
 };
 
 Stature of(double low, double high) {

@@ -1,0 +1,68 @@
+// abstand calibrate CLIP --person: pose of a camera from a person who is known in the world.
+#include "app/cli/calibrate_modes.hpp"
+#include "app/cli/track_people.hpp"
+#include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
+#include "tracking/tracker/pose_from_person.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
+
+namespace abstand::cli {
+namespace {
+
+// m; a person who stays at one place shows the camera's angles by his own size only.
+constexpr double kLittleMoved = 0.5;
+
+}  // namespace
+
+int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
+  if (tracking::isDepthRecording(args.person) && !tracking::openDepthStream(args.person)->facts().pose_known)
+    throw UsageError(
+        "--person: found a depth recording that does not say how its camera stands, expected one with "
+        "T_WC, or a skeleton recording in world");
+  tracking::DepthStreamOptions stream_options;
+  stream_options.camera = args.camera;
+  const auto stream = tracking::openDepthStream(args.input, stream_options);
+  tracking::ClipTrackerOptions options;
+  options.interrupted = interrupted;
+  options.progress = progressBar(line, "images");
+  const tracking::ClipTrack track = tracking::trackClip(*stream, options);
+  if (track.interrupted) return endBeforeFound(line, track.images);
+  if (track.people.empty())
+    throw ParseError({args.input.string()}, "found nobody in the depth recording, expected a person");
+  const tracking::Recording world = tracking::openAnyRecording(args.person, {}, std::nullopt);
+  const tracking::PersonPoseFit fit =
+      tracking::fitPoseToPerson(world.frames, track.people.front().frames, track.camera.X_WC);
+  if (!args.out.empty()) {
+    tracking::DepthCamera camera =
+        args.camera.empty() ? stream->camera() : tracking::loadDepthCamera(args.camera);
+    camera.X_WC = fit.X_WC;
+    camera.spread = fit.spread;
+    writeFile(args.out, tracking::describeDepthCamera(camera));
+  }
+  std::vector<std::string> warnings;
+  if (!fit.clock_known)
+    warnings.push_back("the movements do not decide how the clocks lie: let the person move faster");
+  if (fit.moved < kLittleMoved)
+    warnings.push_back(format("the person moved by %.2f m only: let the person walk about", fit.moved));
+  for (const std::string& warning : warnings) line.warn(warning);
+  const nlohmann::ordered_json document{{"joints", fit.joints},
+                                        {"used", fit.used},
+                                        {"exchanged", fit.exchanged},
+                                        {"clock", fit.clock},
+                                        {"clock_known", fit.clock_known},
+                                        {"T_WC", rowsOf(fit.X_WC)},
+                                        {"rms", fit.rms},
+                                        {"person_moved", fit.moved},
+                                        {"spread", fit.spread},
+                                        {"warnings", warnings}};
+  const Vector3d p = fit.X_WC.translation();
+  line.print(
+      document,
+      format(
+          "%zu joints, %zu of them used, %.1f mm off on the mean square; clock %+.3f s\n"
+          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
+          fit.joints, fit.used, 1e3 * fit.rms, fit.clock, p.x(), p.y(), p.z(), 1e3 * fit.spread));
+  return kDone;
+}
+
+}  // namespace abstand::cli

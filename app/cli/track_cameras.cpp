@@ -1,0 +1,117 @@
+#include "app/cli/track_cameras.hpp"
+
+#include <cmath>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+
+namespace abstand::cli {
+namespace {
+
+// Share of the moments without an image of a camera from which on it is reported.
+constexpr double kManyWithout = 0.1;
+constexpr double kFarthestClock = 1e6;  // s
+
+std::string metresApart(const tracking::ClockOffset& offset) {
+  return format("the person's joints lie %.0f mm apart over %.1f s", 1e3 * offset.apart, offset.overlap);
+}
+
+}  // namespace
+
+TrackCameras::TrackCameras(const Arguments& arguments) {
+  const std::size_t count = arguments.depth.size();
+  if (!arguments.camera.empty() && arguments.camera.size() != count)
+    throw UsageError(format("--camera: found %zu files for %zu recordings, expected one for each",
+                            arguments.camera.size(), count));
+  const bool is_given = !arguments.clock.empty() && arguments.clock != std::vector<std::string>{"auto"};
+  if (is_given && arguments.clock.size() + 1 != count)
+    throw UsageError(
+        format("--clock: found %zu numbers for %zu recordings, expected one for each after the first",
+               arguments.clock.size(), count));
+  names_ = arguments.depth;
+  clock_reasons_.assign(count, "that of the track");
+  clock_known_.assign(count, true);
+  for (std::size_t i = 0; i < count; ++i) {
+    tracking::DepthStreamOptions options;
+    if (!arguments.camera.empty()) options.camera = arguments.camera[i];
+    options.rate = arguments.rate;
+    options.mirror = arguments.mirror;
+    streams_.push_back(tracking::openDepthStream(arguments.depth[i], options));
+    if (count > 1 && !streams_.back()->facts().pose_known)
+      throw UsageError(
+          names_[i].string() +
+          ": found a recording that does not say how its camera stands, expected T_WC in a camera "
+          "file for each of several (--camera)");
+    double offset = 0.0;
+    if (i > 0) {
+      clock_known_[i] = is_given;
+      clock_reasons_[i] = "as given";
+      if (is_given) offset = number(arguments.clock[i - 1], "--clock");
+      if (!(std::abs(offset) <= kFarthestClock))
+        throw UsageError("--clock: found " + arguments.clock[i - 1] + ", expected seconds");
+    }
+    cameras_.push_back({streams_.back().get(), offset});
+  }
+}
+
+void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
+  for (std::size_t i = 1; i < cameras_.size(); ++i) {
+    if (clock_known_[i]) continue;
+    const tracking::ClockOffset found = tracking::clockOffset(*streams_[0], *streams_[i], options);
+    clock_known_[i] = found.decided;
+    if (found.decided) cameras_[i].offset = found.offset;
+    clock_reasons_[i] =
+        found.overlap > 0.0
+            ? (found.decided ? "from the movements: " : "movements do not decide it: ") + metresApart(found)
+            : "the recordings share no movement";
+  }
+}
+
+nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) const {
+  auto all = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    const tracking::CameraShare& share = track.cameras.at(i);
+    all.push_back({{"file", names_[i].string()},
+                   {"camera_reason", streams_[i]->facts().camera_reason},
+                   {"images", share.images},
+                   {"images_with_people", share.people},
+                   {"moments_without", share.without},
+                   {"clock_offset", cameras_[i].offset},
+                   {"clock_known", static_cast<bool>(clock_known_[i])},
+                   {"clock_reason", clock_reasons_[i]}});
+  }
+  return all;
+}
+
+std::string TrackCameras::text(const tracking::ClipTrack& track) const {
+  if (cameras_.size() == 1) return {};
+  std::string text;
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    const tracking::CameraShare& share = track.cameras.at(i);
+    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu moments\n", i + 1,
+                   names_[i].string().c_str(), share.images, share.people, share.without, track.images);
+    text += format("camera %zu: clock %+.3f s, %s (--clock)\n", i + 1, cameras_[i].offset,
+                   clock_reasons_[i].c_str());
+  }
+  text += format("images that were fitted together lie up to %.0f ms apart\n", 1e3 * track.lag);
+  return text;
+}
+
+std::vector<std::string> TrackCameras::warnings(const tracking::ClipTrack& track) const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    const tracking::CameraShare& share = track.cameras.at(i);
+    if (!clock_known_[i])
+      out.push_back(format("camera %zu: its clock is taken to be that of the first, %s (--clock)", i + 1,
+                           clock_reasons_[i].c_str()));
+    if (static_cast<double>(share.without) > kManyWithout * static_cast<double>(track.images))
+      out.push_back(
+          format("camera %zu: no image at %zu of %zu moments: what it alone would have seen is hidden there",
+                 i + 1, share.without, track.images));
+    if (share.images > 0 && share.people == 0)
+      out.push_back(format("camera %zu: found nobody in %zu images", i + 1, share.images));
+  }
+  return out;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,22 @@
+#include "tracking/tracker/body_observation.hpp"
+
+#include <algorithm>
+
+namespace abstand::tracking {
+namespace {
+
+constexpr std::size_t kFullViews = 2;  // with more views each has fewer cells, so that the fit stays as fast
+
+}  // namespace
+
+void BodyObservation::update(std::span<const PersonImage> images) {
+  count_ = std::min(images.size(), kMaxViews);
+  const std::size_t cells = count_ > kFullViews ? max_cells_ * kFullViews / count_ : max_cells_;
+  points_.count = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    views_[i].update(images[i], cells);
+    views_[i].appendPoints(static_cast<std::uint8_t>(i), points_);
+  }
+}
+
+}  // namespace abstand::tracking

@@ -1,0 +1,138 @@
+#include "tracking/tracker/pose_from_person.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/error.hpp"
+#include "core/math/quantile.hpp"
+#include "tracking/depth/calibration/pose_from_points.hpp"
+#include "tracking/tracker/clock_offset.hpp"
+#include "tracking/tracker/turned_round.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+using humanmodel::Joint;
+using humanmodel::SkeletonFrame;
+
+constexpr std::size_t kSearchImages = 90;  // evenly spread, for the search over clocks
+constexpr double kMinMatched = 1.0;        // s
+constexpr double kOutlying = 3.0;          // medians
+constexpr int kRounds = 5;
+constexpr double kAgree = 0.15;  // m; a worse RMS distance is that of two people, or of two movements
+
+/// Recordings have these elsewhere.
+bool isMatched(std::size_t j) {
+  return j != static_cast<std::size_t>(Joint::kSpine) && j != static_cast<std::size_t>(Joint::kThorax);
+}
+
+double stepOf(std::span<const SkeletonFrame> frames) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < frames.size(); ++i) steps.push_back(frames[i].t - frames[i - 1].t);
+  return std::max(nearestQuantile(steps, 0.5), 1e-3);
+}
+
+/// Joints tracked in both at the same time; in the camera's frame, and in the world. `images`: largest number
+/// of frames of `world` used.
+std::vector<MatchedPoint> matchAt(std::span<const SkeletonFrame> world, std::span<const SkeletonFrame> own,
+                                  double clock, std::size_t images) {
+  std::vector<MatchedPoint> points;
+  const double near = 0.6 * stepOf(own);
+  const std::size_t stride = std::max<std::size_t>(1, world.size() / images);
+  for (std::size_t i = 0; i < world.size(); i += stride) {
+    const double t = world[i].t - clock;
+    const auto at = std::lower_bound(own.begin(), own.end(), t,
+                                     [](const SkeletonFrame& frame, double time) { return frame.t < time; });
+    const SkeletonFrame* frame = at != own.end() ? &*at : &own.back();
+    if (at != own.begin() && std::abs(std::prev(at)->t - t) < std::abs(frame->t - t)) frame = &*std::prev(at);
+    if (std::abs(frame->t - t) > near) continue;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (isMatched(j) && world[i].state[j] == humanmodel::JointState::kTracked &&
+          frame->state[j] == humanmodel::JointState::kTracked)
+        points.push_back({frame->p[j], world[i].p[j]});
+  }
+  return points;
+}
+
+std::vector<SkeletonFrame> moved(const Transform& X, std::span<const SkeletonFrame> frames) {
+  std::vector<SkeletonFrame> out(frames.begin(), frames.end());
+  for (SkeletonFrame& frame : out)
+    for (Vector3d& p : frame.p) p = X * p;
+  return out;
+}
+
+struct Alignment {
+  PoseFit fit;  ///< from the axes of the camera's frames
+  double clock{0.0};
+};
+
+/// The clock with the smallest residual.
+Alignment align(std::span<const SkeletonFrame> world, std::span<const SkeletonFrame> own) {
+  Alignment best;
+  best.fit.rms = kInfinity;
+  const double step = stepOf(own);
+  const auto steps = static_cast<int>(ClockOffset::kFarthest / step);
+  const std::size_t enough = std::max<std::size_t>(3, matchAt(world, own, 0.0, kSearchImages).size() / 2);
+  for (int k = -steps; k <= steps; ++k) {
+    const std::vector<MatchedPoint> points = matchAt(world, own, k * step, kSearchImages);
+    if (points.size() < enough) continue;
+    const PoseFit fit = fitPose(points);
+    if (fit.rms < best.fit.rms) best = {fit, k * step};
+  }
+  return best;
+}
+
+double movedBy(std::span<const SkeletonFrame> frames) {
+  double most = 0.0;
+  Eigen::AlignedBox2d box;
+  for (const SkeletonFrame& frame : frames)
+    if (frame.has(Joint::kPelvis)) box.extend(frame[Joint::kPelvis].head<2>());
+  if (!box.isEmpty()) most = box.diagonal().norm();
+  return most;
+}
+
+}  // namespace
+
+PersonPoseFit fitPoseToPerson(std::span<const SkeletonFrame> world, std::span<const SkeletonFrame> own,
+                              const Transform& X_FC) {
+  if (world.size() < 2 || own.size() < 2 || own.back().t - own.front().t < kMinMatched)
+    throw UsageError("found less than a second of the person, expected more");
+  std::vector<SkeletonFrame> flipped;
+  for (const SkeletonFrame& frame : own) flipped.push_back(flippedFacing(frame));
+  const Alignment straight = align(world, own), other = align(world, flipped);
+  PersonPoseFit out;
+  out.exchanged = other.fit.rms < straight.fit.rms;
+  const std::span<const SkeletonFrame> mine = out.exchanged ? flipped : own;
+  const Alignment& best = out.exchanged ? other : straight;
+  if (!std::isfinite(best.fit.rms))
+    throw UsageError("found no time at which both recordings show the person, expected some seconds");
+  const ClockOffset clock = estimateClockOffset(world, moved(best.fit.X_WC, mine));
+  out.clock = clock.decided ? clock.offset : best.clock;
+  out.clock_known = clock.decided;
+
+  const std::vector<MatchedPoint> all = matchAt(world, mine, out.clock, world.size());
+  PoseFit fit = fitPose(all);
+  std::vector<MatchedPoint> used;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<double> off;
+    for (const MatchedPoint& point : all) off.push_back((fit.X_WC * point.p_C - point.p_W).norm());
+    const double limit = kOutlying * nearestQuantile(off, 0.5);
+    used.clear();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (off[i] <= limit) used.push_back(all[i]);
+    fit = fitPose(used);
+  }
+  if (!(fit.rms < kAgree))
+    throw UsageError("found joints that lie " + std::to_string(std::lround(1e3 * fit.rms)) +
+                     " mm apart, expected one person in both recordings");
+  out.X_WC = fit.X_WC * X_FC;
+  out.rms = fit.rms;
+  out.spread = fit.spread;
+  out.joints = all.size();
+  out.used = used.size();
+  out.moved = movedBy(world);
+  return out;
+}
+
+}  // namespace abstand::tracking
