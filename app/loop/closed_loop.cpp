@@ -16,6 +16,7 @@ ClosedLoop::ClosedLoop(session::Session& session, double t) : session_(session),
   for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
     const scene_file::MechanismDescription& description = session.description().mechanisms[m];
     session::MechanismDriver& driver = *session.mechanisms()[m];
+    still_.emplace_back(static_cast<std::size_t>(driver.dof()), 0.0);
     auto& robot = robots_.emplace_back();
     if (!description.reaction) continue;
     robot = std::make_unique<ReactingRobot>(driver, description, scene, people, world_, t);
@@ -80,7 +81,7 @@ void ClosedLoop::move() {
   scene::Scene& scene = session_.scene();
   for (const auto& human : session_.humans()) human->interpolate(t_, scene);
   for (std::size_t m = 0; m < robots_.size(); ++m) {
-    if (robots_[m])
+    if (robots_[m] && !byHand(m))
       robots_[m]->place(t_, scene);
     else
       session_.mechanisms()[m]->apply(t_, scene);
@@ -89,17 +90,30 @@ void ClosedLoop::move() {
   session_.applyPoses(t_);
 }
 
+/// For a robot that is posed by hand: things that meet it meet a body at rest.
+void ClosedLoop::standStill(std::size_t mechanism) {
+  const ReactingRobot& robot = *robots_[mechanism];
+  if (robot.positioned()) return;
+  const session::MechanismDriver& driver = *session_.mechanisms()[mechanism];
+  world_.mechanism(robot.number()).setState(driver.q(), still_[mechanism]);
+}
+
 void ClosedLoop::react(double age) {
   session_.sumEfforts();
   double person_age = 0.0;
   for (const auto& human : session_.humans()) person_age = std::max(person_age, human->recordedAge());
   const scene::Scene& scene = session_.scene();
-  for (const auto& robot : robots_)
-    if (robot) robot->react({t_, kStep, person_age, age}, scene);
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    if (!robots_[m]) continue;
+    if (byHand(m))
+      standStill(m);
+    else
+      robots_[m]->react({t_, kStep, person_age, age}, scene);
+  }
   for (const PairId id : scene.touching()) push(id);
   world_.step(kStep);
-  for (const auto& robot : robots_)
-    if (robot) robot->follow();
+  for (std::size_t m = 0; m < robots_.size(); ++m)
+    if (robots_[m] && !byHand(m)) robots_[m]->follow();
   // Computed from the start to avoid accumulated rounding.
   t_ = start_ + kStep * static_cast<double>(++cycles_);
 }
@@ -132,14 +146,16 @@ void ClosedLoop::capture(view::SceneSnapshot& out) const {
   for (const auto& robot : robots_) n += robot ? 1 : 0;
   out.robots.resize(n);
   n = 0;
-  for (const auto& robot : robots_) {
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    const ReactingRobot* const robot = robots_[m].get();
     if (!robot) continue;
     const safety::StopMachine& stops = robot->stops();
     view::RobotSnapshot& r = out.robots[n++];
-    r.state = stops.state();
-    r.cause = stops.cause();
+    const bool by_hand = byHand(m);
+    r.state = by_hand ? safety::StopState::kRunning : stops.state();
+    r.cause = by_hand ? safety::StopCause() : stops.cause();
     r.since = stops.since();
-    r.speed_scale = robot->speedScale();
+    r.speed_scale = by_hand ? 1.0 : robot->speedScale();
     r.refused_resets = stops.refusedResets();
     r.refusal = stops.lastRefusal();
     r.log = stops.log();

@@ -14,8 +14,9 @@ namespace abstand::loop {
 /// Objects with a `mass` are bodies of the physics: they fall, rest and are pushed, unless `--poses` moves
 /// them. Mechanisms without a `reaction` follow their motion. People follow their recording, whatever pushes
 /// them. Bodies push each other where their surfaces overlap; contacts within margins only affect the
-/// reaction. Loop thread only; step() does not allocate (except within libraries) after the first call, and
-/// does not throw.
+/// reaction. A robot that is posed by hand (MechanismDriver) stands as it is posed: it neither reacts nor is
+/// pushed, and its stop machine rests; the others go on. Loop thread only; step() does not allocate (except
+/// within libraries) after the first call, and does not throw.
 class ClosedLoop {
  public:
   static constexpr double kStep = 1e-3;  ///< s
@@ -37,7 +38,8 @@ class ClosedLoop {
   void resetStops();
   /// Whether the torques of the reactions are sent to the motors, from the next cycle on.
   void setTorques(bool on);
-  /// Sets robots and loop_start. No allocation once `out` has its sizes.
+  /// Sets robots and loop_start; one that is posed by hand counts as running. No allocation once `out` has
+  /// its sizes.
   void capture(view::SceneSnapshot& out) const;
   double start() const { return start_; }  ///< s, of the first cycle
   double time() const { return t_; }       ///< s, of the next cycle
@@ -55,11 +57,14 @@ class ClosedLoop {
     int number;
   };
   void addThings();
+  bool byHand(std::size_t mechanism) const { return session_.mechanisms()[mechanism]->byHand(); }
+  void standStill(std::size_t mechanism);
   void push(PairId id);
 
   session::Session& session_;
   physics::PhysicsWorld world_;
   std::vector<std::unique_ptr<ReactingRobot>> robots_;
+  std::vector<std::vector<double>> still_;  ///< joint rates of 0, for each mechanism
   std::vector<Thing> things_;
   std::vector<physics::PhysicsObject> bodies_;  ///< for each object of the scene
   std::vector<bool> pushed_;                    ///< for each object: it is a body of the physics

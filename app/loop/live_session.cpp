@@ -129,7 +129,9 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                       [&](command::RemovePair c) {
                         control_.remove(pair(c.pair), t_);
                         needs_cycle_ = true;
-                      }},
+                      },
+                      [&](command::PoseJoint c) { poseJoint(c.joint, c.value); },
+                      [&](command::FollowMotion c) { followMotion(c.robot); }},
              received);
   needs_snapshot_ = true;
 }
@@ -160,6 +162,25 @@ std::optional<PairId> LiveSession::pair(int index) const {
   return PairId(static_cast<std::uint32_t>(index));
 }
 
+void LiveSession::poseJoint(int joint, double value) {
+  for (std::size_t m = 0; m < outline_.robots.size(); ++m) {
+    const view::RobotCard& robot = outline_.robots[m];
+    const int own = joint - robot.first_joint;
+    if (own < 0 || own >= robot.joints) continue;
+    if (session_->mechanisms()[m]->poseByHand(own, value)) needs_cycle_ = true;
+  }
+}
+
+void LiveSession::followMotion(int robot) {
+  if (robot < 0 || static_cast<std::size_t>(robot) >= outline_.robots.size()) return;
+  const auto m = static_cast<std::size_t>(robot);
+  if (!session_->mechanisms()[m]->byHand()) return;
+  session_->mechanisms()[m]->followMotion();
+  // Its plan has gone on without it: all begin anew, as after a seek.
+  if (closed_ && closed_->robots()[m]) begin(t_);
+  needs_cycle_ = true;
+}
+
 /// Joint efforts at the displayed time.
 void LiveSession::findTorques() {
   const std::vector<double>& contact = session_->jointEfforts();
@@ -167,8 +188,11 @@ void LiveSession::findTorques() {
   for (std::size_t m = 0; m < torques_of_.size(); ++m) {
     const auto n = static_cast<std::size_t>(session_->mechanisms()[m]->dof());
     const std::span<view::TorqueParts> own = std::span(joint_torques_).subspan(first, n);
-    const ReactingRobot* robot = closed_ ? closed_->robots()[m].get() : nullptr;
-    if (robot)
+    const bool by_hand = session_->mechanisms()[m]->byHand();
+    const ReactingRobot* robot = closed_ && !by_hand ? closed_->robots()[m].get() : nullptr;
+    if (by_hand)
+      torques_of_[m].updateAtRest(own);
+    else if (robot)
       torques_of_[m].update(robot->qd(), robot->qdd(), own);
     else
       torques_of_[m].updateRecorded(t_, own);

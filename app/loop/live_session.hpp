@@ -53,10 +53,20 @@ struct AddPair {
 struct RemovePair {
   int pair;
 };
+/// A joint (index of SceneOutline::joints) by hand; its robot then ignores its motion.
+struct PoseJoint {
+  int joint;
+  double value;  ///< rad or m
+};
+/// Gives a robot (index of SceneOutline::robots) that was posed by hand back to its motion.
+struct FollowMotion {
+  int robot;
+};
 }  // namespace command
-using Command = std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop,
-                             command::Margin, command::React, command::ResetStops, command::Torques,
-                             command::SetGroup, command::AddPair, command::RemovePair>;
+using Command =
+    std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop, command::Margin,
+                 command::React, command::ResetStops, command::Torques, command::SetGroup, command::AddPair,
+                 command::RemovePair, command::PoseJoint, command::FollowMotion>;
 
 /// Owns a session and runs it on its own thread at 1 kHz of wall time. One other thread (the window) sends
 /// commands and takes snapshots; neither waits for the other.
@@ -64,7 +74,8 @@ using Command = std::variant<command::Play, command::Step, command::Seek, comman
 /// While playing, scene time follows wall time (PlayPace). If a mechanism has a `reaction`, the closed loop
 /// runs: every millisecond of the scene has its cycle, and play slows down if they do not fit into wall time.
 /// The robots' state depends on the past, so a seek, a step back and a new round reset them to their plans at
-/// that time (SceneSnapshot::loop_start). Otherwise, and with React off, cycles show the recorded motion at
+/// that time (SceneSnapshot::loop_start), and so does giving back a robot with a `reaction` that was posed by
+/// hand. Otherwise, and with React off, cycles show the recorded motion at
 /// the current wall time; late cycles skip times. Their period is a whole number of milliseconds, the
 /// smallest that the median cycle fits into.
 class LiveSession {
@@ -99,6 +110,8 @@ class LiveSession {
   void begin(double t);
   void closeLoop(double t);
   void findTorques();
+  void poseJoint(int joint, double value);
+  void followMotion(int robot);
   std::optional<PairId> pair(int index) const;
   void publish(const Timing& timing);
 

@@ -34,4 +34,10 @@ void JointTorques::updateRecorded(double t, std::span<view::TorqueParts> out) {
   update(qd_, qdd_, out);
 }
 
+void JointTorques::updateAtRest(std::span<view::TorqueParts> out) {
+  std::fill(qd_.begin(), qd_.end(), 0.0);
+  std::fill(qdd_.begin(), qdd_.end(), 0.0);
+  update(qd_, qdd_, out);
+}
+
 }  // namespace abstand::session

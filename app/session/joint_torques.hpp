@@ -24,6 +24,8 @@ class JointTorques {
   void update(std::span<const double> qd, std::span<const double> qdd, std::span<view::TorqueParts> out);
   /// The same for the recorded motion at time t (s); at rest if there is none.
   void updateRecorded(double t, std::span<view::TorqueParts> out);
+  /// The same for a mechanism that stands still.
+  void updateAtRest(std::span<view::TorqueParts> out);
 
  private:
   const MechanismDriver& driver_;

@@ -1,6 +1,7 @@
 #include "app/session/mechanism_driver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/robot_file/robot.hpp"
@@ -10,6 +11,7 @@ namespace abstand::session {
 MechanismDriver::MechanismDriver(const scene_file::MechanismDescription& description)
     : mechanism_(robot_file::loadRobot(description.file).mechanism),
       X_WB_(description.X_WB),
+      limits_(mechanism::dofLimits(mechanism_)),
       home_(description.q) {
   const auto dof = static_cast<std::size_t>(mechanism_.dof);
   if (home_.empty()) home_.assign(dof, 0.0);
@@ -17,7 +19,7 @@ MechanismDriver::MechanismDriver(const scene_file::MechanismDescription& descrip
     throw ParseError(description.pos, "found " + std::to_string(home_.size()) + " values in q of '" +
                                           description.name + "', expected " + std::to_string(dof) +
                                           ", one a degree of freedom");
-  q_ = home_;
+  q_ = hand_ = home_;
   if (!description.motion.empty()) motion_ = mechanism::loadMotion(description.motion, mechanism_.dof);
   for (const auto& link : description.links) {
     const int frame = mechanism_.indexOf(link.frame);
@@ -61,11 +63,22 @@ std::vector<std::pair<std::size_t, std::size_t>> MechanismDriver::adjacentLinks(
 }
 
 void MechanismDriver::apply(double t, scene::Scene& scene) {
-  if (motion_)
+  if (by_hand_)
+    std::copy(hand_.begin(), hand_.end(), q_.begin());
+  else if (motion_)
     motion_->at(t, q_);
   else
     std::copy(home_.begin(), home_.end(), q_.begin());
   place(t, scene);
+}
+
+bool MechanismDriver::poseByHand(int joint, double value) noexcept {
+  if (joint < 0 || joint >= dof() || !std::isfinite(value)) return false;
+  if (!by_hand_) std::copy(q_.begin(), q_.end(), hand_.begin());
+  by_hand_ = true;
+  const auto i = static_cast<std::size_t>(joint);
+  hand_[i] = std::clamp(value, limits_[i].lower, std::max(limits_[i].lower, limits_[i].upper));
+  return true;
 }
 
 void MechanismDriver::moveTo(std::span<const double> q, double t, scene::Scene& scene) {

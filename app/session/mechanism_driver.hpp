@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/scene_file/scene_description.hpp"
+#include "core/mechanism/dof_limits.hpp"
 #include "core/mechanism/mechanism.hpp"
 #include "core/mechanism/motion_file.hpp"
 #include "core/scene/scene.hpp"
@@ -25,11 +26,19 @@ class MechanismDriver {
   /// frames, or that no joint moves relative to each other.
   std::vector<std::pair<std::size_t, std::size_t>> adjacentLinks() const;
 
-  /// Joint values at time t (home() without a motion), forward kinematics, poses of all links. No allocation,
-  /// no throw.
+  /// Joint values at time t (home() without a motion; those set by hand while it is posed by hand), forward
+  /// kinematics, poses of all links. No allocation, no throw.
   void apply(double t, scene::Scene& scene);
   /// The same for given joint values (rad, m; size dof()).
   void moveTo(std::span<const double> q, double t, scene::Scene& scene);
+  /// Sets one joint (rad, m) by hand, clamped to its limits; from then on apply() ignores the motion. The
+  /// other joints keep their present values. False, and no effect, for an unknown joint and for a value that
+  /// is not finite. No allocation, no throw.
+  bool poseByHand(int joint, double value) noexcept;
+  /// Ends poseByHand().
+  void followMotion() noexcept { by_hand_ = false; }
+  bool byHand() const { return by_hand_; }
+  const std::vector<mechanism::DofLimits>& limits() const { return limits_; }
   /// Marks all links as stale.
   void markStale(double t, scene::Scene& scene) const;
   /// Joint efforts (N m, N) caused by the contact wrenches on the links: J^T w. Size: dof().
@@ -57,7 +66,10 @@ class MechanismDriver {
   mechanism::Mechanism mechanism_;
   mechanism::MechanismState state_;
   Transform X_WB_;
+  std::vector<mechanism::DofLimits> limits_;
   std::vector<double> home_, q_;
+  std::vector<double> hand_;  ///< joint values set by hand
+  bool by_hand_{false};
   std::optional<mechanism::MotionTable> motion_;
   std::vector<Link> links_;
 };

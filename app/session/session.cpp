@@ -274,6 +274,10 @@ void Session::capture(double t, view::SceneSnapshot& out) const {
   std::size_t i = 0;
   for (const auto& m : mechanisms_)
     for (double q : m->q()) out.joint_positions[i++] = q;
+  out.movers.by_hand.resize(mechanisms_.size());
+  for (std::size_t m = 0; m < mechanisms_.size(); ++m) out.movers.by_hand[m] = mechanisms_[m]->byHand();
+  out.movers.person_age.resize(humans_.size());
+  for (std::size_t h = 0; h < humans_.size(); ++h) out.movers.person_age[h] = humans_[h]->recordedAge();
 }
 
 }  // namespace abstand::session

@@ -8,6 +8,7 @@
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
+#include "core/view/body_card.hpp"
 #include "core/view/recording_card.hpp"
 
 namespace abstand::view {
@@ -65,6 +66,13 @@ struct RobotSnapshot {
   std::size_t breach_count{0};
 };
 
+/// What moves robots and people.
+struct MoverSnapshot {
+  std::vector<bool> by_hand;  ///< for each of SceneOutline::robots: posed by hand
+  std::vector<double>
+      person_age;  ///< s, for each of SceneOutline::people: longest time since a part was seen
+};
+
 /// Sizes are fixed when the session opens, so copying does not allocate. Indices are those of the scene.
 struct SceneSnapshot {
   long step{0};
@@ -89,6 +97,7 @@ struct SceneSnapshot {
   std::vector<RobotSnapshot> robots;
   double loop_start{kNaN};  ///< s, when they were last reset to their plans; NaN: never
   long loops{0};            ///< incremented by each such reset
+  MoverSnapshot movers;
   bool playing{false};
   int nearest_pair{-1};  ///< index of the pair with the smallest distance, -1 without pairs
 };
@@ -108,6 +117,8 @@ struct SceneOutline {
   struct JointInfo {
     std::string mechanism, name;
     bool prismatic{false};
+    double lower{-kInfinity}, upper{kInfinity};  ///< rad or m, of its value; infinite: no limit
+    double effort{kInfinity};                    ///< N m or N, absolute value; infinite: no limit
   };
   std::vector<ObjectInfo> objects;
   std::vector<std::pair<int, int>> pairs;
@@ -121,6 +132,11 @@ struct SceneOutline {
   double frame_period{0.01};                   ///< s, one step of the timeline
   std::string title;
   std::vector<RecordingCard> recordings;  ///< of the people that have one
+  std::vector<BodyCard> bodies;           ///< for each object
+  std::vector<RobotCard> robots;          ///< all mechanisms
+  std::vector<PersonCard> people;
+  std::vector<UncheckedPair> unchecked;      ///< all pairs of objects that are not in `pairs`, by a, then b
+  std::vector<std::string> unchecked_notes;  ///< reasons that files give for them
 };
 
 /// One point of the live plots.
