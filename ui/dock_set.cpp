@@ -9,6 +9,7 @@
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -57,6 +58,8 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
               key("Ctrl+Shift+5"), panels.curve);
   cycles = add("cycles", tr("Cycle times"), tr("Show or hide how long the cycles of the loop take"),
                key("Ctrl+Shift+4"), panels.cycles);
+  inspector = add("inspector", tr("Inspector"), tr("Show or hide what is known of the selection"),
+                  key("Ctrl+Shift+7"), panels.inspector);
 }
 
 QDockWidget* DockSet::add(const char* name, const QString& title, const QString& tip, const QString& key,
@@ -89,6 +92,8 @@ void DockSet::arrange() const {
   window_->addDockWidget(Qt::RightDockWidgetArea, plots);
   window_->addDockWidget(Qt::RightDockWidgetArea, margins);
   window_->splitDockWidget(plots, margins, Qt::Vertical);
+  window_->tabifyDockWidget(plots, inspector);
+  plots->raise();
   window_->tabifyDockWidget(margins, robots);
   window_->tabifyDockWidget(robots, groups);
   window_->tabifyDockWidget(groups, notes);

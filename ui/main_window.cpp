@@ -31,6 +31,7 @@
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_tools.hpp"
@@ -149,6 +150,7 @@ void MainWindow::buildPanels() {
   panels_.recordings = new RecordingPanel((*actions_)[Id::kRecordingOptions], this);
   panels_.curve = new MarginCurve(*review_, *selection_, this);
   panels_.cycles = new CyclePanel(this);
+  panels_.inspector = new InspectorPanel(this);
   panels_.status = new StatusPanel(statusBar());
   docks_ = std::make_unique<DockSet>(*this, *actions_, panels_);
   // What was hidden may show an older moment.
@@ -195,6 +197,8 @@ void MainWindow::setSession(SessionPort* session) {
   docks_->notes->setWindowTitle(panels_.notes->title());
   panels_.recordings->open(outline.recordings);
   panels_.cycles->open(outline);
+  panels_.inspector->open(outline);
+  panels_.inspector->setWork(document_->work());
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(snapshot_);
   panels_.status->clear();
@@ -250,6 +254,7 @@ void MainWindow::showMoment() {
   panels_.timeline->refresh(snapshot_);
   if (panels_.robots->isVisible()) panels_.robots->refresh(outline, snapshot_);
   if (panels_.groups->isVisible()) panels_.groups->refresh(snapshot_);
+  panels_.inspector->refresh(snapshot_);
   view::PlotSample sample = momentSample(snapshot_, panels_.plots->joint());
   if (shown_.whole_plot) sample.min_distance = nearestPersonRobot(outline, snapshot_);
   panels_.plots->setMoment(snapshot_.step, sample);

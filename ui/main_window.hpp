@@ -87,6 +87,8 @@ class MainWindow : public QMainWindow {
   void openRecordingRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
   void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
+  /// What is shown shall be read again with this person changed; an edit of the document once it is there.
+  void personRequested(const QString& name, const abstand::ui::PersonOptions& options);
   /// What is shown shall be read again.
   void reloadRequested();
   /// The user does not want to wait for what is being opened.
@@ -114,6 +116,8 @@ class MainWindow : public QMainWindow {
   void showBookmarks();
   void connectEdits();
   void connectGroups();
+  void connectInspector();
+  void poseJoint(int robot, int joint, double value);
   void followWork(const Work& before, const Work& after);
   void showDocument();
   void showHidden(const QSet<QString>& before, const QSet<QString>& after);

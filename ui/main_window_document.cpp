@@ -12,6 +12,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
 #include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
@@ -51,6 +52,8 @@ void MainWindow::followWork(const Work& before, const Work& after) {
   if (before.bookmarks != after.bookmarks) showBookmarks();
   if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);
   if (before.view != after.view) showView();
+  if (before.posed != after.posed || before.people != after.people) panels_.inspector->setWork(after);
+  if (before.posed.keys() != after.posed.keys()) showTitle();
 }
 
 void MainWindow::showBookmarks() {
@@ -134,6 +137,9 @@ void MainWindow::showTitle() {
     const QString recording = QFileInfo(work.recording).fileName();
     name = name.isEmpty() ? recording : tr("%1, %2").arg(name, recording);
   }
+  const QStringList posed = work.posed.keys();
+  if (session_ && !posed.isEmpty())
+    name = tr("%1, %2 posed by hand").arg(name, posed.join(QStringLiteral(", ")));
   setWindowTitle(name.isEmpty() ? tr("Abstand") : tr("%1[*] – Abstand").arg(name));
   setWindowModified(document_->modified() && !name.isEmpty());
 }

@@ -44,6 +44,7 @@ void MainWindow::connectDocument() {
   connectBookmarks();
   connectEdits();
   connectGroups();
+  connectInspector();
 }
 
 void MainWindow::connectUndo() {

@@ -7,6 +7,7 @@ class BookmarkPanel;
 class CyclePanel;
 class EventPanel;
 class GroupPanel;
+class InspectorPanel;
 class MarginCurve;
 class MarginPanel;
 class MarginTools;
@@ -35,6 +36,7 @@ struct PanelSet {
   RecordingPanel* recordings{nullptr};
   MarginCurve* curve{nullptr};
   CyclePanel* cycles{nullptr};
+  InspectorPanel* inspector{nullptr};
   StatusPanel* status{nullptr};
 };
 

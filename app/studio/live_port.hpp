@@ -56,6 +56,8 @@ class LivePort final : public ui::SessionPort {
   }
   void addPair(int group, int pair) override { send(loop::command::AddPair{group, pair}); }
   void removePair(int pair) override { send(loop::command::RemovePair{pair}); }
+  void poseJoint(int joint, double value) override { send(loop::command::PoseJoint{joint, value}); }
+  void followMotion(int robot) override { send(loop::command::FollowMotion{robot}); }
 
  private:
   void send(const loop::Command& command);

@@ -8,6 +8,7 @@
 #include "app/run/scene_notes.hpp"
 #include "app/studio/opening_progress.hpp"
 #include "app/studio/scene_of_file.hpp"
+#include "app/studio/scene_of_work.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::studio {
@@ -34,10 +35,7 @@ std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_
                                               const OpeningProgress::Show& show) {
   scene_file::SceneDescription scene = sceneOf(work.scene, work.recording, packages);
   session::SessionOptions options = optionsOf(work);
-  for (scene_file::HumanDescription& human : scene.humans) {
-    if (!work.reading.units.isEmpty()) human.recording.options.units = work.reading.units.toStdString();
-    if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
-  }
+  applyWork(work, scene);
   OpeningProgress progress(show);
   options.tracked = [&progress](std::size_t done, std::size_t all) { progress.read(done, all); };
   options.planned = [&progress](std::size_t structures) { progress.plan(structures); };

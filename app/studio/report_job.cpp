@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "app/scene_file/scene_description.hpp"
+#include "app/studio/scene_of_work.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -87,15 +88,12 @@ QString ReportJob::keep(const QString& name, const std::string& text) const {
   return file;
 }
 
-/// The scene; where the user reads its recordings otherwise, one that says so.
+/// The scene; where the user reads its recordings or builds its people otherwise, one that says so.
 QString ReportJob::sceneFile() {
-  if (work_.reading.units.isEmpty() && work_.reading.up.isEmpty()) return work_.scene;
+  if (!changesScene(work_)) return work_.scene;
   scene_file::SceneDescription scene =
       scene_file::loadScene(QFile::encodeName(work_.scene).toStdString(), packages_);
-  for (scene_file::HumanDescription& human : scene.humans) {
-    if (!work_.reading.units.isEmpty()) human.recording.options.units = work_.reading.units.toStdString();
-    if (!work_.reading.up.isEmpty()) human.recording.options.up = work_.reading.up.toStdString();
-  }
+  applyWork(work_, scene);
   return keep(QFileInfo(work_.scene).completeBaseName() + QStringLiteral("_as_read.yaml"),
               scene_file::describeScene(scene));
 }

@@ -13,13 +13,14 @@
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
 #include "ui/video_recorder.hpp"
+#include "ui/viewport/viewport.hpp"
 
 namespace abstand::studio {
 
 namespace {
 
 bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
-  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading;
+  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading && a.people == b.people;
 }
 
 constexpr int kNoticeMs = 8000, kSettleMs = 500;
@@ -33,12 +34,14 @@ struct Studio::Request {
   enum class Kind {
     kNew,        ///< `project` takes its place
     kRecording,  ///< an edit: the recording of `project`
+    kPerson,     ///< an edit: `person` as in `project`
     kFollow      ///< nothing: it is as it should be
   };
   Kind kind{Kind::kFollow};
   ui::Project project;
   QString file;
   bool modified{false};
+  QString person{};
   ui::Work before;  ///< of the document when the request was made
 };
 
@@ -49,6 +52,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
   connect(&window, &ui::MainWindow::openProjectRequested, this, &Studio::openProject);
+  connect(&window, &ui::MainWindow::personRequested, this, &Studio::changePerson);
   connect(&window, &ui::MainWindow::reloadRequested, this, &Studio::reload);
   connect(&window.reports(), &ui::ReportCommands::wanted, this, &Studio::makeReport);
   connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
@@ -114,6 +118,20 @@ void Studio::openRecording(const QString& recording) {
   load(std::move(request));
 }
 
+void Studio::changePerson(const QString& name, const ui::PersonOptions& options) {
+  if (!port_) return;
+  Request request;
+  request.kind = Request::Kind::kPerson;
+  request.person = name;
+  request.project = window_.document().project();
+  if (options == ui::PersonOptions())
+    request.project.work.people.remove(name);
+  else
+    request.project.work.people[name] = options;
+  request.project.viewpoint.t = window_.playback().time();
+  load(std::move(request));
+}
+
 void Studio::openProject(const ui::Project& project, const QString& file, bool modified) {
   Request request;
   request.kind = Request::Kind::kNew;
@@ -157,6 +175,7 @@ void Studio::followWork(const ui::Work& before, const ui::Work& after) {
     return;
   Request request;
   request.project = window_.document().project();
+  if (port_) request.project.viewpoint.t = window_.playback().time();
   load(std::move(request));
 }
 
@@ -174,6 +193,23 @@ void Studio::watchFiles() {
     if (QFileInfo::exists(file)) files_.addPath(file);
 }
 
+void Studio::editDocument(const Request& request) {
+  ui::Document& document = window_.document();
+  const ui::Work& wanted = request.project.work;
+  switch (request.kind) {
+    case Request::Kind::kNew:
+      return document.open(request.project, request.file, request.modified);
+    case Request::Kind::kRecording:
+      return document.edit(tr("open recording %1").arg(QFileInfo(wanted.recording).fileName()),
+                           [&](ui::Work& work) { work.recording = wanted.recording; });
+    case Request::Kind::kPerson:
+      return document.edit(tr("change the person %1").arg(request.person),
+                           [&](ui::Work& work) { work.people = wanted.people; });
+    case Request::Kind::kFollow:
+      break;
+  }
+}
+
 void Studio::take(Loaded& loaded) {
   QApplication::restoreOverrideCursor();
   const std::unique_ptr<Request> request = std::move(request_);
@@ -188,21 +224,27 @@ void Studio::take(Loaded& loaded) {
   const bool is_new = request->kind == Request::Kind::kNew;
   // Work that was done while it was loading.
   if (is_new && !(document.work() == request->before) && !window_.projects().mayDiscard()) return;
+  const ui::Work& wanted = request->project.work;
+  // The clock has gone on while it was loading.
+  const bool goes_on =
+      port_ && !is_new && wanted.scene == shown_.scene && wanted.recording == shown_.recording;
+  const bool was_playing = window_.playback().playing();
+  const double t = window_.playback().time();
+  if (goes_on) document.setViewpoint({window_.viewport().cameraView(), t});
   window_.setSession(nullptr);
   analyses_.stop();
   std::unique_ptr<FeedPort> feed;
   if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
   port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
                                      std::move(loaded.meshes));
-  const ui::Work& wanted = request->project.work;
   shown_ = wanted;
   watchFiles();
-  if (is_new)
-    document.open(request->project, request->file, request->modified);
-  else if (request->kind == Request::Kind::kRecording)
-    document.edit(tr("open recording %1").arg(QFileInfo(wanted.recording).fileName()),
-                  [&](ui::Work& work) { work.recording = wanted.recording; });
+  editDocument(*request);
   window_.setSession(port_.get());
+  if (goes_on) {
+    window_.playback().seek(t);
+    if (was_playing) window_.playback().setPlaying(true);
+  }
   Q_EMIT ready();
 }
 

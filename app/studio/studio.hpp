@@ -35,6 +35,9 @@ class Studio : public QObject {
   void openRecording(const QString& recording);
   /// Begins with a document that was read.
   void openProject(const ui::Project& project, const QString& file, bool modified);
+  /// Builds one person of the present scene anew, as an edit of the document. Camera, margins, selection and
+  /// the clock stay. The options that change nothing are those of the scene.
+  void changePerson(const QString& name, const ui::PersonOptions& options);
   /// Reads scene and recording again; the document and the moment stay.
   void reload();
   /// Ends the load that is under way; what is shown stays.
@@ -50,6 +53,7 @@ class Studio : public QObject {
   struct Request;
   void load(Request request);
   void take(Loaded& loaded);
+  void editDocument(const Request& request);
   void giveUp(const Request& request);
   void followWork(const ui::Work& before, const ui::Work& after);
   void makeReport(const ui::ReportRequest& request);

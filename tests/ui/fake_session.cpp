@@ -68,7 +68,23 @@ FakeSession::FakeSession() {
       if (outline_.objects[static_cast<std::size_t>(a)].group !=
           outline_.objects[static_cast<std::size_t>(b)].group)
         outline_.pairs.emplace_back(a, b);
-  for (int j = 0; j < kLinks; ++j) outline_.joints.push_back({"arm", "joint" + std::to_string(j + 1), false});
+  for (int j = 0; j < kLinks; ++j)
+    outline_.joints.push_back({"arm", "joint" + std::to_string(j + 1), false, -kPi, kPi, 60.0});
+  outline_.robots.push_back({"arm", "/cell/arm.urdf", "/cell/arm.csv", Transform::Identity(), 0, kLinks});
+  outline_.people.push_back({"operator", 1.78, 80.0, "m", std::nullopt, "/cell/walk.bvh"});
+  for (std::size_t i = 0; i < outline_.objects.size(); ++i)
+    outline_.bodies.push_back({Vector3d::Constant(2.0 * radii_[i]), 1234, 0.005, 0.004, 0.0031});
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b) {
+      const auto& info = outline_.objects[static_cast<std::size_t>(a)];
+      if (info.group != outline_.objects[static_cast<std::size_t>(b)].group) continue;
+      outline_.unchecked.push_back({a, b,
+                                    info.human                          ? view::UncheckedReason::kOnePerson
+                                    : info.group == "arm" && b == a + 1 ? view::UncheckedReason::kAdjacent
+                                                                        : view::UncheckedReason::kOneGroup});
+    }
+  snapshot_.movers.by_hand = {false};
+  snapshot_.movers.person_age = {0.0};
   outline_.reacting = {"arm"};
   snapshot_.robots.resize(1);
   snapshot_.loop_start = 0.0;
@@ -119,7 +135,10 @@ void FakeSession::place(double t) {
   std::size_t i = 0;
   Vector3d at(0.0, 0.0, 0.0);
   for (int k = 0; k < kLinks; ++k, ++i) {
-    const double bend = k == 0 ? 0.0 : 0.25 + 0.42 * k * (0.55 + 0.35 * std::sin(0.9 * t));
+    const auto joint = static_cast<std::size_t>(k);
+    const double bend = !hand_.empty() ? hand_[joint]
+                        : k == 0       ? 0.0
+                                       : 0.25 + 0.42 * k * (0.55 + 0.35 * std::sin(0.9 * t));
     const double yaw = 0.5 * std::sin(0.5 * t);
     const Vector3d direction(std::sin(bend) * std::cos(yaw), std::sin(bend) * std::sin(yaw), std::cos(bend));
     snapshot_.objects[i].X_WB = along(at, direction, kLinkHalf.z());
@@ -230,6 +249,21 @@ void FakeSession::removePair(int pair) {
   log.push_back("remove " + std::to_string(pair));
   snapshot_.pair_group[static_cast<std::size_t>(pair)] = -1;
   group();
+  compute(snapshot_.t);
+}
+
+void FakeSession::poseJoint(int joint, double value) {
+  log.push_back(line(("pose " + std::to_string(joint)).c_str(), value));
+  if (hand_.empty()) hand_ = snapshot_.joint_positions;
+  hand_[static_cast<std::size_t>(joint)] = value;
+  snapshot_.movers.by_hand[0] = true;
+  compute(snapshot_.t);
+}
+
+void FakeSession::followMotion(int robot) {
+  log.push_back("follow " + std::to_string(robot));
+  hand_.clear();
+  snapshot_.movers.by_hand[0] = false;
   compute(snapshot_.t);
 }
 

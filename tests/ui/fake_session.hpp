@@ -31,6 +31,8 @@ class FakeSession : public SessionPort {
   void setGroup(int group, view::PairGroupState state) override;
   void addPair(int group, int pair) override;
   void removePair(int pair) override;
+  void poseJoint(int joint, double value) override;
+  void followMotion(int robot) override;
 
   /// Computes every frame of `seconds` of wall time, when playing.
   void advance(double seconds);
@@ -68,6 +70,7 @@ class FakeSession : public SessionPort {
   view::SceneOutline outline_;
   view::SceneSnapshot snapshot_;
   std::vector<double> radii_;
+  std::vector<double> hand_;  ///< joints of the arm by hand; empty: it moves
   std::vector<view::PlotSample> samples_;
   bool fresh_{true};
 };

@@ -24,6 +24,10 @@ constexpr YamlRange kAngle{-1e6, 1e6, "rad"};
 constexpr YamlRange kMargin{0.0, kMaxMargin, "m"};
 constexpr YamlRange kSpeed{0.0, 1e3, "", true};
 constexpr YamlRange kOpacity{0.0, 1.0};
+constexpr YamlRange kStature{0.5, 2.5, "m"};
+constexpr YamlRange kPercentile{1.0, 99.0, "%"};
+constexpr YamlRange kMass{10.0, 300.0, "kg"};
+constexpr YamlRange kJoint{-1e4, 1e4, "rad or m"};
 
 [[noreturn]] void fail(const YamlFields& in, const YamlNode& node, const std::string& expected) {
   throw ParseError(in.pos(node), "found " + config::yamlFound(node) + ", expected " + expected);
@@ -70,6 +74,32 @@ void readReading(const YamlFields& in, ReadingOptions& reading) {
   reading.up = textOf(fields, "up");
   reading.speed = fields.number("speed", kSpeed).value_or(reading.speed);
   reading.cut_things = flagOf(fields, "cut_things", reading.cut_things);
+}
+
+void readPeople(const YamlFields& in, Work& work) {
+  const YamlNode* node = namesOf(in, "people");
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
+    const YamlFields fields(node->items[i], in.file(), "a person", {"stature", "percentile", "mass", "sex"});
+    PersonOptions person;
+    person.stature = fields.number("stature", kStature);
+    person.percentile = fields.number("percentile", kPercentile);
+    person.mass = fields.number("mass", kMass);
+    if (const auto sex = fields.choice("sex", {"f", "m"})) person.sex = QString::fromStdString(*sex);
+    if (!(person == PersonOptions())) work.people[QString::fromStdString(node->keys[i].text)] = person;
+  }
+}
+
+void readPosed(const YamlFields& in, Work& work) {
+  const YamlNode* node = namesOf(in, "posed_robots");
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
+    const std::string name = "`" + node->keys[i].text + "`";
+    const YamlNode& list = node->items[i];
+    if (list.kind != YamlNode::Kind::kList || list.items.empty())
+      fail(in, list, "a list with the values of the joints");
+    QVector<double>& joints = work.posed[QString::fromStdString(node->keys[i].text)];
+    for (const YamlNode& item : list.items)
+      joints.push_back(config::yamlNumber(item, in.file(), name, kJoint));
+  }
 }
 
 /// By object, m.
@@ -139,9 +169,9 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   const std::string name = file.toStdString();
   const YamlNode root = config::parseYaml(text, name);
   const YamlFields in(root, name, "a project",
-                      {kVersionKey, "saved_as", "scene", "recording", "reading", "margins", "locked_margins",
-                       "compared_margins", "pair_groups", "moved_pairs", "hidden", "bookmarks", "range",
-                       "view", "camera", "time"});
+                      {kVersionKey, "saved_as", "scene", "recording", "reading", "people", "posed_robots",
+                       "margins", "locked_margins", "compared_margins", "pair_groups", "moved_pairs",
+                       "hidden", "bookmarks", "range", "view", "camera", "time"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -151,6 +181,8 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   work.scene = pathOf(in, "scene", folder);
   work.recording = pathOf(in, "recording", folder);
   readReading(in, work.reading);
+  readPeople(in, work);
+  readPosed(in, work);
   work.margins = marginsUnder(in, "margins");
   work.locked = namesUnder(in, "locked_margins");
   if (in.find("compared_margins")) work.compared = marginsUnder(in, "compared_margins");

@@ -53,6 +53,31 @@ void addMargins(JsonText& json, const char* key, const QMap<QString, double>& ma
   json.close();
 }
 
+void addPeople(JsonText& json, const QMap<QString, PersonOptions>& people) {
+  if (people.isEmpty()) return;
+  json.open("people", '{');
+  for (auto it = people.begin(); it != people.end(); ++it) {
+    json.open(it.key().toStdString(), '{');
+    if (it->stature) json.addNumber("stature", *it->stature);
+    if (it->percentile) json.addNumber("percentile", *it->percentile);
+    if (it->mass) json.addNumber("mass", *it->mass);
+    if (!it->sex.isEmpty()) json.addText("sex", it->sex.toStdString());
+    json.close();
+  }
+  json.close();
+}
+
+void addPosed(JsonText& json, const QMap<QString, QVector<double>>& posed) {
+  if (posed.isEmpty()) return;
+  json.open("posed_robots", '{');
+  for (auto it = posed.begin(); it != posed.end(); ++it) {
+    json.open(it.key().toStdString(), '[');
+    for (const double q : *it) json.addNumber("", q);
+    json.close();
+  }
+  json.close();
+}
+
 void addPairs(JsonText& json, const Work& work) {
   json.open("pair_groups", '{');
   for (auto it = work.groups.begin(); it != work.groups.end(); ++it)
@@ -104,6 +129,8 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
   if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
   addReading(json, work.reading);
+  addPeople(json, work.people);
+  addPosed(json, work.posed);
   addMargins(json, "margins", work.margins);
   if (!work.locked.isEmpty()) addNames(json, "locked_margins", work.locked);
   if (work.compared) addMargins(json, "compared_margins", *work.compared);

@@ -39,6 +39,25 @@ void SessionFollower::follow(const Work& before, const Work& after) {
   if (before.groups != after.groups)
     for (int g = 0; g < static_cast<int>(groups_.size()); ++g)
       if (state(before, g) != state(after, g)) port_->setGroup(g, state(after, g));
+  if (before.posed != after.posed) followPosed(before, after);
+}
+
+QVector<double> SessionFollower::posed(const Work& work, int robot) const {
+  const view::RobotCard& card = port_->outline().robots[static_cast<std::size_t>(robot)];
+  const QVector<double> joints = work.posed.value(QString::fromStdString(card.name));
+  return joints.size() == card.joints ? joints : QVector<double>();
+}
+
+void SessionFollower::followPosed(const Work& before, const Work& after) {
+  const auto& robots = port_->outline().robots;
+  for (int r = 0; r < static_cast<int>(robots.size()); ++r) {
+    const QVector<double> from = posed(before, r), to = posed(after, r);
+    if (from == to) continue;
+    if (to.isEmpty()) port_->followMotion(r);
+    for (int k = 0; k < to.size(); ++k)
+      if (from.isEmpty() || from[k] != to[k])
+        port_->poseJoint(robots[static_cast<std::size_t>(r)].first_joint + k, to[k]);
+  }
 }
 
 double SessionFollower::margin(const Work& work, int object) const {
@@ -80,6 +99,13 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
   if (work.compared)
     for (const QString& name : work.compared->keys()) check(objects, name);
   for (const QString& name : work.groups.keys()) check(groups, name);
+  QSet<QString> robots, people;
+  for (const view::RobotCard& robot : port_->outline().robots)
+    robots.insert(QString::fromStdString(robot.name));
+  for (const view::PersonCard& person : port_->outline().people)
+    people.insert(QString::fromStdString(person.name));
+  for (const QString& name : work.posed.keys()) check(robots, name);
+  for (const QString& name : work.people.keys()) check(people, name);
   for (auto it = work.moved.begin(); it != work.moved.end(); ++it) {
     check(objects, it.key().first);
     check(objects, it.key().second);

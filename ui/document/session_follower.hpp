@@ -1,4 +1,4 @@
-// Hands the document's margins and pairs to a session.
+// Hands the document's margins, pairs and posed robots to a session.
 #pragma once
 
 #include <QStringList>
@@ -22,11 +22,15 @@ class SessionFollower {
   double margin(const Work& work, int object) const;
   /// Of all objects.
   std::vector<double> margins(const Work& work) const;
-  /// Names of objects and groups in `work` that the scene does not have, sorted.
+  /// rad or m: joints of a robot (index of the outline) that `work` poses by hand; empty: it does not, or not
+  /// with this number of joints.
+  QVector<double> posed(const Work& work, int robot) const;
+  /// Names of objects, groups, robots and people in `work` that the scene does not have, sorted.
   QStringList unknownNames(const Work& work) const;
 
  private:
   int group(const Work& work, int pair) const;
+  void followPosed(const Work& before, const Work& after);
   view::PairGroupState state(const Work& work, int group) const;
 
   SessionPort* port_{nullptr};

@@ -33,14 +33,25 @@ struct ReadingOptions {
   bool operator==(const ReadingOptions&) const = default;
 };
 
+/// What replaces the scene's description of a person. What is not set is as in the scene.
+struct PersonOptions {
+  std::optional<double> stature;     ///< m
+  std::optional<double> percentile;  ///< per cent, of girths, breadths and depths
+  std::optional<double> mass;        ///< kg
+  QString sex;                       ///< "f", "m"; empty: as in the scene
+  bool operator==(const PersonOptions&) const = default;
+};
+
 /// Everything that can be undone. Objects, groups and pairs go by their names, so that they outlive another
 /// recording and a scene that was edited. What is not named here is as the scene file says.
 struct Work {
   QString scene;      ///< absolute path; empty: none
   QString recording;  ///< absolute path; empty: those of the scene
   ReadingOptions reading;
-  QMap<QString, double> margins;                  ///< m, by object
-  QSet<QString> locked;                           ///< objects whose margin stays as it is
+  QMap<QString, PersonOptions> people;   ///< those that differ from the scene
+  QMap<QString, QVector<double>> posed;  ///< rad or m, all joints of each robot that is posed by hand
+  QMap<QString, double> margins;         ///< m, by object
+  QSet<QString> locked;                  ///< objects whose margin stays as it is
   std::optional<QMap<QString, double>> compared;  ///< m, by object: what the margins are compared with
   QMap<QString, view::PairGroupState> groups;     ///< by name of a pair group
   QMap<QPair<QString, QString>, QString> moved;   ///< pair -> group that it was moved to; empty: none
@@ -69,3 +80,4 @@ struct Project {
 }  // namespace abstand::ui
 
 Q_DECLARE_METATYPE(abstand::ui::Project)
+Q_DECLARE_METATYPE(abstand::ui::PersonOptions)

@@ -5,6 +5,7 @@
 
 #include "core/safety/clearance_verdict.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
@@ -30,6 +31,26 @@ PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapsho
   const safety::KnownDistance known{result.distance, result.bound, poseUncertainty(snapshot, objects)};
   if (safety::verdict(known, pair.margin) != safety::ClearanceVerdict::kKept) return PairLevel::kInside;
   return safety::certifiedClearance(known) < kNearFactor * pair.margin ? PairLevel::kNear : PairLevel::kApart;
+}
+
+QString levelText(PairLevel level) {
+  switch (level) {
+    case PairLevel::kTouching:
+      return tr("⚠ touching");
+    case PairLevel::kLost:
+      return tr("? pose lost");
+    case PairLevel::kPaused:
+      return tr("? not checked");
+    case PairLevel::kNear:
+      return tr("▲ near");
+    case PairLevel::kInside:
+      return tr("⚠ inside margin");
+    case PairLevel::kApart:
+      return tr("clear");
+    case PairLevel::kUnknown:
+      break;
+  }
+  return tr("–");
 }
 
 }  // namespace abstand::ui

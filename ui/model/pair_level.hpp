@@ -1,6 +1,8 @@
 // How a pair is shown: in the table, and by the lines of the viewport.
 #pragma once
 
+#include <QString>
+
 #include "core/view/snapshot.hpp"
 
 namespace abstand::ui {
@@ -22,6 +24,9 @@ enum class PairLevel : std::uint8_t {
 /// @param objects  numbers of its two objects
 PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapshot& pair,
                     std::pair<int, int> objects);
+
+/// The word for it, with its mark: "⚠ touching", "clear"; a dash without a result.
+QString levelText(PairLevel level);
 
 /// It is not certain that the bodies are apart where their poses put them. False without a result.
 bool isTouching(const query::PairResult& result);

@@ -48,23 +48,7 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
   const view::PairSnapshot& pair = values_[row];
   switch (column) {
     case kState:
-      switch (levels_[row]) {
-        case PairLevel::kTouching:
-          return tr("⚠ touching");
-        case PairLevel::kLost:
-          return tr("? pose lost");
-        case PairLevel::kPaused:
-          return tr("? not checked");
-        case PairLevel::kNear:
-          return tr("▲ near");
-        case PairLevel::kInside:
-          return tr("⚠ inside margin");
-        case PairLevel::kApart:
-          return tr("clear");
-        case PairLevel::kUnknown:
-          return tr("–");
-      }
-      return {};
+      return levelText(levels_[row]);
     case kA:
       return names_[static_cast<std::size_t>(pairs_[row].first)];
     case kB:

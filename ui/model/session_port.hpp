@@ -54,6 +54,11 @@ class SessionPort {
   /// Puts a pair (index of the outline) that is in no group into one, or takes it out of its group.
   virtual void addPair(int group, int pair) = 0;
   virtual void removePair(int pair) = 0;
+  /// A joint (index of the outline; rad or m) by hand, within its limits; its robot ignores its motion from
+  /// then on, and its reaction rests.
+  virtual void poseJoint(int joint, double value) = 0;
+  /// Gives a robot (index of SceneOutline::robots) that was posed by hand back to its motion.
+  virtual void followMotion(int robot) = 0;
 };
 
 }  // namespace abstand::ui

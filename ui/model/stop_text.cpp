@@ -136,6 +136,23 @@ QString causeText(const safety::StopCause& cause, const view::SceneOutline& outl
   return text;
 }
 
+QString stopText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, std::size_t robot) {
+  const view::RobotSnapshot& now = snapshot.robots[robot];
+  if (now.state == safety::StopState::kRunning) return {};
+  const safety::StopCause& cause = now.cause;
+  const auto pair = static_cast<std::size_t>(cause.pair);
+  const bool near =
+      cause.reason == safety::StopReason::kDistance || cause.reason == safety::StopReason::kBraking;
+  if (!near || cause.pair < 0 || pair >= outline.pairs.size() || std::isnan(cause.value))
+    return tr("%1: %2").arg(stateText(now.state), causeText(cause, outline, robot));
+  const auto name = [&](int object) {
+    return QString::fromStdString(outline.objects[static_cast<std::size_t>(object)].name);
+  };
+  return tr("%1: %2 – %3 at %4")
+      .arg(stateText(now.state), name(outline.pairs[pair].first), name(outline.pairs[pair].second),
+           millimetresWithUnit(cause.value));
+}
+
 QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot) {
   const QString name =
       robot < outline.reacting.size() ? QString::fromStdString(outline.reacting[robot]) : QString();

@@ -15,6 +15,9 @@ bool isStop(safety::StopState state);
 /// "distance 39.8 mm, limit 40.0 mm, left_arm/link5 – operator/hand_left". `robot`: index into
 /// SceneOutline::reacting.
 QString causeText(const safety::StopCause& cause, const view::SceneOutline& outline, std::size_t robot);
+/// Why a robot does not run as planned: "protective stop: left_arm/link5 – operator/hand_left at 39.8 mm";
+/// empty while it runs. `robot`: as above, of the snapshot.
+QString stopText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, std::size_t robot);
 /// One line of the log: "6.574 s  left_arm: running → protective stop: distance …"
 QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot);
 /// "6.574 s  left_arm: joint A2 beyond its velocity limit: 2.10 rad/s, limit 1.92 rad/s"

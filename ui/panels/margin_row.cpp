@@ -6,37 +6,14 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
-#include <QWheelEvent>
 #include <cmath>
 
+#include "ui/style/calm_inputs.hpp"
 #include "ui/style/icons.hpp"
-#include "ui/style/number_box.hpp"
 
 namespace abstand::ui {
 
 namespace {
-
-/// Without the wheel, which belongs to the scroll area around it: else scrolling past would change margins.
-class CalmSlider : public QSlider {
- public:
-  using QSlider::QSlider;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
-
-class CalmSpinBox : public NumberBox {
- public:
-  using NumberBox::NumberBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (hasFocus())
-      NumberBox::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
 
 int toSlider(double metres) { return static_cast<int>(std::lround(metres * 1e3)); }
 

@@ -111,6 +111,14 @@
         <source>Show or hide how long the cycles of the loop take</source>
         <translation>Zykluszeiten der Schleife ein- oder ausblenden</translation>
     </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Show or hide what is known of the selection</source>
+        <translation>Angaben zur Auswahl ein- oder ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::ReportJob</name>
@@ -140,6 +148,10 @@
     <message>
         <source>open recording %1</source>
         <translation>Aufnahme %1 öffnen</translation>
+    </message>
+    <message>
+        <source>change the person %1</source>
+        <translation>Person %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -1256,6 +1268,402 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Give commands other keys</source>
         <translation>Befehlen andere Tasten geben</translation>
     </message>
+    <message>
+        <source>no limits</source>
+        <translation>ohne Grenzen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>N·m</source>
+        <translation>N·m</translation>
+    </message>
+    <message>
+        <source>contact %1, reaction %2</source>
+        <translation>Kontakt %1, Reaktion %2</translation>
+    </message>
+    <message>
+        <source>, gravity %1, motion %2</source>
+        <translation>, Schwerkraft %1, Bewegung %2</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2 %3</source>
+        <translation>%1 von höchstens %2 %3</translation>
+    </message>
+    <message>
+        <source>posed by hand</source>
+        <translation>von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>follows %1</source>
+        <translation>folgt %1</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Joint %1</source>
+        <translation>Gelenk %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Torque of %1</source>
+        <translation>Drehmoment von %1</translation>
+    </message>
+    <message>
+        <source>adjacent</source>
+        <translation>benachbart</translation>
+    </message>
+    <message>
+        <source>within the person</source>
+        <translation>innerhalb der Person</translation>
+    </message>
+    <message>
+        <source>within the robot or the room</source>
+        <translation>innerhalb des Roboters oder Raums</translation>
+    </message>
+    <message>
+        <source>dropped by a file</source>
+        <translation>durch eine Datei ausgenommen</translation>
+    </message>
+    <message>
+        <source>excluded by the scene</source>
+        <translation>von der Szene ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>none: all its pairs are checked</source>
+        <translation>keine: alle seine Paare werden geprüft</translation>
+    </message>
+    <message>
+        <source>known within %1</source>
+        <translation>bekannt auf %1</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>inferred, within %1</source>
+        <translation>erschlossen, auf %1</translation>
+    </message>
+    <message>
+        <source>? lost: where it was last seen</source>
+        <translation>? verloren: wo er zuletzt gesehen wurde</translation>
+    </message>
+    <message>
+        <source>? refused: the last good one is shown</source>
+        <translation>? abgelehnt: gezeigt ist die letzte gültige</translation>
+    </message>
+    <message>
+        <source>Nearest person</source>
+        <translation>Nächste Person</translation>
+    </message>
+    <message>
+        <source>Nearest robot or thing</source>
+        <translation>Nächster Roboter oder Gegenstand</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nichts ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>%1 bodies</source>
+        <translation>%1 Körper</translation>
+    </message>
+    <message>
+        <source>⚠ touching</source>
+        <translation>⚠ berührt</translation>
+    </message>
+    <message>
+        <source>? pose lost</source>
+        <translation>? Pose verloren</translation>
+    </message>
+    <message>
+        <source>? not checked</source>
+        <translation>? nicht geprüft</translation>
+    </message>
+    <message>
+        <source>▲ near</source>
+        <translation>▲ nahe</translation>
+    </message>
+    <message>
+        <source>⚠ inside margin</source>
+        <translation>⚠ unterschritten</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1: %2 – %3 at %4</source>
+        <translation>%1: %2 – %3 bei %4</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position, %1</source>
+        <translation>Position, %1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1, y %2, z %3 m</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>body part of the person %1</source>
+        <translation>Körperteil der Person %1</translation>
+    </message>
+    <message>
+        <source>thing in the room</source>
+        <translation>Gegenstand im Raum</translation>
+    </message>
+    <message>
+        <source>link of the robot %1</source>
+        <translation>Glied des Roboters %1</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 m/s, turns at %2/s</source>
+        <translation>%1 m/s, dreht mit %2/s</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>Force, all pairs</source>
+        <translation>Kraft, alle Paare</translation>
+    </message>
+    <message>
+        <source>%1 N, margins included</source>
+        <translation>%1 N, mit Sicherheitsabständen</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m</source>
+        <translation>%1 × %2 × %3 m</translation>
+    </message>
+    <message>
+        <source>Shell points</source>
+        <translation>Hüllpunkte</translation>
+    </message>
+    <message>
+        <source>%1, %2 apart</source>
+        <translation>%1, je %2 entfernt</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Error bound</source>
+        <translation>Fehlerschranke</translation>
+    </message>
+    <message>
+        <source>Fastest body</source>
+        <translation>Schnellster Körper</translation>
+    </message>
+    <message>
+        <source>%1 m/s, %2</source>
+        <translation>%1 m/s, %2</translation>
+    </message>
+    <message>
+        <source>robot with %1 joints</source>
+        <translation>Roboter mit %1 Gelenken</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>person of %1 body parts</source>
+        <translation>Person aus %1 Körperteilen</translation>
+    </message>
+    <message>
+        <source>Stature</source>
+        <translation>Körpergröße</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>%1 kg</source>
+        <translation>%1 kg</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>weiblich</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>männlich</translation>
+    </message>
+    <message>
+        <source>not given: mean of both</source>
+        <translation>nicht angegeben: Mittel beider</translation>
+    </message>
+    <message>
+        <source>Sizes</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>percentile %1</source>
+        <translation>Perzentil %1</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>none: stands still</source>
+        <translation>keine: steht still</translation>
+    </message>
+    <message>
+        <source>Oldest part seen</source>
+        <translation>Am längsten nicht gesehen</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>vor %1</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>When last checked</source>
+        <translation>Bei der letzten Prüfung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1 and %2 for the poses</source>
+        <translation>%1 und %2 für die Posen</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Kontaktkraft</translation>
+    </message>
+    <message>
+        <source>Repulsion (margin, virtual)</source>
+        <translation>Abstoßung (Sicherheitsabstand, gedacht)</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 von %2 Paaren</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw</source>
+        <translation>Rollen, Nicken, Gieren</translation>
+    </message>
+    <message>
+        <source>Roll, pitch, yaw, %1</source>
+        <translation>Rollen, Nicken, Gieren, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1, uncertainty %2</source>
+        <translation>%1, Unsicherheit %2</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>Because of</source>
+        <translation>Wegen</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Geprüft</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -1783,6 +2191,85 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::InspectorPanel</name>
+    <message>
+        <source>Properties of what is selected</source>
+        <translation>Eigenschaften der Auswahl</translation>
+    </message>
+    <message>
+        <source>Property</source>
+        <translation>Eigenschaft</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Select a body, a robot or a person in the 3D view or in the scene tree.</source>
+        <translation>Einen Körper, einen Roboter oder eine Person in der 3D-Ansicht oder im Szenenbaum auswählen.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::JointEditor</name>
+    <message>
+        <source>Follow the motion</source>
+        <translation>Der Bewegung folgen</translation>
+    </message>
+    <message>
+        <source>While a robot is posed by hand the clock goes on for everything else, and its reaction rests.
+Lanes, events and reports stay those of its recorded motion.</source>
+        <translation>Solange ein Roboter von Hand gestellt ist, läuft die Uhr für alles andere weiter, und seine Reaktion ruht.
+Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</translation>
+    </message>
+    <message>
+        <source>Ends the posing by hand. Robots that react begin anew on their planned motion</source>
+        <translation>Beendet das Stellen von Hand. Reagierende Roboter beginnen neu auf ihrer geplanten Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 is not posed by hand</source>
+        <translation>%1 ist nicht von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>%1 is posed by hand</source>
+        <translation>%1 ist von Hand gestellt</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::JointRow</name>
+    <message>
+        <source>Joint %1</source>
+        <translation>Gelenk %1</translation>
+    </message>
+    <message>
+        <source>Joint %1, slider</source>
+        <translation>Gelenk %1, Regler</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Joint %1 in millimetres</source>
+        <translation>Gelenk %1 in Millimetern</translation>
+    </message>
+    <message>
+        <source>Joint %1 in degrees</source>
+        <translation>Gelenk %1 in Grad</translation>
+    </message>
+    <message>
+        <source>Poses the robot by hand: it no longer follows its motion</source>
+        <translation>Stellt den Roboter von Hand: er folgt nicht mehr seiner Bewegung</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::KeyEditor</name>
     <message>
         <source>&amp;Assign</source>
@@ -2058,6 +2545,18 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
     <message>
         <source>Videos (*.avi)</source>
         <translation>Videos (*.avi)</translation>
+    </message>
+    <message>
+        <source>%1, %2 posed by hand</source>
+        <translation>%1, %2 von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>let %1 follow its motion</source>
+        <translation>%1 seiner Bewegung folgen lassen</translation>
+    </message>
+    <message>
+        <source>pose %1 by hand</source>
+        <translation>%1 von Hand stellen</translation>
     </message>
 </context>
 <context>
@@ -2363,30 +2862,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
 <context>
     <name>abstand::ui::PairTableModel</name>
     <message>
-        <source>⚠ touching</source>
-        <translation>⚠ berührt</translation>
-    </message>
-    <message>
-        <source>? pose lost</source>
-        <translation>? Pose verloren</translation>
-    </message>
-    <message>
-        <source>? not checked</source>
-        <translation>? nicht geprüft</translation>
-    </message>
-    <message>
-        <source>▲ near</source>
-        <translation>▲ nahe</translation>
-    </message>
-    <message>
-        <source>⚠ inside margin</source>
-        <translation>⚠ unterschritten</translation>
-    </message>
-    <message>
-        <source>clear</source>
-        <translation>frei</translation>
-    </message>
-    <message>
         <source>–</source>
         <translation>–</translation>
     </message>
@@ -2461,6 +2936,65 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Surface points within the margins</source>
         <translation>Oberflächenpunkte innerhalb der Sicherheitsabstände</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PersonEditor</name>
+    <message>
+        <source>Rebuild the person</source>
+        <translation>Person neu aufbauen</translation>
+    </message>
+    <message>
+        <source>Stature</source>
+        <translation>Körpergröße</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Girths, breadths and depths enclose those of this percentage of the people of that stature</source>
+        <translation>Umfänge, Breiten und Tiefen umfassen die dieses Anteils der Menschen dieser Größe</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source> kg</source>
+        <translation> kg</translation>
+    </message>
+    <message>
+        <source>as in the scene</source>
+        <translation>wie in der Szene</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>weiblich</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>männlich</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>In the background; what is shown stays until the new person is there</source>
+        <translation>Im Hintergrund; das Gezeigte bleibt, bis die neue Person da ist</translation>
+    </message>
+    <message>
+        <source>Not ticked: as in the scene</source>
+        <translation>Ohne Haken: wie in der Szene</translation>
     </message>
 </context>
 <context>

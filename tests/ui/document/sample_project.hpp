@@ -11,6 +11,9 @@ inline Project sampleProject() {
   work.scene = "/cell/scenes/hug \"one\".yaml";
   work.recording = "/recordings/Bücher/walk.bvh";
   work.reading = {"cm", "-y", 1.5, true};
+  work.people = {{"operator", {1.0 / 0.6, 95.0, 81.5, "f"}},
+                 {"visitor", {std::nullopt, 5.0, std::nullopt, ""}}};
+  work.posed = {{"arm", {0.1, -1.0 / 3.0, 0.0}}};
   work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
   work.locked = {"operator/hand_left", "table"};
   work.compared = QMap<QString, double>{{"operator/head", 0.07}};

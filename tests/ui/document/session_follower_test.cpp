@@ -56,6 +56,29 @@ TEST_F(SessionFollowerTest, GroupsAndMovedPairsFollow) {
   EXPECT_EQ(session.log, (Log{"add 0 0", "run 1"}));
 }
 
+TEST_F(SessionFollowerTest, PosedRobotsFollowJointByJoint) {
+  Work work;
+  work.posed["arm"] = {0.1, 0.2, 0.3, 0.4, 0.5};
+  work.posed["nobody"] = {1.0};
+  work.people["nobody either"].mass = 80.0;
+  attach(work);
+  EXPECT_EQ(session.log, (Log{"pose 0 0.1", "pose 1 0.2", "pose 2 0.3", "pose 3 0.4", "pose 4 0.5"}));
+  EXPECT_EQ(follower.unknownNames(work), (QStringList{"nobody", "nobody either"}));
+  session.log.clear();
+  Work moved = work;
+  moved.posed["arm"][3] = -0.4;
+  follower.follow(work, moved);
+  EXPECT_EQ(session.log, Log{"pose 3 -0.4"});
+  session.log.clear();
+  follower.follow(moved, {});
+  EXPECT_EQ(session.log, Log{"follow 0"});
+  session.log.clear();
+  // Of another robot of that name.
+  work.posed["arm"] = {0.1, 0.2};
+  follower.follow({}, work);
+  EXPECT_TRUE(session.log.empty());
+}
+
 TEST_F(SessionFollowerTest, WithoutASessionNothingIsSent) {
   Work work;
   work.margins["arm/link1"] = 0.2;

@@ -1,0 +1,16 @@
+// The scene as the document of the window wants it.
+#pragma once
+
+#include "app/scene_file/scene_description.hpp"
+#include "ui/document/work.hpp"
+
+namespace abstand::studio {
+
+/// Changes how recordings are read and how people are built. People of the work that the scene does not have
+/// have no effect.
+void applyWork(const ui::Work& work, scene_file::SceneDescription& scene);
+
+/// applyWork() changes something.
+bool changesScene(const ui::Work& work);
+
+}  // namespace abstand::studio

@@ -1,0 +1,48 @@
+// How the inspector follows the selection and edits the document.
+#include <QDockWidget>
+
+#include "ui/dock_set.hpp"
+#include "ui/document/document.hpp"
+#include "ui/main_window.hpp"
+#include "ui/model/selection.hpp"
+#include "ui/panels/inspector_panel.hpp"
+#include "ui/panels/joint_editor.hpp"
+#include "ui/panels/person_editor.hpp"
+
+namespace abstand::ui {
+
+void MainWindow::connectInspector() {
+  InspectorPanel* panel = panels_.inspector;
+  connect(selection_, &Selection::changed, this, [this, panel] {
+    panel->setSubject(selection_->objects(), selection_->pair());
+    panel->refresh(snapshot_);
+  });
+  connect(docks_->inspector, &QDockWidget::visibilityChanged, this, [this, panel](bool visible) {
+    panel->setInFront(visible);
+    panel->refresh(snapshot_);
+  });
+  connect(panel->joints(), &JointEditor::edited, this, &MainWindow::poseJoint);
+  connect(panel->joints(), &JointEditor::released, document_, &Document::endStep);
+  connect(panel->joints(), &JointEditor::followWanted, this, [this](int robot) {
+    const QString name =
+        QString::fromStdString(session_->outline().robots[static_cast<std::size_t>(robot)].name);
+    document_->edit(tr("let %1 follow its motion").arg(name), [&](Work& work) { work.posed.remove(name); });
+  });
+  connect(panel->person(), &PersonEditor::wanted, this, &MainWindow::personRequested);
+}
+
+/// The other joints stay where they are shown.
+void MainWindow::poseJoint(int robot, int joint, double value) {
+  const view::RobotCard& card = session_->outline().robots[static_cast<std::size_t>(robot)];
+  const QString name = QString::fromStdString(card.name);
+  QVector<double> joints = follower_.posed(document_->work(), robot);
+  if (joints.isEmpty())
+    for (int k = 0; k < card.joints; ++k)
+      joints.push_back(snapshot_.joint_positions[static_cast<std::size_t>(card.first_joint + k)]);
+  joints[joint] = value;
+  document_->edit(
+      tr("pose %1 by hand").arg(name), [&](Work& work) { work.posed[name] = joints; },
+      QStringLiteral("pose/%1/%2").arg(name).arg(joint));
+}
+
+}  // namespace abstand::ui
