@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/inspected_subject.hpp"
 #include "ui/model/stop_text.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
@@ -110,6 +111,12 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
     if (!reacting) {
       card.state->setText(name);
       card.reason->clear();
+      setAlarm(card.state, false);
+      continue;
+    }
+    if (isByHand(snapshot, robotOf(outline, outline.reacting[i]))) {
+      card.state->setText(tr("%1: posed by hand").arg(name));
+      card.reason->setText(tr("Its reaction rests until it follows its motion again."));
       setAlarm(card.state, false);
       continue;
     }

@@ -3424,6 +3424,14 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <source>%1  %2: reset refused: %3</source>
         <translation>%1  %2: Quittierung abgelehnt: %3</translation>
     </message>
+    <message>
+        <source>%1: posed by hand</source>
+        <translation>%1: von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>Its reaction rests until it follows its motion again.</source>
+        <translation>Seine Reaktion ruht, bis er wieder seiner Bewegung folgt.</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::SceneTreeModel</name>
@@ -3775,6 +3783,18 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     <message>
         <source>Velocity: %1 ≙ %2 m/s</source>
         <translation>Geschwindigkeit: %1 ≙ %2 m/s</translation>
+    </message>
+    <message>
+        <source>⚠ %1, %2</source>
+        <translation>⚠ %1, %2</translation>
+    </message>
+    <message>
+        <source>▲ %1, %2</source>
+        <translation>▲ %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 is posed by hand</source>
+        <translation>%1 ist von Hand gestellt</translation>
     </message>
 </context>
 <context>

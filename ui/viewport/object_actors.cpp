@@ -10,6 +10,7 @@
 
 #include "ui/model/groups.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/viewport/mesh_data.hpp"
 
 namespace abstand::ui {
@@ -19,6 +20,7 @@ namespace {
 constexpr double kMinMist = 2e-3;  // m; less is not seen
 constexpr double kMistOpacity = 0.16;
 constexpr float kHollowLine = 2.0F;  // px
+constexpr double kHaltTint = 0.5;    // share of amber in a link that is stopped; half of it where slowed down
 
 void setColour(vtkProperty* property, const QColor& c) {
   property->SetColor(c.redF(), c.greenF(), c.blueF());
@@ -32,6 +34,11 @@ bool assign(vtkMatrix4x4* matrix, const Eigen::Matrix4d& m) {
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) matrix->SetElement(r, c, m(r, c));
   return true;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto mix = [&](double x, double y) { return x + share * (y - x); };
+  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
 }
 
 bool show(vtkActor* actor, bool visible) {
@@ -57,6 +64,9 @@ void ObjectActors::open(const view::SceneOutline& outline, const PreparedMeshes&
   for (std::size_t i = 0; i < items_.size(); ++i) {
     Item& item = items_[i];
     item.human = infos_[i].human;
+    const auto reacting = std::find(outline.reacting.begin(), outline.reacting.end(), infos_[i].group);
+    if (reacting != outline.reacting.end())
+      item.reacting = static_cast<int>(reacting - outline.reacting.begin());
     item.pose = vtkSmartPointer<vtkMatrix4x4>::New();
     const MeshData& data = i < meshes.objects.size() ? meshes.objects[i] : nothing;
     if (i < outline.meshes.size() && !outline.meshes[i].vertices.empty()) {
@@ -129,7 +139,8 @@ bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const Selection&
     changed |= place(items_[i], snapshot.objects[i].X_WB);
     changed |=
         shadows_.set(i, snapshot.objects[i].X_WB, items_[i].visible && options.floor && options.shadows);
-    changed |= paint(items_[i], snapshot.objects[i], selection.contains(static_cast<int>(i)), options);
+    const Look look{selection.contains(static_cast<int>(i)), haltOf(items_[i], snapshot)};
+    changed |= paint(items_[i], snapshot.objects[i], look, options);
   }
   return changed;
 }
@@ -147,14 +158,25 @@ bool ObjectActors::veil(Item& item, const view::ObjectSnapshot& now, bool hollow
   return assign(item.mist_pose, stretched.matrix()) || changed;
 }
 
-bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chosen,
+ObjectActors::Halt ObjectActors::haltOf(const Item& item, const view::SceneSnapshot& snapshot) {
+  if (item.reacting < 0 || static_cast<std::size_t>(item.reacting) >= snapshot.robots.size())
+    return Halt::kNone;
+  const safety::StopState state = snapshot.robots[static_cast<std::size_t>(item.reacting)].state;
+  if (isStop(state)) return Halt::kStopped;
+  return state == safety::StopState::kSlowing ? Halt::kSlowed : Halt::kNone;
+}
+
+bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, const Look& as,
                          const ViewOptions& options) {
   vtkProperty* look = item.body->GetProperty();
   const auto before = look->GetMTime();
+  const bool chosen = as.chosen, halted = as.halt != Halt::kNone, stopped = as.halt == Halt::kStopped;
   const bool hollow =
       now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
-  const bool marked = now.colliding || chosen;
-  setColour(look, now.colliding ? QColor(kVermillion) : item.colour);
+  const bool marked = now.colliding || chosen || halted;
+  setColour(look, now.colliding ? QColor(kVermillion)
+                  : halted      ? mixed(item.colour, QColor(kAmber), stopped ? kHaltTint : 0.5 * kHaltTint)
+                                : item.colour);
   look->SetRepresentation(hollow ? VTK_WIREFRAME : VTK_SURFACE);
   look->SetLighting(!hollow);
   // The mist of its neighbours lies over it.
@@ -167,7 +189,9 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, bool chose
 
   vtkProperty* edge = item.outline->GetProperty();
   const auto edge_before = edge->GetMTime();
-  setColour(edge, chosen ? QColor(kAccent) : QColor(kVermillion).darker(190));
+  setColour(edge, chosen          ? QColor(kAccent)
+                  : now.colliding ? QColor(kVermillion).darker(190)
+                                  : QColor(stopped ? kVermillion : kAmber));
   changed |= edge->GetMTime() != edge_before;
   changed |= show(item.body, item.visible);
   changed |= veil(item, now, hollow);

@@ -22,7 +22,8 @@ namespace abstand::ui {
 
 class Selection;
 
-/// Drawn so that the state is seen without colour too: contact has an outline, a lost pose is hollow, and
+/// Drawn so that the state is seen without colour too: contact has an outline, so have the links of a robot
+/// that its reaction slows down or stops, a lost pose is hollow, and
 /// about a body that is not known well lies a mist as far as its pose uncertainty: the body stretched by it
 /// along its own axes.
 class ObjectActors {
@@ -52,12 +53,19 @@ class ObjectActors {
     QColor colour;
     bool human{false};
     bool visible{true};
+    int reacting{-1};  ///< index of its robot in SceneOutline::reacting
+  };
+  enum class Halt { kNone, kSlowed, kStopped };
+  struct Look {
+    bool chosen{false};
+    Halt halt{Halt::kNone};
   };
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);
   static bool place(Item& item, const Transform& X_WB);
   bool veil(Item& item, const view::ObjectSnapshot& now, bool hollow);
-  bool paint(Item& item, const view::ObjectSnapshot& now, bool chosen, const ViewOptions& options);
+  bool paint(Item& item, const view::ObjectSnapshot& now, const Look& look, const ViewOptions& options);
+  static Halt haltOf(const Item& item, const view::SceneSnapshot& snapshot);
 
   vtkRenderer* renderer_;
   Shadows shadows_;

@@ -70,6 +70,7 @@ struct Viewport::Impl {
  private:
   void addClosest();
   void addContactLabels();
+  void addRobotLabels();
   void addLegend();
 
   /// Which lines are drawn.

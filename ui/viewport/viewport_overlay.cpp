@@ -4,9 +4,11 @@
 #include <numeric>
 
 #include "ui/model/groups.hpp"
+#include "ui/model/inspected_subject.hpp"
 #include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/style/format.hpp"
 #include "ui/viewport/viewport_impl.hpp"
 
@@ -37,6 +39,7 @@ void Viewport::Impl::fillOverlay() {
                   axis(camera, Vector3d::UnitZ())};
   if (snapshot.pairs.size() == outline->pairs.size() && snapshot.objects.size() == outline->objects.size()) {
     if (options.closest) addClosest();
+    if (options.labels) addRobotLabels();
     if (options.labels) addContactLabels();
   }
   addLegend();
@@ -59,8 +62,14 @@ void Viewport::Impl::addClosest() {
     const auto& [a, b] = outline->pairs[static_cast<std::size_t>(pair)];
     return !drawn(a) || !drawn(b);
   };
-  // The selected pair comes first, then those of people and robots, then the others, each by distance; pairs
-  // of hidden bodies come last. What is inside its margin goes before what is not.
+  // The selected pair comes first, and those that hold a robot, then those of people and robots, then the
+  // others, each by distance; pairs of hidden bodies come last. What is inside its margin goes before what is
+  // not.
+  const auto holds = [&](int pair) {
+    return std::any_of(snapshot.robots.begin(), snapshot.robots.end(), [&](const view::RobotSnapshot& robot) {
+      return robot.state != safety::StopState::kRunning && robot.cause.pair == pair;
+    });
+  };
   closest_.keys.resize(closest_.order.size());
   for (std::size_t i = 0; i < closest_.keys.size(); ++i) {
     const auto pair = static_cast<int>(i);
@@ -68,10 +77,10 @@ void Viewport::Impl::addClosest() {
     const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
     const bool first = contact || pairClassOf(*outline, outline->pairs[i]) == PairClass::kPersonRobot;
     const double d = distance(pair);
-    closest_.keys[i] = hidden(pair)               ? kInfinity
-                       : pair == selection.pair() ? -kInfinity
-                       : first || !(d < kFarLine) ? d
-                                                  : d + kFarLine;
+    closest_.keys[i] = hidden(pair)                              ? kInfinity
+                       : pair == selection.pair() || holds(pair) ? -kInfinity
+                       : first || !(d < kFarLine)                ? d
+                                                                 : d + kFarLine;
   }
   const auto key = [&](int pair) { return closest_.keys[static_cast<std::size_t>(pair)]; };
   const std::size_t shown = std::min(kClosestPairs, closest_.order.size());
@@ -84,7 +93,7 @@ void Viewport::Impl::addClosest() {
     const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const query::PairResult& result = now.result;
     if (now.paused || hidden(pair)) continue;
-    if (!(result.distance < kFarLine) && pair != selection.pair()) continue;
+    if (!(result.distance < kFarLine) && pair != selection.pair() && !holds(pair)) continue;
     if (!result.witness_a.allFinite() || !result.witness_b.allFinite()) continue;
     double depth_a = 0.0, depth_b = 0.0;
     const QPointF a = camera.project(result.witness_a, &depth_a);
@@ -106,12 +115,43 @@ void Viewport::Impl::addClosest() {
   }
 }
 
+void Viewport::Impl::addRobotLabels() {
+  OverlayContent& content = overlay->content();
+  const auto add = [&](const std::string& robot, const QString& text, OverlayLabel::Style style) {
+    // Above its highest link.
+    const view::ObjectSnapshot* highest = nullptr;
+    for (std::size_t i = 0; i < outline->objects.size(); ++i)
+      if (outline->objects[i].group == robot &&
+          (!highest || snapshot.objects[i].p_WCom.z() > highest->p_WCom.z()))
+        highest = &snapshot.objects[i];
+    double depth = 0.0;
+    if (!highest) return;
+    const QPointF at = camera.project(highest->p_WCom, &depth);
+    if (depth > 0.0) content.labels.push_back({at, text, style});
+  };
+  for (std::size_t r = 0; r < std::min(outline->reacting.size(), snapshot.robots.size()); ++r) {
+    const QString why = stopText(*outline, snapshot, r);
+    if (why.isEmpty()) continue;
+    const QString name = QString::fromStdString(outline->reacting[r]);
+    const bool stopped = isStop(snapshot.robots[r].state);
+    add(outline->reacting[r], (stopped ? Viewport::tr("⚠ %1, %2") : Viewport::tr("▲ %1, %2")).arg(name, why),
+        stopped ? OverlayLabel::Style::kContact : OverlayLabel::Style::kNear);
+  }
+  for (std::size_t r = 0; r < outline->robots.size(); ++r)
+    if (isByHand(snapshot, static_cast<int>(r)))
+      add(outline->robots[r].name,
+          Viewport::tr("%1 is posed by hand").arg(QString::fromStdString(outline->robots[r].name)),
+          OverlayLabel::Style::kPlain);
+}
+
 void Viewport::Impl::addContactLabels() {
   OverlayContent& content = overlay->content();
   std::size_t contacts = 0;
   for (std::size_t i = 0; i < std::min(snapshot.objects.size(), outline->objects.size()); ++i) {
     const view::ObjectSnapshot& object = snapshot.objects[i];
-    const bool chosen = selection.contains(static_cast<int>(i));
+    // The names of a whole robot would hide it.
+    const bool chosen =
+        selection.contains(static_cast<int>(i)) && selection.objects().size() <= kContactLabels;
     if (!chosen && (!object.colliding || contacts >= kContactLabels)) continue;
     double depth = 0.0;
     const QPointF at = camera.project(object.p_WCom, &depth);
