@@ -41,11 +41,21 @@ std::string_view withoutBlanksBehind(std::string_view line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-bool onALine(const Eigen::Matrix3Xd& points) {
-  const Vector3d middle = points.rowwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(points.colwise() - middle);
-  const auto& extents = svd.singularValues();
-  return !(extents[1] > kOffLine * extents[0]);
+/// Singular value decomposition of a sum of products of coordinates. Those of many columns take ten times as long
+/// to compile.
+using Decomposition = Eigen::JacobiSVD<Matrix3d>;
+
+bool onALine(const Eigen::Matrix3Xd& centred) {
+  const Decomposition svd(centred * centred.transpose());
+  const Vector3d& squares = svd.singularValues();
+  return !(squares[1] > kOffLine * kOffLine * squares[0]);
+}
+
+/// Rotation of least squares that takes the columns of `from` to those of `to`, both centred (Kabsch 1976).
+Matrix3d rotationOnto(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+  const Decomposition svd(to * from.transpose(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  return svd.matrixU() * Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 }  // namespace
@@ -74,11 +84,16 @@ PoseFit fitPose(std::span<const MatchedPoint> points) {
     camera.col(i) = points[static_cast<std::size_t>(i)].p_C;
     world.col(i) = points[static_cast<std::size_t>(i)].p_W;
   }
+  const Vector3d mean_camera = camera.rowwise().mean(), mean_world = world.rowwise().mean();
+  camera.colwise() -= mean_camera;
+  world.colwise() -= mean_world;
   if (onALine(camera) || onALine(world))
     throw UsageError(
         "found matched points on a line, expected some beside it: the camera could turn about it");
   PoseFit fit;
-  fit.X_WC.matrix() = Eigen::umeyama(camera, world, false);
+  fit.X_WC.linear() = rotationOnto(camera, world);
+  fit.X_WC.translation() = mean_world - fit.X_WC.linear() * mean_camera;
+  fit.X_WC.makeAffine();
   double squares = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double off = (fit.X_WC * points[i].p_C - points[i].p_W).norm();

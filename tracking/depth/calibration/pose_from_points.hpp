@@ -27,7 +27,7 @@ struct PoseFit {
   double spread{0.0};
 };
 
-/// Least-squares rigid transform from camera points to world points (Umeyama, PAMI 1991, without scale).
+/// Least-squares rigid transform from camera points to world points (Kabsch 1976).
 /// Throws UsageError for fewer than three points, or collinear points.
 PoseFit fitPose(std::span<const MatchedPoint> points);
 
