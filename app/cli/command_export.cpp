@@ -1,5 +1,7 @@
 // abstand export: exports results of `tune --out`.
 #include "app/cli/command_line.hpp"
+#include "app/cli/csv_field.hpp"
+#include "app/cli/pair_csv.hpp"
 #include "app/cli/version.hpp"
 #include "app/results/mcap_results.hpp"
 #include "app/tune/tune_answer.hpp"
@@ -12,16 +14,8 @@ namespace {
 
 struct ExportArguments {
   std::vector<std::string> folders;
-  std::string csv, mcap, margin;
+  std::string csv, pairs_csv, mcap, margin;
 };
-
-/// Quotes a name if a CSV needs it.
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 /// Returns the number of rows.
 std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesystem::path& file) {
@@ -44,8 +38,8 @@ std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesyste
 }
 
 int runExport(const CommandLine& line, const ExportArguments& args) {
-  if (args.csv.empty() && args.mcap.empty())
-    throw UsageError("found neither --csv nor --mcap, expected a file to write");
+  if (args.csv.empty() && args.pairs_csv.empty() && args.mcap.empty())
+    throw UsageError("found none of --csv, --pairs-csv and --mcap, expected a file to write");
   if (!args.margin.empty() && args.mcap.empty())
     throw UsageError("--margin: found without --mcap, expected the file that tells events at that margin");
   results::McapOptions options{std::string("abstand ") + kVersion, {}};
@@ -57,6 +51,11 @@ int runExport(const CommandLine& line, const ExportArguments& args) {
     const std::size_t rows = writeClearances(answer, args.csv);
     document["rows"] = rows;
     text += format("%zu rows of %zu recordings\n", rows, answer.recordings.size());
+  }
+  if (!args.pairs_csv.empty()) {
+    const std::size_t rows = writePairTable(answer.recordings, args.pairs_csv);
+    document["pair_rows"] = rows;
+    text += format("%zu rows of pairs of %zu recordings\n", rows, answer.recordings.size());
   }
   if (!args.mcap.empty()) {
     const results::McapCounts counts = results::writeMcap(answer, options, args.mcap);
@@ -78,6 +77,8 @@ void addExport(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<ExportArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
   line.output(command->add_option("--csv", args->csv, "table to write: a row a frame and body part"));
+  line.output(command->add_option("--pairs-csv", args->pairs_csv,
+                                  "table to write: a row a frame and pair of body part and link"));
   line.output(command->add_option("--mcap", args->mcap,
                                   "MCAP file to write: a topic a recording and body part (docs/margins.md)"));
   command->add_option("--margin", args->margin, "m: --mcap has a topic of the events at this margin, too");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/csv_field.hpp"
 #include "app/cli/json_values.hpp"
 #include "app/cli/tune_texts.hpp"
 #include "core/base/number.hpp"
@@ -134,14 +135,6 @@ std::string missesText(const tune::TuneAnswer& answer) {
                    answer.recordings.size() > 1 ? (", " + r.recording).c_str() : "");
   }
   return text;
-}
-
-/// Quotes a name if a CSV needs it.
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 }  // namespace

@@ -7,5 +7,6 @@ PYBIND11_MODULE(_scene, module) {
   module.doc() = "Recordings and scenes of abstand.";
   abstand::python::translateErrors();
   abstand::python::bindRecordings(module);
+  abstand::python::bindResults(module);
   abstand::python::bindScenes(module);
 }

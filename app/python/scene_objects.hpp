@@ -8,6 +8,7 @@ namespace abstand::python {
 namespace py = pybind11;
 
 void bindRecordings(py::module_& module);
+void bindResults(py::module_& module);
 void bindScenes(py::module_& module);
 
 }  // namespace abstand::python

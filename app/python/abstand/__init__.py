@@ -36,7 +36,7 @@ from ._engine import (
 __version__ = "@PROJECT_VERSION@"
 
 # Names of the second extension, which is loaded on first use of one of them, as loading its readers is slow.
-_LATER = ("Recording", "Scene", "SceneRun", "StepResult", "read_recording")
+_LATER = ("Recording", "Result", "Scene", "SceneRun", "StepResult", "read_recording", "read_result")
 
 __all__ = [name for name in globals() if not name.startswith("_")] + list(_LATER)
 

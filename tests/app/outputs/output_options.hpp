@@ -29,6 +29,7 @@ inline const std::vector<Output> kFiles{
     {"check junit", "check scene.yaml --min-distance 0.01", "--junit", "scene.yaml"},
     {"check report", "check scene.yaml --min-distance 0.01", "--report", "scene.yaml"},
     {"export csv", "export study", "--csv", "study/results/one.h5"},
+    {"export pairs", "export study", "--pairs-csv", "study/results/one.h5"},
     {"export mcap", "export study", "--mcap", "study/results/one.h5"},
     {"report html", "report study", "--html", "study/results/one.h5"},
     {"pairs out", "pairs pair.urdf --voxel 0.05 --samples 20 --searches 0", "--out", "pair.urdf"},

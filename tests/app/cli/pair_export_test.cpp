@@ -1,0 +1,82 @@
+// abstand export --pairs-csv: every pair of stored results.
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "tests/app/cli/seven_people.hpp"
+
+namespace abstand::testing {
+namespace pair_export_test {
+
+// m: result files have whole steps of 0.01 mm, rounded to the safe side once for each of three numbers.
+constexpr double kStep = 1e-5, kRounded = 3.0 * kStep + 1e-9;
+constexpr double kSpeedStep = 1.0 / 16.0 + 1e-3;  // m/s, of pairs far apart
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Rows of a file without quotes; the first is the header.
+Rows readCsv(const std::string& file) {
+  std::ifstream in(file);
+  Rows rows;
+  for (std::string line; std::getline(in, line);) {
+    rows.emplace_back();
+    std::string field;
+    for (const char c : line)
+      if (c == ',')
+        rows.back().push_back(std::move(field)), field.clear();
+      else
+        field += c;
+    rows.back().push_back(field);
+  }
+  return rows;
+}
+
+class PairExport : public SevenPeople {};
+
+TEST_F(PairExport, HasARowForEachFrameAndPairWithTheNumbersOfTheParts) {
+  const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("study"));
+  const json j =
+      runJson("export " + out("study") + " --pairs-csv " + out("pairs.csv") + " --csv " + out("parts.csv"));
+  // One link, so that a pair is a part.
+  EXPECT_EQ(j["pair_rows"], tuned["frames"].get<int>() * 14);
+  const Rows pairs = readCsv(out("pairs.csv")), parts = readCsv(out("parts.csv"));
+  ASSERT_EQ(pairs.size(), parts.size());
+  EXPECT_EQ(pairs[0][1], "t_s");
+  EXPECT_EQ(pairs[0][7], "clearance_m");
+  EXPECT_EQ(pairs[0][10], "closing_speed_m_per_s");
+  ASSERT_EQ(pairs[0].size(), 17u);
+  int near = 0, far = 0;
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    const auto &pair = pairs[i], &part = parts[i];
+    ASSERT_EQ(pair.size(), pairs[0].size()) << i;
+    for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(pair[c], part[c]) << i;
+    const auto number = [](const std::string& text) { return std::stod(text); };
+    const double distance = number(pair[4]), clearance = number(pair[7]);
+    EXPECT_NEAR(distance, number(part[4]), kStep + 1e-9) << i;
+    EXPECT_NEAR(clearance, distance - number(pair[5]) - number(pair[6]), 1e-9) << i;
+    EXPECT_LE(clearance, number(part[7]) + 1e-9) << "rounded to the safe side, " << i;
+    EXPECT_GE(clearance, number(part[7]) - kRounded) << i;
+    const double closing = number(pair[10]);
+    EXPECT_EQ(closing, number(pair[8]) + number(pair[9]));
+    EXPECT_GE(number(pair[8]), number(part[8]) - 1.0 / 16384.0) << i;
+    EXPECT_LE(number(pair[8]), std::max(0.0, number(part[8])) + kSpeedStep) << i;
+    ++(distance < 0.5 ? near : far);
+    EXPECT_EQ(pair[11].empty(), !(distance < 0.5)) << i;
+    if (pair[11].empty()) continue;
+    double squared = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) squared += std::pow(number(pair[14 + k]) - number(pair[11 + k]), 2);
+    // Points have whole millimetres.
+    EXPECT_NEAR(std::sqrt(squared), std::abs(distance), 2e-3) << i;
+  }
+  EXPECT_GT(near, 0);
+  EXPECT_GT(far, 0);
+}
+
+TEST_F(PairExport, AsksForAFile) {
+  const Answer a = run("export " + out("study"));
+  EXPECT_EQ(a.code, 2);
+  EXPECT_NE(a.err.find("--pairs-csv"), std::string::npos) << a.err;
+}
+
+}  // namespace pair_export_test
+}  // namespace abstand::testing
