@@ -158,14 +158,18 @@ std::vector<std::string> TableReader::texts(const std::string& name) const {
 
 Extents TableReader::extents(const std::string& name) const { return impl_->extents(impl_->set(name), name); }
 
-std::vector<double> TableReader::table(const std::string& name, std::size_t rows, std::size_t width) const {
-  const Handle s = impl_->set(name);
-  const Extents extents = impl_->extents(s, name);
+void TableReader::expect(const std::string& name, std::size_t rows, std::size_t width) const {
+  const Extents extents = this->extents(name);
   if (extents.rows != rows || extents.width() != width)
     impl_->fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(extents.width()) +
                 " numbers in `" + name + "`, expected " + std::to_string(rows) + " of " +
                 std::to_string(width));
   impl_->checkSize(name, rows, width);
+}
+
+std::vector<double> TableReader::table(const std::string& name, std::size_t rows, std::size_t width) const {
+  expect(name, rows, width);
+  const Handle s = impl_->set(name);
   const Handle space(H5Dget_space(s.get()), H5Sclose), memory(H5Dget_space(s.get()), H5Sclose);
   return impl_->values(s, name, rows * width, memory, space);
 }

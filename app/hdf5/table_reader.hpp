@@ -33,6 +33,8 @@ class TableReader {
   std::vector<std::string> texts(const std::string& name) const;
 
   Extents extents(const std::string& name) const;
+  /// Throws ParseError if a table has other than `rows` rows of `width` numbers, or more than 2 GiB.
+  void expect(const std::string& name, std::size_t rows, std::size_t width) const;
   /// All numbers of a table, row by row; it must have `rows` and `width`.
   std::vector<double> table(const std::string& name, std::size_t rows, std::size_t width) const;
   /// `count` rows of a table, from row `first` on; it must have this `width`. For tables of any length.

@@ -31,6 +31,15 @@ double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedS
 
 }  // namespace
 
+void reserveFrames(std::size_t frames, PartClearance& part) {
+  for (auto* list :
+       {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
+        &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed,
+        &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
+    list->reserve(frames);
+  part.link.reserve(frames);
+}
+
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
     : session_(session),
       options_(options),
@@ -47,7 +56,10 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   for (const humanmodel::BodyPart part : there)
     result_.parts.push_back(
         {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
-  for (PartClearance& part : result_.parts) part.contact_excluded = judge_.excluded(part.part);
+  for (PartClearance& part : result_.parts) {
+    part.contact_excluded = judge_.excluded(part.part);
+    if (options.keep_frames) reserveFrames(options.frames, part);
+  }
   std::map<std::size_t, std::uint16_t> link_index;
   for (const WatchedPair& pair : window_.pairs()) {
     const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(pair.body_part)));

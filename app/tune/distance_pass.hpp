@@ -39,6 +39,7 @@ struct PassOptions {
   safety::SeparationOptions separation;
   /// False: the lists of PartClearance hold the last frame alone, so that memory does not grow.
   bool keep_frames{true};
+  std::size_t frames{0};  ///< expected, with keep_frames
   /// Hears every frame in order, once it is settled; the names and pairs of the result are complete then.
   std::function<void(const SettledFrame&, const PassResult&)> on_frame;
 };
@@ -63,6 +64,9 @@ struct PartClearance {
   std::vector<double> contact_scale;
   bool contact_excluded{false};  ///< ApproachJudge::excluded
 };
+
+/// Reserves the lists for so many frames, so that they do not grow by copies.
+void reserveFrames(std::size_t frames, PartClearance& part);
 
 /// m/s. A power of two, so that files store it exactly.
 inline constexpr double kSpeedStep = 1.0 / 16384.0;

@@ -51,6 +51,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   margin::validate(options.margins());
   PassOptions pass_options = options.pass;
   pass_options.clamped = clampedWith(options.pass.clamped, session);
+  pass_options.frames = (run.rate ? session.frameTimes(*run.rate) : session.frameTimes()).size();
   DistancePass pass(session, pass_options);
   pauseOthers(pass.watched(), session);
   run::RunOptions as_recorded = run;

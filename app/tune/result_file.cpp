@@ -6,6 +6,7 @@
 
 #include "app/hdf5/table_reader.hpp"
 #include "app/tune/exposure_file.hpp"
+#include "app/tune/part_tables.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -21,19 +22,10 @@ constexpr double kPairSpeedStep = 1.0 / 512.0, kFarSpeedStep = 1.0 / 16.0;
 // m: nearest points of pairs farther apart are omitted.
 constexpr double kPointsWithin = 0.5;
 constexpr std::size_t kMaxNames = 10000;
-constexpr double kNoLink = 65535.0;  // above kMaxNames
 
-/// Columns of one part, in file order.
-const char* const kColumns[] = {"clearance", "between",     "braking", "distance",
-                                "bound",     "uncertainty", "link",    "age"};
-constexpr std::size_t kColumnCount = std::size(kColumns);
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
 /// the hardest contact on the way, excluded, force, energy, share, pressure, its share, quasi-static.
 constexpr std::size_t kApproachColumns = 17;
-/// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
-constexpr double kAllMissing = 1e4;
-/// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
-constexpr std::size_t kSeparationColumns = 10;
 /// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
 constexpr std::size_t kNeedColumns = 7;
 
@@ -65,28 +57,6 @@ run::Reservation reservationOf(const std::string& line, const std::string& file)
           parseDouble(fields[4]),
           static_cast<scene::Severity>(static_cast<int>(*fails)),
           ""};
-}
-
-/// One list of a part, from a column of a row-major table.
-std::vector<double> column(const std::vector<double>& table, std::size_t frames, std::size_t width,
-                           std::size_t at) {
-  std::vector<double> list(frames);
-  for (std::size_t i = 0; i < frames; ++i) list[i] = table[i * width + at];
-  return list;
-}
-
-PartSeparation separationOf(std::vector<double> missing, std::vector<double> scale, const double* worst) {
-  for (double& v : missing) v = std::isnan(v) ? -kInfinity : v >= kAllMissing ? kInfinity : v;
-  PartSeparation separation{std::move(missing), std::move(scale), {}};
-  if (std::isnan(worst[0])) return separation;
-  // NaN is treated as no link, too.
-  const bool any = worst[1] >= 0.0 && worst[1] <= kNoLink;
-  SeparationMoment m{worst[0], static_cast<std::uint16_t>(any ? worst[1] : kNoLink),
-                     worst[2], worst[3],
-                     worst[4], {worst[5], worst[6], worst[7], worst[8]},
-                     worst[9]};
-  separation.worst = m;
-  return separation;
 }
 
 /// `count` needs, starting at row `first`.
@@ -230,33 +200,6 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
   out_.texts("clamped", tuned.clamped);
 }
 
-void ResultWriter::writeParts(const std::vector<PartClearance>& all) {
-  const std::size_t t = out_.table("t", {});
-  const std::size_t parts = out_.table("part_values", {all.size(), kColumnCount});
-  const std::size_t separation =
-      out_.table("part_separation", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t speeds = out_.table("part_speeds", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t contact = out_.table("part_contact", {all.size()}, hdf5::Storage::kSteps32, kSpeedStep);
-  out_.texts("part_columns", {std::begin(kColumns), std::end(kColumns)});
-  for (std::size_t i = 0; i < all.front().track.frames(); ++i) {
-    out_.add(t, all.front().track.t[i]);
-    for (const PartClearance& p : all)
-      for (const double v :
-           {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
-            p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
-        out_.add(parts, v);
-    for (const PartClearance& p : all) {
-      out_.add(speeds, p.robot_speed[i]);
-      out_.add(speeds, p.person_speed[i]);
-      const double missing = p.separation.missing[i];
-      out_.add(separation, missing == -kInfinity ? kNaN : std::min(missing, kAllMissing));
-      out_.add(separation, p.separation.speed_scale[i]);
-      out_.add(contact, p.contact_scale[i]);
-    }
-    out_.endRow();
-  }
-}
-
 void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
   std::vector<std::string> regions;
   const std::size_t approaches = out_.table("approaches", {kApproachColumns});
@@ -283,33 +226,19 @@ void ResultWriter::writeNeeds(const PassResult& pass) {
     }
 }
 
-void ResultWriter::writeSeparation(const std::vector<PartClearance>& all) {
-  const std::size_t worst = out_.table("worst_separation", {kSeparationColumns});
-  for (const PartClearance& p : all) {
-    SeparationMoment none;
-    none.t = kNaN;
-    const SeparationMoment m = p.separation.worst.value_or(none);
-    for (const double v :
-         {m.t, static_cast<double>(m.link), m.clearance, m.robot_speed, m.person_speed, m.needed.person,
-          m.needed.reaction, m.needed.stopping, m.needed.constant, m.permitted_speed})
-      out_.add(worst, v);
-    out_.endRow();
-  }
-}
-
 void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& options) {
   const PassResult& pass = tuned.pass;
   if (!begun_) begin(pass);
   writeOptions(tuned, options);
   // The rows of the pairs are complete; later tables have their own.
   out_.nextTables();
-  writeParts(pass.parts);
+  writePartTables(pass.parts, out_);
   out_.nextTables();
   writeApproaches(pass.approaches);
   out_.nextTables();
   writeNeeds(pass);
   out_.nextTables();
-  writeSeparation(pass.parts);
+  writeWorstSeparation(pass.parts, out_);
   out_.nextTables();
   writeExposure(pass.exposure, out_);
   out_.commit();
@@ -360,44 +289,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.file = file;
   const std::size_t frames = in.extents("t").rows;
   tuned.frames = frames;
-  const std::vector<double> t = in.table("t", frames, 1);
-  const std::size_t width = parts.size() * kColumnCount;
-  const std::vector<double> values = in.table("part_values", frames, width);
-  const std::vector<double> separation = in.table("part_separation", frames, 2 * parts.size());
-  const std::vector<double> worst = in.table("worst_separation", parts.size(), kSeparationColumns);
-  const std::vector<double> speeds = in.table("part_speeds", frames, 2 * parts.size());
-  const std::vector<std::string> excluded = in.texts("contact_excluded");
-  const std::vector<double> contact = in.table("part_contact", frames, parts.size());
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    const auto list = [&](std::size_t c) { return column(values, frames, width, p * kColumnCount + c); };
-    PartClearance part{
-        parts[p], {t, list(0), list(1), list(2)}, list(3), list(4), list(5), list(7), {}, {}, {}, {}, {},
-        false};
-    part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
-    part.contact_scale = column(contact, frames, parts.size(), p);
-    const std::vector<double> by_separation = column(separation, frames, 2 * parts.size(), 2 * p + 1);
-    const auto isShare = [](double s) { return s >= 0.0 && s <= 1.0; };
-    if (!std::all_of(by_separation.begin(), by_separation.end(), isShare) ||
-        !std::all_of(part.contact_scale.begin(), part.contact_scale.end(), isShare))
-      fail("found a permitted share of the speed outside of 0 to 1");
-    part.robot_speed = column(speeds, frames, 2 * parts.size(), 2 * p);
-    part.separation = separationOf(column(separation, frames, 2 * parts.size(), 2 * p), by_separation,
-                                   worst.data() + p * kSeparationColumns);
-    if (part.separation.worst && part.separation.worst->link >= tuned.pass.links.size())
-      fail("found the number of a link that is not among the links");
-    part.person_speed = column(speeds, frames, 2 * parts.size(), 2 * p + 1);
-    for (const double link : list(6)) {
-      if (!(link >= 0.0 && link < static_cast<double>(tuned.pass.links.size())))
-        fail("found the number of a link that is not among the links");
-      part.link.push_back(static_cast<std::uint16_t>(link));
-    }
-    try {
-      margin::validate(part.track);
-    } catch (const UsageError& e) {
-      fail(e.what());
-    }
-    tuned.pass.parts.push_back(std::move(part));
-  }
+  tuned.pass.parts = readPartTables(in, {parts, tuned.pass.links.size(), frames}, file.string());
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass.links.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());
   return stored;

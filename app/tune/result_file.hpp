@@ -22,10 +22,8 @@ class ResultWriter {
  private:
   void begin(const PassResult& names);
   void writeOptions(const TunedRecording& tuned, const TuneOptions& options);
-  void writeParts(const std::vector<PartClearance>& parts);
   void writeApproaches(const std::vector<Approach>& approaches);
   void writeNeeds(const PassResult& pass);
-  void writeSeparation(const std::vector<PartClearance>& parts);
 
   hdf5::TableWriter out_;
   bool begun_{false};

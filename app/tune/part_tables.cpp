@@ -1,0 +1,166 @@
+#include "app/tune/part_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+
+namespace abstand::tune {
+namespace {
+
+/// Columns of one part, in file order.
+const char* const kPartColumns[] = {"clearance", "between",     "braking", "distance",
+                                    "bound",     "uncertainty", "link",    "age"};
+constexpr std::size_t kPartColumnCount = std::size(kPartColumns);
+/// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
+constexpr double kAllMissing = 1e4;
+constexpr double kNoLink = 65535.0;  // above the largest number of names
+/// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
+constexpr std::size_t kSeparationColumns = 10;
+/// Frames that are read at once.
+constexpr std::size_t kFramesInBlock = 4096;
+
+std::optional<SeparationMoment> worstMoment(const double* worst) {
+  if (std::isnan(worst[0])) return std::nullopt;
+  // NaN is treated as no link, too.
+  const bool any = worst[1] >= 0.0 && worst[1] <= kNoLink;
+  return SeparationMoment{worst[0], static_cast<std::uint16_t>(any ? worst[1] : kNoLink),
+                          worst[2], worst[3],
+                          worst[4], {worst[5], worst[6], worst[7], worst[8]},
+                          worst[9]};
+}
+
+/// Fills the lists of all parts, block by block.
+class PartLists {
+ public:
+  PartLists(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file)
+      : in_{in}, names_{names}, file_{file} {
+    for (const auto& [table, width] :
+         std::initializer_list<std::pair<const char*, std::size_t>>{{"part_values", kPartColumnCount},
+                                                                    {"part_separation", 2},
+                                                                    {"part_speeds", 2},
+                                                                    {"part_contact", 1}})
+      in.expect(table, names.frames, width * names.parts.size());
+  }
+
+  void read(std::vector<PartClearance>& parts) const {
+    for (std::size_t first = 0; first < names_.frames; first += kFramesInBlock) {
+      const std::size_t count = std::min(kFramesInBlock, names_.frames - first), n = parts.size();
+      const std::vector<double> values = in_.rows("part_values", first, count, n * kPartColumnCount),
+                                separation = in_.rows("part_separation", first, count, 2 * n),
+                                speeds = in_.rows("part_speeds", first, count, 2 * n),
+                                contact = in_.rows("part_contact", first, count, n);
+      for (std::size_t p = 0; p < n; ++p)
+        for (std::size_t i = 0; i < count; ++i) {
+          const std::size_t at = i * n + p;
+          addValues(values.data() + at * kPartColumnCount, parts[p]);
+          addMissing(separation[2 * at], share(separation[2 * at + 1]), parts[p].separation);
+          parts[p].robot_speed.push_back(speeds[2 * at]);
+          parts[p].person_speed.push_back(speeds[2 * at + 1]);
+          parts[p].contact_scale.push_back(share(contact[at]));
+        }
+    }
+  }
+
+ private:
+  void addValues(const double* v, PartClearance& part) const {
+    part.track.clearance.push_back(v[0]);
+    part.track.between.push_back(v[1]);
+    part.track.braking.push_back(v[2]);
+    part.distance.push_back(v[3]);
+    part.bound.push_back(v[4]);
+    part.uncertainty.push_back(v[5]);
+    if (!(v[6] >= 0.0 && v[6] < static_cast<double>(names_.links)))
+      throw ParseError({file_}, "found the number of a link that is not among the links");
+    part.link.push_back(static_cast<std::uint16_t>(v[6]));
+    part.age_uncertainty.push_back(v[7]);
+  }
+  static void addMissing(double missing, double scale, PartSeparation& separation) {
+    separation.missing.push_back(std::isnan(missing)      ? -kInfinity
+                                 : missing >= kAllMissing ? kInfinity
+                                                          : missing);
+    separation.speed_scale.push_back(scale);
+  }
+  double share(double value) const {
+    if (!(value >= 0.0 && value <= 1.0))
+      throw ParseError({file_}, "found a permitted share of the speed outside of 0 to 1");
+    return value;
+  }
+
+  const hdf5::TableReader& in_;
+  const PartTableNames& names_;
+  const std::string& file_;
+};
+
+}  // namespace
+
+void writePartTables(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {
+  const std::size_t t = out.table("t", {});
+  const std::size_t parts = out.table("part_values", {all.size(), kPartColumnCount});
+  const std::size_t separation =
+      out.table("part_separation", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
+  const std::size_t speeds = out.table("part_speeds", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
+  const std::size_t contact = out.table("part_contact", {all.size()}, hdf5::Storage::kSteps32, kSpeedStep);
+  out.texts("part_columns", {std::begin(kPartColumns), std::end(kPartColumns)});
+  for (std::size_t i = 0; i < all.front().track.frames(); ++i) {
+    out.add(t, all.front().track.t[i]);
+    for (const PartClearance& p : all)
+      for (const double v :
+           {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
+            p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
+        out.add(parts, v);
+    for (const PartClearance& p : all) {
+      out.add(speeds, p.robot_speed[i]);
+      out.add(speeds, p.person_speed[i]);
+      const double missing = p.separation.missing[i];
+      out.add(separation, missing == -kInfinity ? kNaN : std::min(missing, kAllMissing));
+      out.add(separation, p.separation.speed_scale[i]);
+      out.add(contact, p.contact_scale[i]);
+    }
+    out.endRow();
+  }
+}
+
+void writeWorstSeparation(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {
+  const std::size_t worst = out.table("worst_separation", {kSeparationColumns});
+  for (const PartClearance& p : all) {
+    SeparationMoment none;
+    none.t = kNaN;
+    const SeparationMoment m = p.separation.worst.value_or(none);
+    for (const double v :
+         {m.t, static_cast<double>(m.link), m.clearance, m.robot_speed, m.person_speed, m.needed.person,
+          m.needed.reaction, m.needed.stopping, m.needed.constant, m.permitted_speed})
+      out.add(worst, v);
+    out.endRow();
+  }
+}
+
+std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const PartTableNames& names,
+                                          const std::string& file) {
+  const std::vector<double> t = in.table("t", names.frames, 1);
+  const std::vector<double> worst = in.table("worst_separation", names.parts.size(), kSeparationColumns);
+  const std::vector<std::string> excluded = in.texts("contact_excluded");
+  const PartLists lists(in, names, file);
+  std::vector<PartClearance> parts(names.parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    PartClearance& part = parts[p];
+    reserveFrames(names.frames, part);
+    part.part = names.parts[p];
+    part.track.t = t;
+    part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
+    part.separation.worst = worstMoment(worst.data() + p * kSeparationColumns);
+    if (part.separation.worst && part.separation.worst->link >= names.links)
+      throw ParseError({file}, "found the number of a link that is not among the links");
+  }
+  lists.read(parts);
+  for (const PartClearance& part : parts) {
+    try {
+      margin::validate(part.track);
+    } catch (const UsageError& e) {
+      throw ParseError({file}, e.what());
+    }
+  }
+  return parts;
+}
+
+}  // namespace abstand::tune
