@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "app/hdf5/chunk_encoder.hpp"
 #include "app/hdf5/file_seal.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr hsize_t kChunkRows = 1024;
 constexpr int kDeflate = 1;
 constexpr std::size_t kStripBytes = 64;  // a cache line
+constexpr std::size_t kMetadataBytes = std::size_t{4} << 20;
 
 // Numbers are kept in memory as in the file.
 static_assert(std::endian::native == std::endian::little);
@@ -34,11 +36,17 @@ hid_t typeOf(Storage storage) {
   return H5T_IEEE_F64LE;
 }
 
-/// The smallest integer of the type represents NaN.
-double steps(double value, Storage storage, double step) {
-  const double largest = storage == Storage::kSteps32 ? 2147483647.0 : 32767.0;
-  if (std::isnan(value)) return -largest - 1.0;
-  return std::clamp(std::floor(value / step), -largest, largest);
+/// Whole steps, rounded down and clipped. The smallest integer represents NaN.
+template <class Integer>
+Integer steps(double value, double step) {
+  constexpr Integer kMost = std::numeric_limits<Integer>::max();
+  const double exact = value / step;
+  if (!(exact > -static_cast<double>(kMost)))
+    return std::isnan(exact) ? std::numeric_limits<Integer>::min() : static_cast<Integer>(-kMost);
+  if (exact >= static_cast<double>(kMost)) return kMost;
+  // Without std::floor(), which is a call.
+  const auto towards_zero = static_cast<Integer>(exact);
+  return static_cast<Integer>(towards_zero - (exact < static_cast<double>(towards_zero)));
 }
 
 /// Creation properties without time stamps.
@@ -46,6 +54,16 @@ Handle plainList() {
   Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(list.get(), false);
   return list;
+}
+
+/// Rows are only appended, so the library need not keep what says where earlier chunks are: 32 MB by default.
+void limitMetadata(hid_t access) {
+  H5AC_cache_config_t config{};
+  config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  if (H5Pget_mdc_config(access, &config) < 0) return;
+  config.max_size = kMetadataBytes;
+  config.initial_size = std::min(config.initial_size, config.max_size);
+  H5Pset_mdc_config(access, &config);
 }
 
 /// A table that grows by rows. Rows are kept in memory, in the file's type, until they fill a chunk.
@@ -73,9 +91,9 @@ struct Table {
     if (storage == Storage::kDouble)
       for (const double v : values) put(v);
     else if (storage == Storage::kSteps32)
-      for (const double v : values) put(static_cast<std::int32_t>(steps(v, storage, step)));
+      for (const double v : values) put(steps<std::int32_t>(v, step));
     else
-      for (const double v : values) put(static_cast<std::int16_t>(steps(v, storage, step)));
+      for (const double v : values) put(steps<std::int16_t>(v, step));
   }
 
   /// Writes the full chunks, or all rows.
@@ -182,8 +200,10 @@ TableWriter::TableWriter(const std::filesystem::path& file) : impl_(std::make_un
   startLibrary();
   const Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(list.get(), kSealBytes);
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  limitMetadata(access.get());
   impl_->handle =
-      Handle(H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, list.get(), H5P_DEFAULT), H5Fclose);
+      Handle(H5Fcreate(impl_->out.named().c_str(), H5F_ACC_TRUNC, list.get(), access.get()), H5Fclose);
   impl_->expect(static_cast<bool>(impl_->handle));
   impl_->check();
 }

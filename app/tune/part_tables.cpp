@@ -94,31 +94,37 @@ class PartLists {
 
 }  // namespace
 
-void writePartTables(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {
-  const std::size_t t = out.table("t", {});
-  const std::size_t parts = out.table("part_values", {all.size(), kPartColumnCount});
-  const std::size_t separation =
-      out.table("part_separation", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t speeds = out.table("part_speeds", {all.size(), 2}, hdf5::Storage::kSteps32, kSpeedStep);
-  const std::size_t contact = out.table("part_contact", {all.size()}, hdf5::Storage::kSteps32, kSpeedStep);
+void PartTableWriter::begin(std::size_t parts, hdf5::TableWriter& out) {
+  using hdf5::Storage;
+  t_ = out.table("t", {});
+  values_ = out.table("part_values", {parts, kPartColumnCount});
+  separation_ = out.table("part_separation", {parts, 2}, Storage::kSteps32, kSpeedStep);
+  speeds_ = out.table("part_speeds", {parts, 2}, Storage::kSteps32, kSpeedStep);
+  contact_ = out.table("part_contact", {parts}, Storage::kSteps32, kSpeedStep);
   out.texts("part_columns", {std::begin(kPartColumns), std::end(kPartColumns)});
-  for (std::size_t i = 0; i < all.front().track.frames(); ++i) {
-    out.add(t, all.front().track.t[i]);
-    for (const PartClearance& p : all)
-      for (const double v :
-           {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
-            p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]})
-        out.add(parts, v);
-    for (const PartClearance& p : all) {
-      out.add(speeds, p.robot_speed[i]);
-      out.add(speeds, p.person_speed[i]);
-      const double missing = p.separation.missing[i];
-      out.add(separation, missing == -kInfinity ? kNaN : std::min(missing, kAllMissing));
-      out.add(separation, p.separation.speed_scale[i]);
-      out.add(contact, p.contact_scale[i]);
-    }
-    out.endRow();
+}
+
+void PartTableWriter::add(const std::vector<PartClearance>& parts, std::size_t i, hdf5::TableWriter& out) {
+  out.add(t_, parts.front().track.t[i]);
+  row_.clear();
+  for (const PartClearance& p : parts)
+    row_.insert(row_.end(),
+                {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
+                 p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]});
+  out.add(values_, row_);
+  row_.clear();
+  for (const PartClearance& p : parts) row_.insert(row_.end(), {p.robot_speed[i], p.person_speed[i]});
+  out.add(speeds_, row_);
+  row_.clear();
+  for (const PartClearance& p : parts) {
+    const double missing = p.separation.missing[i];
+    row_.insert(row_.end(),
+                {missing == -kInfinity ? kNaN : std::min(missing, kAllMissing), p.separation.speed_scale[i]});
   }
+  out.add(separation_, row_);
+  row_.clear();
+  for (const PartClearance& p : parts) row_.push_back(p.contact_scale[i]);
+  out.add(contact_, row_);
 }
 
 void writeWorstSeparation(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {

@@ -7,8 +7,18 @@
 
 namespace abstand::tune {
 
-/// Adds the tables with a row for each frame.
-void writePartTables(const std::vector<PartClearance>& parts, hdf5::TableWriter& out);
+/// Writes the tables with a row for each frame.
+class PartTableWriter {
+ public:
+  /// Adds the tables.
+  void begin(std::size_t parts, hdf5::TableWriter& out);
+  /// Adds entry `i` of all lists as the numbers of the next row.
+  void add(const std::vector<PartClearance>& parts, std::size_t i, hdf5::TableWriter& out);
+
+ private:
+  std::size_t t_{0}, values_{0}, separation_{0}, speeds_{0}, contact_{0};
+  std::vector<double> row_;  ///< of one table
+};
 /// Adds the table of the worst moments of protective distances, a row for each part.
 void writeWorstSeparation(const std::vector<PartClearance>& parts, hdf5::TableWriter& out);
 

@@ -11,12 +11,33 @@
 namespace abstand::tune {
 namespace {
 
-/// Time (s) at the beginning that cannot be judged.
-double unjudged(const margin::ClearanceTrack& track, const margin::MarginOptions& options) {
-  const std::size_t first = margin::firstJudgedFrame(track, options);
-  if (first == 0) return 0.0;
-  return first < track.frames() ? track.t[first] - track.t.front() : track.duration();
-}
+/// Times of a pass, frame by frame.
+class PassTimes {
+ public:
+  explicit PassTimes(double limit) : limit_{limit} {}
+
+  /// Takes the last frame of the pass.
+  void add(const PassResult& pass) {
+    if (judged_.empty()) {
+      judged_.resize(pass.parts.size(), false);
+      t0 = pass.parts.front().track.t.back();
+    }
+    t1 = pass.parts.front().track.t.back();
+    for (std::size_t p = 0; p < judged_.size(); ++p) {
+      if (judged_[p]) continue;
+      // As margin::firstJudgedFrame(): until a stop comes in time, or to the end.
+      unjudged = std::max(unjudged, t1 - t0);
+      judged_[p] = !(pass.parts[p].track.braking.back() <= limit_);
+    }
+  }
+
+  double t0{0.0}, t1{0.0};  ///< s, first and last frame
+  double unjudged{0.0};     ///< s, TunedRecording::unjudged
+
+ private:
+  double limit_;
+  std::vector<bool> judged_;  ///< of each part
+};
 
 /// Content hash of all recordings that people follow.
 std::string contentOf(const session::Session& session) {
@@ -52,6 +73,11 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   PassOptions pass_options = options.pass;
   pass_options.clamped = clampedWith(options.pass.clamped, session);
   pass_options.frames = (run.rate ? session.frameTimes(*run.rate) : session.frameTimes()).size();
+  PassTimes times(options.margins().limit);
+  pass_options.on_frame = [&](const SettledFrame& settled, const PassResult& result) {
+    times.add(result);
+    if (options.pass.on_frame) options.pass.on_frame(settled, result);
+  };
   DistancePass pass(session, pass_options);
   pauseOthers(pass.watched(), session);
   run::RunOptions as_recorded = run;
@@ -69,10 +95,9 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.reservations = summary.reservations;
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();
-  const margin::ClearanceTrack& any = tuned.pass.parts.front().track;
-  if (any.frames() > 0) tuned.t0 = any.t.front(), tuned.t1 = any.t.back();
-  for (const PartClearance& part : tuned.pass.parts)
-    tuned.unjudged = std::max(tuned.unjudged, unjudged(part.track, options.margins()));
+  tuned.t0 = times.t0;
+  tuned.t1 = times.t1;
+  tuned.unjudged = times.unjudged;
   return tuned;
 }
 

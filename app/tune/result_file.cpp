@@ -6,7 +6,6 @@
 
 #include "app/hdf5/table_reader.hpp"
 #include "app/tune/exposure_file.hpp"
-#include "app/tune/part_tables.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -142,11 +141,12 @@ void ResultWriter::begin(const PassResult& names) {
   uncertainty_ = out_.table("uncertainty", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
   points_ = out_.table("points", {names.pairs.size(), 6}, Storage::kSteps16, kPointStep);
   speeds_ = out_.table("pair_speeds", {names.pairs.size(), 2}, Storage::kSteps16, kPairSpeedStep);
+  parts_.begin(names.parts.size(), out_);
 }
 
-void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
+void ResultWriter::frame(const SettledFrame& settled, const PassResult& pass) {
   const WindowFrame& frame = settled.frame;
-  if (!begun_) begin(names);
+  if (!begun_) begin(pass);
   const std::size_t pairs = frame.distance.size();
   out_.add(distance_, frame.distance);
   row_.resize(6 * pairs);
@@ -170,6 +170,7 @@ void ResultWriter::frame(const SettledFrame& settled, const PassResult& names) {
     }
   }
   out_.add(points_, row_);
+  parts_.add(pass.parts, pass.parts.front().track.frames() - 1, out_);
   out_.endRow();
 }
 
@@ -228,11 +229,15 @@ void ResultWriter::writeNeeds(const PassResult& pass) {
 
 void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& options) {
   const PassResult& pass = tuned.pass;
-  if (!begun_) begin(pass);
+  if (!begun_) {
+    begin(pass);
+    for (std::size_t i = 0; i < pass.parts.front().track.frames(); ++i) {
+      parts_.add(pass.parts, i, out_);
+      out_.endRow();
+    }
+  }
   writeOptions(tuned, options);
-  // The rows of the pairs are complete; later tables have their own.
-  out_.nextTables();
-  writePartTables(pass.parts, out_);
+  // The rows of the frames are complete; later tables have their own.
   out_.nextTables();
   writeApproaches(pass.approaches);
   out_.nextTables();

@@ -4,19 +4,24 @@
 #include <filesystem>
 
 #include "app/hdf5/table_writer.hpp"
+#include "app/tune/part_tables.hpp"
 #include "app/tune/recording_tune.hpp"
 #include "core/base/content_hash.hpp"
 
 namespace abstand::tune {
 
-/// Writes a result while its recording is run (docs/margins.md, "Result files"): distances of all pairs frame
-/// by frame, then results of the parts. The file appears completely at commit(), or not at all.
+/// Writes a result while its recording is run (docs/margins.md, "Result files"): values of all pairs and
+/// parts frame by frame, then what holds for the whole. Keeps some thousand frames in memory. The file
+/// appears completely at commit(), or not at all.
 class ResultWriter {
  public:
   /// Throws WriteError.
   ResultWriter(const std::filesystem::path& file, const ContentKey& key);
-  /// For PassOptions::on_frame. Throws WriteError.
-  void frame(const SettledFrame& settled, const PassResult& names);
+  /// For PassOptions::on_frame; the last entries of the parts' lists are those of the frame. Throws
+  /// WriteError.
+  void frame(const SettledFrame& settled, const PassResult& pass);
+  /// `tuned`: the lists of its parts are not looked at if they were written frame by frame. Throws
+  /// WriteError.
   void commit(const TunedRecording& tuned, const TuneOptions& options);
 
  private:
@@ -28,6 +33,7 @@ class ResultWriter {
   hdf5::TableWriter out_;
   bool begun_{false};
   std::size_t distance_{0}, bound_{0}, uncertainty_{0}, points_{0}, speeds_{0};
+  PartTableWriter parts_;
   std::vector<double> row_;  ///< of one table
 };
 

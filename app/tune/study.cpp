@@ -37,6 +37,8 @@ RunEnd makeResult(const PlanItem& item, const StudyOptions& options) {
     const auto session = options.open(std::move(scene), item.recording);
     ResultWriter writer(file, key);
     TuneOptions tune = options.tune;
+    // The file has all frames, so that memory does not grow with them.
+    tune.pass.keep_frames = false;
     tune.pass.on_frame = [&](const SettledFrame& frame, const PassResult& names) {
       writer.frame(frame, names);
     };
