@@ -13,6 +13,7 @@
 #include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
+#include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
@@ -60,6 +61,8 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
                key("Ctrl+Shift+4"), panels.cycles);
   inspector = add("inspector", tr("Inspector"), tr("Show or hide what is known of the selection"),
                   key("Ctrl+Shift+7"), panels.inspector);
+  matrix = add("matrix", tr("Pair matrix"), tr("Show or hide the matrix of pairs"), key("Ctrl+Shift+6"),
+               panels.matrix);
 }
 
 QDockWidget* DockSet::add(const char* name, const QString& title, const QString& tip, const QString& key,
@@ -93,6 +96,7 @@ void DockSet::arrange() const {
   window_->addDockWidget(Qt::RightDockWidgetArea, margins);
   window_->splitDockWidget(plots, margins, Qt::Vertical);
   window_->tabifyDockWidget(plots, inspector);
+  window_->tabifyDockWidget(inspector, matrix);
   plots->raise();
   window_->tabifyDockWidget(margins, robots);
   window_->tabifyDockWidget(robots, groups);

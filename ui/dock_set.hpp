@@ -20,7 +20,7 @@ class DockSet {
 
  public:
   /// To be increased when docks are added or removed, so that an old layout is not applied to a new window.
-  static constexpr int kLayoutVersion = 9;
+  static constexpr int kLayoutVersion = 10;
 
   /// The docks take the panels over. `window` and `actions` outlive this object.
   DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels);
@@ -30,13 +30,13 @@ class DockSet {
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 
-  std::array<QDockWidget*, 14> all() const {
-    return {scene, pairs,  timeline,  plots,      margins, robots, groups,
-            notes, events, bookmarks, recordings, curve,   cycles, inspector};
+  std::array<QDockWidget*, 15> all() const {
+    return {scene,  pairs,     timeline,   plots, margins, robots,    groups, notes,
+            events, bookmarks, recordings, curve, cycles,  inspector, matrix};
   }
 
   QDockWidget *scene, *pairs, *timeline, *plots, *margins, *robots, *groups, *notes, *events, *bookmarks,
-      *recordings, *curve, *cycles, *inspector;
+      *recordings, *curve, *cycles, *inspector, *matrix;
 
  private:
   QDockWidget* add(const char* name, const QString& title, const QString& tip, const QString& key,

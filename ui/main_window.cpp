@@ -36,6 +36,7 @@
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
+#include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
@@ -151,6 +152,7 @@ void MainWindow::buildPanels() {
   panels_.curve = new MarginCurve(*review_, *selection_, this);
   panels_.cycles = new CyclePanel(this);
   panels_.inspector = new InspectorPanel(this);
+  panels_.matrix = new PairMatrix(*selection_, this);
   panels_.status = new StatusPanel(statusBar());
   docks_ = std::make_unique<DockSet>(*this, *actions_, panels_);
   // What was hidden may show an older moment.
@@ -198,6 +200,7 @@ void MainWindow::setSession(SessionPort* session) {
   panels_.recordings->open(outline.recordings);
   panels_.cycles->open(outline);
   panels_.inspector->open(outline);
+  panels_.matrix->open(outline);
   panels_.inspector->setWork(document_->work());
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(snapshot_);
@@ -255,6 +258,7 @@ void MainWindow::showMoment() {
   if (panels_.robots->isVisible()) panels_.robots->refresh(outline, snapshot_);
   if (panels_.groups->isVisible()) panels_.groups->refresh(snapshot_);
   panels_.inspector->refresh(snapshot_);
+  panels_.matrix->refresh(snapshot_);
   view::PlotSample sample = momentSample(snapshot_, panels_.plots->joint());
   if (shown_.whole_plot) sample.min_distance = nearestPersonRobot(outline, snapshot_);
   panels_.plots->setMoment(snapshot_.step, sample);

@@ -118,6 +118,7 @@ class MainWindow : public QMainWindow {
   void connectGroups();
   void connectInspector();
   void poseJoint(int robot, int joint, double value);
+  void checkPair(int a, int b, bool checked);
   void followWork(const Work& before, const Work& after);
   void showDocument();
   void showHidden(const QSet<QString>& before, const QSet<QString>& after);

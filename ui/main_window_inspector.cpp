@@ -1,5 +1,7 @@
-// How the inspector follows the selection and edits the document.
+// How the inspector and the pair matrix follow the selection and edit the document.
 #include <QDockWidget>
+#include <QStatusBar>
+#include <algorithm>
 
 #include "ui/dock_set.hpp"
 #include "ui/document/document.hpp"
@@ -7,6 +9,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/joint_editor.hpp"
+#include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/person_editor.hpp"
 
 namespace abstand::ui {
@@ -29,6 +32,36 @@ void MainWindow::connectInspector() {
     document_->edit(tr("let %1 follow its motion").arg(name), [&](Work& work) { work.posed.remove(name); });
   });
   connect(panel->person(), &PersonEditor::wanted, this, &MainWindow::personRequested);
+
+  connect(docks_->matrix, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    panels_.matrix->setInFront(visible);
+    panels_.matrix->refresh(snapshot_);
+  });
+  connect(panels_.matrix, &PairMatrix::checkWanted, this, &MainWindow::checkPair);
+}
+
+/// A pair of the scene leaves its group or comes back; one that the scene leaves out is added, which opens
+/// the scene anew.
+void MainWindow::checkPair(int a, int b, bool checked) {
+  const QPair<QString, QString> names(nameOf(a), nameOf(b));
+  const auto& pairs = session_->outline().pairs;
+  const auto at = std::find(pairs.begin(), pairs.end(), std::make_pair(a, b));
+  const bool is_added = document_->work().added.contains(names);
+  if (at != pairs.end() && !is_added && checked && !document_->work().moved.contains(names)) {
+    statusBar()->showMessage(tr("The group of this pair does not run: see the panel Groups"), 4000);
+    return;
+  }
+  const QString text = checked ? tr("check %1 – %2") : tr("do not check %1 – %2");
+  document_->edit(text.arg(names.first, names.second), [&](Work& work) {
+    if (at == pairs.end())
+      work.added.insert(names);
+    else if (is_added)
+      work.added.remove(names);
+    else if (checked)
+      work.moved.remove(names);
+    else
+      work.moved[names] = QString();
+  });
 }
 
 /// The other joints stay where they are shown.

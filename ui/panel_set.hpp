@@ -12,6 +12,7 @@ class MarginCurve;
 class MarginPanel;
 class MarginTools;
 class NotePanel;
+class PairMatrix;
 class PairPanel;
 class PlotPanel;
 class RecordingPanel;
@@ -37,6 +38,7 @@ struct PanelSet {
   MarginCurve* curve{nullptr};
   CyclePanel* cycles{nullptr};
   InspectorPanel* inspector{nullptr};
+  PairMatrix* matrix{nullptr};
   StatusPanel* status{nullptr};
 };
 

@@ -1,5 +1,7 @@
 #include "app/studio/scene_of_work.hpp"
 
+#include "humanmodel/body_part.hpp"
+
 namespace abstand::studio {
 
 namespace {
@@ -12,6 +14,19 @@ void applyPerson(const ui::PersonOptions& options, humanmodel::HumanOptions& bod
     body.sex = options.sex == QLatin1String("f") ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
 }
 
+/// As Session names them.
+QSet<QString> bodiesOf(const scene_file::SceneDescription& scene) {
+  QSet<QString> names;
+  for (const auto& mechanism : scene.mechanisms)
+    for (const auto& link : mechanism.links) names.insert(QString::fromStdString(link.name));
+  for (const auto& human : scene.humans)
+    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+      names.insert(QString::fromStdString(
+          human.name + "/" + std::string(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)))));
+  for (const auto& object : scene.objects) names.insert(QString::fromStdString(object.name));
+  return names;
+}
+
 }  // namespace
 
 void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
@@ -20,10 +35,16 @@ void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
     if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
     applyPerson(work.people.value(QString::fromStdString(human.name)), human.body);
   }
+  if (work.added.isEmpty()) return;
+  const QSet<QString> bodies = bodiesOf(scene);
+  for (const auto& [a, b] : work.added)
+    if (a != b && bodies.contains(a) && bodies.contains(b))
+      scene.pairs.include.emplace_back(a.toStdString(), b.toStdString());
 }
 
 bool changesScene(const ui::Work& work) {
-  return !work.reading.units.isEmpty() || !work.reading.up.isEmpty() || !work.people.isEmpty();
+  return !work.reading.units.isEmpty() || !work.reading.up.isEmpty() || !work.people.isEmpty() ||
+         !work.added.isEmpty();
 }
 
 }  // namespace abstand::studio

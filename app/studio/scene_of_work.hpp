@@ -6,8 +6,8 @@
 
 namespace abstand::studio {
 
-/// Changes how recordings are read and how people are built. People of the work that the scene does not have
-/// have no effect.
+/// Changes how recordings are read, how people are built, and which pairs are checked. People and bodies of
+/// the work that the scene does not have have no effect.
 void applyWork(const ui::Work& work, scene_file::SceneDescription& scene);
 
 /// applyWork() changes something.

@@ -20,7 +20,8 @@ namespace abstand::studio {
 namespace {
 
 bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
-  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading && a.people == b.people;
+  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading && a.people == b.people &&
+         a.added == b.added;
 }
 
 constexpr int kNoticeMs = 8000, kSettleMs = 500;

@@ -116,6 +116,20 @@ TEST_F(StudioPerson, AProjectBuildsThePersonAsItWas) {
   EXPECT_EQ(work().people.value("anna").mass, 70.0);
 }
 
+TEST_F(StudioPerson, APairThatIsAddedIsCheckedAndUndone) {
+  const std::size_t before = window.moment().pairs.size();
+  ASSERT_TRUE(opens([&] {
+    window.document().edit("add", [](ui::Work& work) {
+      work.added = {{"anna/head", "anna/foot_left"}, {"anna/head", "nobody"}};
+    });
+  })) << problem;
+  EXPECT_EQ(window.moment().pairs.size(), before + 1);
+  expectTheRest();
+  ASSERT_TRUE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); })) << problem;
+  EXPECT_EQ(window.moment().pairs.size(), before);
+  expectTheRest();
+}
+
 TEST(SceneOfWork, PeopleAndReadingReachTheScene) {
   scene_file::SceneDescription scene;
   scene.humans.resize(2);

@@ -133,6 +133,14 @@ void readPairs(const YamlFields& in, Work& work) {
     pair.need("b");
     work.moved[{textOf(pair, "a"), textOf(pair, "b")}] = textOf(pair, "group");
   }
+  for (const YamlNode& item : in.list("added_pairs")) {
+    const YamlFields pair(item, in.file(), "a pair", {"a", "b"});
+    pair.need("a");
+    pair.need("b");
+    if (textOf(pair, "a") == textOf(pair, "b"))
+      throw ParseError(pair.pos(), "found a pair of a body with itself, expected two different bodies");
+    work.added.insert({textOf(pair, "a"), textOf(pair, "b")});
+  }
 }
 
 void readTimes(const YamlFields& in, Work& work) {
@@ -171,7 +179,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   const YamlFields in(root, name, "a project",
                       {kVersionKey, "saved_as", "scene", "recording", "reading", "people", "posed_robots",
                        "margins", "locked_margins", "compared_margins", "pair_groups", "moved_pairs",
-                       "hidden", "bookmarks", "range", "view", "camera", "time"});
+                       "added_pairs", "hidden", "bookmarks", "range", "view", "camera", "time"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");

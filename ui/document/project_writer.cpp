@@ -92,6 +92,17 @@ void addPairs(JsonText& json, const Work& work) {
     json.close();
   }
   json.close();
+  if (work.added.isEmpty()) return;
+  json.open("added_pairs", '[');
+  QList<QPair<QString, QString>> sorted = work.added.values();
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& pair : sorted) {
+    json.open("", '{');
+    json.addText("a", pair.first.toStdString());
+    json.addText("b", pair.second.toStdString());
+    json.close();
+  }
+  json.close();
 }
 
 void addTimes(JsonText& json, const Work& work) {

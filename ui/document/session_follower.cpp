@@ -106,6 +106,10 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
     people.insert(QString::fromStdString(person.name));
   for (const QString& name : work.posed.keys()) check(robots, name);
   for (const QString& name : work.people.keys()) check(people, name);
+  for (const auto& pair : work.added) {
+    check(objects, pair.first);
+    check(objects, pair.second);
+  }
   for (auto it = work.moved.begin(); it != work.moved.end(); ++it) {
     check(objects, it.key().first);
     check(objects, it.key().second);

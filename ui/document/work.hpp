@@ -55,6 +55,7 @@ struct Work {
   std::optional<QMap<QString, double>> compared;  ///< m, by object: what the margins are compared with
   QMap<QString, view::PairGroupState> groups;     ///< by name of a pair group
   QMap<QPair<QString, QString>, QString> moved;   ///< pair -> group that it was moved to; empty: none
+  QSet<QPair<QString, QString>> added;            ///< pairs that the scene leaves out and that are checked
   QSet<QString> hidden;                           ///< objects that the 3D view leaves out
   QVector<Bookmark> bookmarks;                    ///< in order of time
   std::optional<TimeRange> range;                 ///< between the marks IN and OUT; none: the whole recording

@@ -119,6 +119,14 @@
         <source>Show or hide what is known of the selection</source>
         <translation>Angaben zur Auswahl ein- oder ausblenden</translation>
     </message>
+    <message>
+        <source>Pair matrix</source>
+        <translation>Paarmatrix</translation>
+    </message>
+    <message>
+        <source>Show or hide the matrix of pairs</source>
+        <translation>Matrix der Paare ein- oder ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::ReportJob</name>
@@ -2558,6 +2566,18 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
         <source>pose %1 by hand</source>
         <translation>%1 von Hand stellen</translation>
     </message>
+    <message>
+        <source>The group of this pair does not run: see the panel Groups</source>
+        <translation>Die Gruppe dieses Paares läuft nicht: siehe das Feld Gruppen</translation>
+    </message>
+    <message>
+        <source>check %1 – %2</source>
+        <translation>%1 – %2 prüfen</translation>
+    </message>
+    <message>
+        <source>do not check %1 – %2</source>
+        <translation>%1 – %2 nicht prüfen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::MarginCommands</name>
@@ -2814,6 +2834,52 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>⚠ Reservations (%1)</source>
         <translation>⚠ Zweifel (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PairMatrix</name>
+    <message>
+        <source>People and robots</source>
+        <translation>Personen und Roboter</translation>
+    </message>
+    <message>
+        <source>All bodies</source>
+        <translation>Alle Körper</translation>
+    </message>
+    <message>
+        <source>Bodies of the matrix</source>
+        <translation>Körper der Matrix</translation>
+    </message>
+    <message>
+        <source>Matrix of the pairs</source>
+        <translation>Matrix der Paare</translation>
+    </message>
+    <message>
+        <source>Ticked: checked, with the distance in millimetres; hatched: not checked</source>
+        <translation>Mit Haken: geprüft, mit dem Abstand in Millimetern; schraffiert: nicht geprüft</translation>
+    </message>
+    <message>
+        <source>%1 checked, %2 not</source>
+        <translation>%1 geprüft, %2 nicht</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PairMatrixModel</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: not checked now, its group does not run or it is in none</source>
+        <translation>%1: jetzt nicht geprüft, seine Gruppe läuft nicht, oder es ist in keiner</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1, %2, %3 {1:?} {2,?}</translation>
+    </message>
+    <message>
+        <source>%1: never checked, %2</source>
+        <translation>%1: nie geprüft, %2</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,7 @@ inline Project sampleProject() {
   work.compared = QMap<QString, double>{{"operator/head", 0.07}};
   work.groups = {{"people", view::PairGroupState::kPaused}, {"things", view::PairGroupState::kStopped}};
   work.moved = {{{"arm/link1", "table"}, "people"}, {{"arm/link2", "table"}, ""}};
+  work.added = {{"operator/head", "operator/foot_left"}, {"arm/link1", "arm/link2"}};
   work.hidden = {"table", "ball", "arm/link0"};
   work.bookmarks = {{0.1, "first \\ \"contact\"", std::nullopt},
                     {2.5, "", CameraView{{0.1, -0.2, 1e-9}, 2.0, -3.1, 0.7}}};
