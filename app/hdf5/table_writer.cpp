@@ -39,11 +39,11 @@ hid_t typeOf(Storage storage) {
 /// Whole steps, rounded down and clipped. The smallest integer represents NaN.
 template <class Integer>
 Integer steps(double value, double step) {
-  constexpr Integer kMost = std::numeric_limits<Integer>::max();
+  constexpr Integer kMax = std::numeric_limits<Integer>::max();
   const double exact = value / step;
-  if (!(exact > -static_cast<double>(kMost)))
-    return std::isnan(exact) ? std::numeric_limits<Integer>::min() : static_cast<Integer>(-kMost);
-  if (exact >= static_cast<double>(kMost)) return kMost;
+  if (!(exact > -static_cast<double>(kMax)))
+    return std::isnan(exact) ? std::numeric_limits<Integer>::min() : static_cast<Integer>(-kMax);
+  if (exact >= static_cast<double>(kMax)) return kMax;
   // Without std::floor(), which is a call.
   const auto towards_zero = static_cast<Integer>(exact);
   return static_cast<Integer>(towards_zero - (exact < static_cast<double>(towards_zero)));

@@ -46,7 +46,7 @@ std::vector<const RegionLimits*> limitedRegions() {
 TEST(AllowedSpeed, OfForceAndEnergyIsTheClosedForm) {
   for (const RegionLimits* region : limitedRegions())
     for (const double kg : {2.0, 15.0, kInfinity}) {
-      const AllowedSpeed v = allowedSpeed({region}, {kg}, kFast, flat(1.0));
+      const AllowedSpeed v = allowedSpeed({region}, {{kg}}, kFast, flat(1.0));
       EXPECT_EQ(v.kind, LimitKind::kForce) << region->name;
       const double mu = 1.0 / (1.0 / region->body_mass.value + 1.0 / kg), k = region->spring.value;
       const double most = region->transient.value * region->force.value;
@@ -85,12 +85,12 @@ TEST(AllowedSpeed, OfPressureOnAFlatFaceIsLinearInSpeed) {
     const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
     const double full = region->force.value / region->pressure();
     for (const double part : {0.1, 0.5, 0.9}) {
-      const AllowedSpeed v = allowedSpeed({region}, {15.0}, kFast, flat(part * full));
+      const AllowedSpeed v = allowedSpeed({region}, {{15.0}}, kFast, flat(part * full));
       EXPECT_EQ(v.kind, LimitKind::kPressure) << region->name;
       EXPECT_LE(v.speed, part * by_force * (1.0 + kExact)) << region->name;
       EXPECT_GE(v.speed, (part - kBisected) * by_force * (1.0 - kExact)) << region->name;
     }
-    EXPECT_EQ(allowedSpeed({region}, {15.0}, kFast, flat(1.01 * full)).kind, LimitKind::kForce);
+    EXPECT_EQ(allowedSpeed({region}, {{15.0}}, kFast, flat(1.01 * full)).kind, LimitKind::kForce);
   }
 }
 
@@ -99,9 +99,9 @@ TEST(AllowedSpeed, OfACapIsAllOrNothing) {
   for (const RegionLimits* region : limitedRegions()) {
     const double most = region->transient.value * region->pressure();
     const double radius = region->spring.value / (kPi * most);
-    const AllowedSpeed blunt = allowedSpeed({region}, {15.0}, kFast, cap(1.01 * radius));
+    const AllowedSpeed blunt = allowedSpeed({region}, {{15.0}}, kFast, cap(1.01 * radius));
     EXPECT_EQ(blunt.kind, LimitKind::kForce) << region->name;
-    const AllowedSpeed pointed = allowedSpeed({region}, {15.0}, kFast, cap(0.99 * radius));
+    const AllowedSpeed pointed = allowedSpeed({region}, {{15.0}}, kFast, cap(0.99 * radius));
     EXPECT_EQ(pointed.kind, LimitKind::kPressure) << region->name;
     EXPECT_EQ(pointed.speed, 0.0) << region->name;
   }
@@ -115,7 +115,7 @@ TEST(AllowedSpeed, TakesFewEvaluationsAndNeverManyMoreThanBisection) {
   const auto evaluations = [&](double power, double share) {
     const double deepest = predictContact(*region, {by_force, {15.0}}).indentation;
     int count = 0;
-    const AllowedSpeed v = allowedSpeed({region}, {15.0}, kFast, [&](double x) {
+    const AllowedSpeed v = allowedSpeed({region}, {{15.0}}, kFast, [&](double x) {
       ++count;
       return flat(std::max(share, 1e-9) * full * std::pow(x / deepest, power))(x);
     });
@@ -136,7 +136,7 @@ TEST(AllowedSpeed, TakesHardlyMoreThanBisectionWherePressureIsNoPower) {
   const double deepest = predictContact(*region, {by_force, {15.0}}).indentation;
   for (const double edge : {0.01, 0.3, 0.77, 0.999}) {
     int count = 0;
-    const AllowedSpeed v = allowedSpeed({region}, {15.0}, kFast, [&](double x) {
+    const AllowedSpeed v = allowedSpeed({region}, {{15.0}}, kFast, [&](double x) {
       ++count;
       return flat(full * (x < edge * deepest ? 10.0 : 0.01))(x);
     });
@@ -151,9 +151,9 @@ TEST(AllowedSpeed, IsNotAboveWhatIsWantedAndTakesTheWorstRegion) {
   double least = kInfinity;
   for (const RegionLimits* region : all)
     least = std::min(least, predictContact(*region, {0.0, {15.0}}).allowed_speed);
-  EXPECT_DOUBLE_EQ(allowedSpeed(all, {15.0}, kFast, flat(1.0)).speed, least);
-  EXPECT_EQ(allowedSpeed(all, {15.0}, 0.5 * least, flat(1.0)).speed, 0.5 * least);
-  EXPECT_EQ(allowedSpeed(all, {15.0}, 0.0, flat(1.0)).speed, 0.0);
+  EXPECT_DOUBLE_EQ(allowedSpeed(all, {{15.0}}, kFast, flat(1.0)).speed, least);
+  EXPECT_EQ(allowedSpeed(all, {{15.0}}, 0.5 * least, flat(1.0)).speed, 0.5 * least);
+  EXPECT_EQ(allowedSpeed(all, {{15.0}}, 0.0, flat(1.0)).speed, 0.0);
 }
 
 TEST(AllowedSpeed, OfTheHeadAndOfNothingKnownIsZero) {
@@ -161,13 +161,14 @@ TEST(AllowedSpeed, OfTheHeadAndOfNothingKnownIsZero) {
   for (const RegionLimits& r : shippedLimits().regions)
     if (r.excluded()) mixed.push_back(&r);
   ASSERT_GT(mixed.size(), limitedRegions().size());
-  for (const auto& v : {allowedSpeed(mixed, {15.0}, kFast, flat(1.0)), allowedSpeed({}, {}, kFast, flat(1.0)),
-                        allowedSpeed(limitedRegions(), {15.0}, kNaN, flat(1.0))}) {
+  for (const auto& v :
+       {allowedSpeed(mixed, {{15.0}}, kFast, flat(1.0)), allowedSpeed({}, {}, kFast, flat(1.0)),
+        allowedSpeed(limitedRegions(), {{15.0}}, kNaN, flat(1.0))}) {
     EXPECT_EQ(v.speed, 0.0);
     EXPECT_EQ(v.kind, LimitKind::kExcluded);
   }
   // Nothing is certain of the area: infinite pressure.
-  EXPECT_EQ(allowedSpeed(limitedRegions(), {15.0}, kFast, [](double) { return ContactArea{}; }).speed, 0.0);
+  EXPECT_EQ(allowedSpeed(limitedRegions(), {{15.0}}, kFast, [](double) { return ContactArea{}; }).speed, 0.0);
 }
 
 TEST(SpeedShare, IsTheRobotsPartOfTheAllowedSpeed) {
