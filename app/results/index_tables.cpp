@@ -67,7 +67,8 @@ class RunRows {
         margin_(database, "INSERT OR IGNORE INTO margins VALUES(?,?,?,?,?,?,?,?,?,?,?)") {}
 
   void add(const std::string& file, tune::StoredResult stored) {
-    const std::vector<tune::TunedRecording> alone{std::move(stored.tuned)};
+    std::vector<tune::TunedRecording> alone;
+    alone.push_back(std::move(stored.tuned));  // a list of initializers would copy all frames
     const tune::TunedRecording& r = alone.front();
     const tune::MarginTable table = tune::marginTable(alone, indexMargins(), stored.options);
     Nearest worst;
