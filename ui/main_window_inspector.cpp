@@ -11,6 +11,7 @@
 #include "ui/panels/joint_editor.hpp"
 #include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/person_editor.hpp"
+#include "ui/panels/robot_panel.hpp"
 
 namespace abstand::ui {
 
@@ -33,6 +34,10 @@ void MainWindow::connectInspector() {
   });
   connect(panel->person(), &PersonEditor::wanted, this, &MainWindow::personRequested);
 
+  connect(panels_.robots, &RobotPanel::pairPicked, this, [this](int pair) {
+    const auto [a, b] = session_->outline().pairs[static_cast<std::size_t>(pair)];
+    selection_->setPair(pair, a, b);
+  });
   connect(docks_->matrix, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     panels_.matrix->setInFront(visible);
     panels_.matrix->refresh(snapshot_);

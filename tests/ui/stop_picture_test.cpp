@@ -1,12 +1,16 @@
 // A robot that is stopped, slowed down or posed by hand is seen in the 3D view, with the reason.
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
+#include <QLabel>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "tests/ui/shown_window.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/stop_text.hpp"
+#include "ui/panels/robot_panel.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/overlay.hpp"
 
@@ -72,6 +76,8 @@ struct StopPicture : ShownWindow {
     constexpr double kSeen = 0.1;
     const QColor amber(kAmber);
     Change change;
+    EXPECT_EQ(before.size(), after.size()) << "a stop does not change the layout";
+    if (before.size() != after.size()) return change;
     for (int y = 0; y < before.height(); ++y)
       for (int x = 0; x < before.width(); ++x) {
         const QColor a(before.pixel(x, y)), b(after.pixel(x, y));
@@ -118,6 +124,22 @@ TEST_F(StopPicture, ARobotThatIsSlowedDownLooksDifferentFromOneThatIsStopped) {
   stop(StopState::kWaitingForReset);
   EXPECT_TRUE(label("⚠ arm, waiting for reset: "));
   EXPECT_NE(window.viewport().picture(), picture);
+}
+
+TEST_F(StopPicture, TheRobotsPanelLeadsToThePair) {
+  window.findChild<QDockWidget*>(QStringLiteral("robots"))->raise();
+  auto* select = window.panels().robots->findChild<QToolButton*>(QStringLiteral("select arm"));
+  ASSERT_TRUE(select);
+  EXPECT_TRUE(select->isHidden());
+  stop(StopState::kProtectiveStop);
+  ASSERT_FALSE(select->isHidden());
+  select->click();
+  EXPECT_EQ(window.selection().pair(), cause);
+  session.poseJoint(0, 0.1);
+  window.pull();
+  EXPECT_TRUE(select->isHidden()) << "its reaction rests";
+  EXPECT_EQ(window.panels().robots->findChild<QLabel*>(QStringLiteral("state arm"))->text(),
+            "arm: posed by hand");
 }
 
 TEST_F(StopPicture, APosedRobotSaysSo) {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,8 @@
 namespace abstand::ui {
 
 namespace {
+
+constexpr int kTextWidth = 120;  // px, at least
 
 void setAlarm(QLabel* label, bool alarm) {
   QPalette palette = label->parentWidget()->palette();
@@ -68,20 +71,7 @@ void RobotPanel::open(const view::SceneOutline& outline) {
     delete item;
   }
   cards_.clear();
-  for (const std::string& name : outline.reacting) {
-    Card& card = cards_.emplace_back();
-    card.state = new QLabel(this);
-    card.state->setObjectName(QStringLiteral("state ") + QString::fromStdString(name));
-    QFont bold = card.state->font();
-    bold.setBold(true);
-    card.state->setFont(bold);
-    card.reason = new QLabel(this);
-    card.reason->setObjectName(QStringLiteral("reason ") + QString::fromStdString(name));
-    card.reason->setWordWrap(true);
-    card.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    cards_layout_->addWidget(card.state);
-    cards_layout_->addWidget(card.reason);
-  }
+  for (const std::string& name : outline.reacting) addCard(QString::fromStdString(name));
   log_->clear();
   loops_ = -1;
   in_log_.assign(outline.reacting.size(), 0);
@@ -91,6 +81,43 @@ void RobotPanel::open(const view::SceneOutline& outline) {
   reset_->setEnabled(false);
   log_->setVisible(!outline.reacting.empty());
   head_->setText(tr("No robot of this scene has a reaction: all follow their recorded motion."));
+}
+
+void RobotPanel::addCard(const QString& name) {
+  const std::size_t index = cards_.size();
+  Card& card = cards_.emplace_back();
+  card.state = new QLabel(this);
+  card.state->setObjectName(QStringLiteral("state ") + name);
+  QFont bold = card.state->font();
+  bold.setBold(true);
+  card.state->setFont(bold);
+  // Long texts wrap or are cut rather than that the whole column of docks grows with each stop.
+  card.state->setWordWrap(true);
+  card.state->setMinimumWidth(kTextWidth);
+  auto* row = new QWidget(this);
+  card.reason = new QLabel(row);
+  card.reason->setObjectName(QStringLiteral("reason ") + name);
+  card.reason->setWordWrap(true);
+  card.reason->setMinimumWidth(kTextWidth);
+  card.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  card.select = new QToolButton(row);
+  card.select->setObjectName(QStringLiteral("select ") + name);
+  card.select->setText(tr("Select"));
+  card.select->setToolTip(tr("Select the two bodies that hold %1").arg(name));
+  card.select->setFocusPolicy(Qt::TabFocus);
+  card.select->hide();
+  connect(card.select, &QToolButton::clicked, this, [this, index] { Q_EMIT pairPicked(cards_[index].pair); });
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(card.reason, 1);
+  layout->addWidget(card.select);
+  cards_layout_->addWidget(card.state);
+  cards_layout_->addWidget(row);
+}
+
+void RobotPanel::showCause(Card& card, int pair) {
+  card.pair = pair;
+  card.select->setVisible(pair >= 0);
 }
 
 void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
@@ -106,17 +133,19 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
          "round put the robots on their plans at that time, and they react from there."));
   bool waits = false;
   for (std::size_t i = 0; i < cards_.size(); ++i) {
-    const Card& card = cards_[i];
+    Card& card = cards_[i];
     const QString name = QString::fromStdString(outline.reacting[i]);
     if (!reacting) {
       card.state->setText(name);
       card.reason->clear();
+      showCause(card, -1);
       setAlarm(card.state, false);
       continue;
     }
     if (isByHand(snapshot, robotOf(outline, outline.reacting[i]))) {
       card.state->setText(tr("%1: posed by hand").arg(name));
       card.reason->setText(tr("Its reaction rests until it follows its motion again."));
+      showCause(card, -1);
       setAlarm(card.state, false);
       continue;
     }
@@ -127,8 +156,11 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
                                  stateText(robot.state), secondsWithUnit(robot.since),
                                  fixed(100.0 * robot.speed_scale, 0)));
     setAlarm(card.state, isStop(robot.state));
-    card.reason->setText(robot.state == safety::StopState::kRunning ? QString()
-                                                                    : causeText(robot.cause, outline, i));
+    const bool held = robot.state != safety::StopState::kRunning;
+    card.reason->setText(held ? causeText(robot.cause, outline, i) : QString());
+    showCause(card, held && static_cast<std::size_t>(robot.cause.pair) < outline.pairs.size()
+                        ? robot.cause.pair
+                        : -1);
   }
   reset_->setEnabled(waits);
   if (reacting) addEntries(outline, snapshot);

@@ -10,6 +10,7 @@
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace abstand::ui {
@@ -33,11 +34,17 @@ class RobotPanel : public QWidget {
  Q_SIGNALS:
   /// The user lets go on what waits for it.
   void resetRequested();
+  /// The user wants to see the pair (index of the outline) that holds a robot.
+  void pairPicked(int pair);
 
  private:
   struct Card {
     QLabel *state, *reason;
+    QToolButton* select;  ///< of the pair that is the reason
+    int pair{-1};         ///< index of the outline; -1: the reason is no pair
   };
+  void addCard(const QString& name);
+  void showCause(Card& card, int pair);
   void addEntries(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
   QLabel* head_;

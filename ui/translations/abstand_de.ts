@@ -3498,6 +3498,14 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <source>Its reaction rests until it follows its motion again.</source>
         <translation>Seine Reaktion ruht, bis er wieder seiner Bewegung folgt.</translation>
     </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Select the two bodies that hold %1</source>
+        <translation>Die beiden Körper auswählen, die %1 aufhalten</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::SceneTreeModel</name>
