@@ -171,7 +171,8 @@ void addPairs(Rows& rows, const std::vector<int>& objects, const QString& person
                               : rows.name(first ? b : a);
   };
   rows.add(tr("State"), found.pairs == 0 ? tr("? not checked") : levelText(found.level), markOf(found.level));
-  if (found.heaviest >= 0) rows.add(tr("Because of"), names(found.heaviest));
+  if (found.heaviest >= 0 && found.level != PairLevel::kApart)
+    rows.add(tr("Because of"), names(found.heaviest));
   rows.add(tr("Checked"), tr("%1 pairs").arg(found.pairs - found.paused));
   rows.add(tr("Not checked"), uncheckedText(found));
   for (const auto& reason : uncheckedReasons(found))

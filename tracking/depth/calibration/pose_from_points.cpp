@@ -41,8 +41,8 @@ std::string_view withoutBlanksBehind(std::string_view line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// Singular value decomposition of a sum of products of coordinates. Those of many columns take ten times as long
-/// to compile.
+/// Singular value decomposition of a sum of products of coordinates. Those of many columns take ten times as
+/// long to compile.
 using Decomposition = Eigen::JacobiSVD<Matrix3d>;
 
 bool onALine(const Eigen::Matrix3Xd& centred) {
