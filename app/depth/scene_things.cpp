@@ -33,7 +33,7 @@ RobotView::RobotView(scene_file::SceneDescription scene, const session::SessionO
     : session_(thingsAlone(std::move(scene)), options), things_(session_, false) {}
 
 const tracking::DepthImage& RobotView::at(double t, const tracking::DepthCamera& camera) {
-  if (!render_) render_.emplace(camera);
+  render_.emplace(camera);
   session_.applyMotion(t);
   render_->clear();
   things_.draw(camera.X_WC.inverse(), *render_);

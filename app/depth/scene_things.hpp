@@ -23,7 +23,8 @@ class RobotView {
  public:
   /// People and pairs are removed. Throws ParseError and UsageError.
   explicit RobotView(scene_file::SceneDescription scene, const session::SessionOptions& options);
-  /// Image at scene time t (s); valid until the next call. Throws UsageError for a `camera` with distortion.
+  /// Image at scene time t (s); valid until the next call. The camera may be another one in each call. Throws
+  /// UsageError for a `camera` with distortion.
   const tracking::DepthImage& at(double t, const tracking::DepthCamera& camera);
 
  private:

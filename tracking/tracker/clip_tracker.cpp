@@ -59,6 +59,8 @@ class ClipPasses {
     for (const ClipCamera& camera : streams_) cameras_.push_back(camera.stream->camera());
     estimateCameraPose();
     track_.camera = cameras_.front();
+    for (const DepthCamera& camera : cameras_)
+      track_.camera.spread = std::max(track_.camera.spread, camera.spread);
     std::map<int, KnownBody> learned;
     const double end =
         moments_.size() == 0 ? 0.0 : std::min(moments_.times().front() + kLearning, options_.until);

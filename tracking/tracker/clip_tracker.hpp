@@ -54,7 +54,8 @@ struct CameraShare {
 };
 
 struct ClipTrack {
-  DepthCamera camera;  ///< the first, with the pose that defines the skeletons' world
+  /// The first, with the pose that defines the skeletons' world; its spread is the largest of all cameras.
+  DepthCamera camera;
   std::vector<CameraShare> cameras;
   double lag{0.0};                 ///< s, largest difference in time of images that were fitted together
   std::string world;               ///< source of that pose

@@ -139,6 +139,17 @@ TEST_F(Cli, TrackFitsTheImagesOfTwoCamerasTogether) {
   EXPECT_EQ(j["cameras"][1]["file"], side);
   EXPECT_TRUE(j["warnings"].empty()) << j["warnings"];
   EXPECT_EQ(runJson("skeleton " + csv)["gaps"], 0);
+  // A camera with more pixels, and the things of a scene cut out of both.
+  const std::string fine = (folder_.path() / "fine").string();
+  ASSERT_EQ(run("render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
+                " --body skin --width 640 --end 0.6 --no-cache --look 0,0,0.9 --eye 0,-2.8,1.4 --out " + fine)
+                .code,
+            0);
+  const std::string scene = write("things.yaml",
+                                  "abstand: 1\nhumans:\n  - {name: p, height: 1.75}\nobjects:\n"
+                                  "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [1, 1, 1]}}\n"
+                                  "pairs: {default: between_groups}\n");
+  EXPECT_EQ(runJson("track " + front + " " + fine + " --clock 0 --scene " + scene)["tracked"], 19);
   // Half a second does not tell whether the clocks agree.
   const json guessed = runJson(both);
   EXPECT_EQ(guessed["cameras"][1]["clock_known"], false);
