@@ -109,9 +109,9 @@ function(abstand_test name)
 endfunction()
 
 # abstand_group_sources(DIRECTORY): the .cpp files of each folder of each target are compiled up to ten at a time, those of tests up to
-# six, all up to thirty in builds with sanitizers, as most of the time of a file goes into headers that its neighbours read too
-# (docs/build-time.md). Names in unnamed namespaces are therefore unique in a folder; a test file has a namespace of its own name, as
-# tests name their tolerances alike. Called once all targets are there.
+# six, as most of the time of a file goes into headers that its neighbours read too (docs/build-time.md). Names in unnamed namespaces
+# are therefore unique in a folder; a test file has a namespace of its own name, as tests name their tolerances alike. Called once all
+# targets are there.
 function(abstand_group_sources directory)
   get_property(folders DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
   # Its parts are linked one by one: a window's tests have a main function of their own.
@@ -120,11 +120,8 @@ function(abstand_group_sources directory)
     abstand_group_sources(${folder})
   endforeach()
   get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
-  # A build that is made once and not edited in has larger groups.
   set(group_size 10)
-  if(ABSTAND_SANITIZE)
-    set(group_size 30)
-  elseif(directory MATCHES "^${PROJECT_SOURCE_DIR}/tests")
+  if(directory MATCHES "^${PROJECT_SOURCE_DIR}/tests")
     set(group_size 6)
   endif()
   foreach(target IN LISTS targets)
