@@ -23,10 +23,10 @@ std::vector<SkeletonFrame> waving(double noise, double late, const Vector3d& shi
     postures.push_back({.t = 0.7 * k + 0.05 * k * k, .reach = k % 2 ? 0.45 : 0.1, .low = k % 3 ? 1.3 : 0.9});
   std::vector<SkeletonFrame> frames = testing::posedFrames(postures);
   std::mt19937_64 random(1);
-  std::normal_distribution<double> normal(0.0, noise);
+  std::normal_distribution<double> normal;  // scaled by `noise`, as a distribution of no width is none
   for (SkeletonFrame& frame : frames) {
     frame.t += late;
-    for (Vector3d& p : frame.p) p += shift + Vector3d(normal(random), normal(random), normal(random));
+    for (Vector3d& p : frame.p) p += shift + noise * Vector3d(normal(random), normal(random), normal(random));
   }
   return frames;
 }
