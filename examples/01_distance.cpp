@@ -10,7 +10,7 @@ int main(int argc, char** argv) try {
   const auto a = abstand::Structure::build(abstand::loadMesh(argc > 2 ? argv[1] : robots / "link1.stl"));
   const auto b = abstand::Structure::build(abstand::loadMesh(argc > 2 ? argv[2] : robots / "link4.stl"));
 
-  abstand::Pose X_WB = abstand::Pose::Identity();  // of B in the world; metres
+  abstand::Pose X_WB = abstand::Pose::Identity();  // pose of B in the world, m
   X_WB.translation() << 0.5, 0.1, 0.0;
   const abstand::PairResult r = abstand::queryPair(a, abstand::Pose::Identity(), b, X_WB);
 
@@ -18,7 +18,7 @@ int main(int argc, char** argv) try {
   std::printf("from (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f)\n", r.witness_a.x(), r.witness_a.y(),
               r.witness_a.z(), r.witness_b.x(), r.witness_b.y(), r.witness_b.z());
 
-  X_WB.translation() << 0.05, 0.0, 0.0;  // now B is pressed into A
+  X_WB.translation() << 0.05, 0.0, 0.0;  // B is pressed into A
   const abstand::PairResult pressed = abstand::queryPair(a, abstand::Pose::Identity(), b, X_WB);
   std::printf("pressed: distance %.4f m, %d contacts, %.1f N on A\n", pressed.distance, pressed.contacts,
               pressed.force_a.norm());

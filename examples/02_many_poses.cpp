@@ -1,4 +1,4 @@
-// 2. Many poses per millisecond: one pair along a path, and in poses that have nothing to do with each other.
+// 2. Throughput in poses per millisecond: one pair in independent poses, and along a path.
 #include <abstand/query.hpp>
 #include <chrono>
 #include <cmath>
@@ -7,10 +7,10 @@
 
 using namespace abstand;
 
-/// Prints how many poses a millisecond takes.
+/// Prints the number of poses per millisecond.
 static void time(const char* what, const Structure& a, const Structure& b, const std::vector<Pose>& poses,
                  const BatchOptions& batch) {
-  const std::vector<Pose> at_rest{Pose::Identity()};  // one pose of A for all of B's
+  const std::vector<Pose> at_rest{Pose::Identity()};  // one pose of A for all poses of B
   std::vector<PairResult> results(poses.size());
   const auto start = std::chrono::steady_clock::now();
   queryPoses(a, at_rest, b, poses, batch, results);

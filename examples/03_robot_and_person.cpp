@@ -1,4 +1,4 @@
-// 3. A URDF robot beside a person of a BVH recording: when and where they are nearest.
+// 3. A URDF robot and a person from a BVH recording: time and place of the smallest distance.
 //    03_robot_and_person [ROBOT.urdf PERSON.bvh]
 #include <abstand/library.hpp>
 #include <abstand/scene.hpp>
@@ -12,10 +12,11 @@ int main(int argc, char** argv) try {
   robot.q = {0.0, 0.6, 0.9, 0.0, 0.4, 0.0};  // rad
   if (argc > 1) robot.q.clear();
   abstand::PersonOptions person;
-  person.height = 1.80;                                                   // m
-  person.recording = argc > 2 ? argv[2] : data / "scenes/hug_reach.bvh";  // units, axes and names found out
-  person.place << 1.3, 0.0, 0.0;                                          // m
-  person.yaw = -1.5708;  // rad: the recording faces +y, the person now the arm
+  person.height = 1.80;  // m
+  person.recording =
+      argc > 2 ? argv[2] : data / "scenes/hug_reach.bvh";  // units, axes and names are detected
+  person.place << 1.3, 0.0, 0.0;                           // m
+  person.yaw = -1.5708;  // rad: the recording faces +y, the person faces the arm
 
   abstand::SceneBuilder builder;
   builder.addRobot("arm", argc > 1 ? argv[1] : data / "robots/arm6/arm6.urdf", robot)

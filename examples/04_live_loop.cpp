@@ -1,4 +1,4 @@
-// 4. The live loop: joint values and skeletons come in, distances go out, a thousand times a second.
+// 4. Live loop: receives joint values and skeletons and computes distances at 1 kHz.
 #include <abstand/human.hpp>
 #include <abstand/library.hpp>
 #include <abstand/scene.hpp>
@@ -26,7 +26,7 @@ int main() try {
     std::this_thread::sleep_until(due);
     const double t = 1e-3 * cycle;  // s
 
-    // Here a robot's encoders and a tracker would be asked.
+    // A real program reads the encoders of the robot and a tracker here.
     const std::vector<double> q{0.3 * std::sin(3 * t), 0.8, 0.6, 0.0, 0.4, 0.0};
     Skeleton skeleton = standing;
     skeleton.t = t;
@@ -40,7 +40,7 @@ int main() try {
 
     const std::size_t pair = *scene.nearest();
     const PairResult r = scene.result(pair);
-    const double safe = r.distance - r.bound - scene.uncertainty(pair);  // what is certain
+    const double safe = r.distance - r.bound - scene.uncertainty(pair);  // certified clearance
     if (cycle % 200 == 0) std::printf("%.1f s: at least %.3f m apart\n", t, safe);
     if (safe < 0.05) {
       std::printf("%.3f s: %.3f m, stop!\n", t, safe);

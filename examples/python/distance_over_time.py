@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plots how close a person comes to a robot over time, with what is certain about it.
+"""Plots the smallest distance between a person and a robot over time, with its certified lower bound.
 
     examples/python/distance_over_time.py data/scenes/hug_reach.yaml --out distance.png
 
@@ -14,8 +14,8 @@ import abstand
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("scene", help="scene file with a person and a robot")
-    arguments.add_argument("--rate", type=float, help="Hz; without: the frames of the recording")
-    arguments.add_argument("--out", help="picture to write")
+    arguments.add_argument("--rate", type=float, help="Hz (default: the frames of the recording)")
+    arguments.add_argument("--out", help="image file to write")
     options = arguments.parse_args()
 
     import matplotlib
@@ -32,11 +32,11 @@ def main():
 
     figure, axes = plt.subplots(figsize=(9, 4.5), layout="constrained")
     axes.plot(run.t, run.distance.min(axis=1), label="smallest distance")
-    # What is not known of a place may be anywhere: such moments have no certain distance, and no point in the plot.
+    # If a position is unknown, there is no certified distance, and no point in the plot.
     certain = run.at_least.min(axis=1)
-    axes.plot(run.t, np.where(np.isfinite(certain), certain, np.nan), ":", label="what is certain: distance - bound - reach")
+    axes.plot(run.t, np.where(np.isfinite(certain), certain, np.nan), ":", label="certified: distance - bound - pose uncertainty")
     axes.fill_between(run.t, 0, 1, where=~run.fresh.all(axis=1), transform=axes.get_xaxis_transform(), color="tab:red", alpha=0.2,
-                      label="some pose is not known")
+                      label="a pose is unknown")
     axes.axhline(0, color="black", linewidth=0.8)
     axes.set(xlabel="time [s]", ylabel="distance [m]", title=options.scene)
     axes.legend()

@@ -1,4 +1,4 @@
-// People: fourteen rigid parts from the stature, laid along the joints of a skeleton.
+// People: fourteen rigid parts scaled by stature, posed along the joints of a skeleton.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@
 
 namespace abstand {
 
-/// Whom to make.
+/// Parameters of a body.
 struct HumanOptions {
-  /// Of whom the sizes are.
+  /// Population of the body dimensions.
   enum class Sex { kFemale, kMale, kMean };
 
   double height{1.75};         ///< m, 0.5 to 2.5
-  std::optional<double> mass;  ///< kg, 10 to 300; none: from height and sex
+  std::optional<double> mass;  ///< kg, 10 to 300; empty: from height and sex
   Sex sex{Sex::kMean};         ///< kMean: the mean of both
   bool thesis{false};          ///< the proportions of the thesis (table B.1) instead of those of ANSUR II
 };
@@ -31,15 +31,15 @@ struct HumanPart {
   Eigen::Vector3d centre_of_mass{Eigen::Vector3d::Zero()};  ///< m, in P
 };
 
-/// A person's body. Constant, shared by copies; any thread.
+/// Body of a person. Constant, shared by copies; any thread.
 class Human {
  public:
-  /// Throws std::runtime_error for a height or a mass out of range, or that do not fit each other.
+  /// Throws std::runtime_error if height or mass is out of range, or if they are not consistent.
   explicit Human(const HumanOptions& options = {});
   double height() const;                        ///< m
   double mass() const;                          ///< kg
   const std::vector<HumanPart>& parts() const;  ///< fourteen: torso, head, then limbs, left before right
-  /// Standing, arms down, facing +x, feet on z = 0, pelvis over the origin.
+  /// Rest pose: standing, arms down, facing +x, feet on z = 0, pelvis over the origin.
   Skeleton rest() const;
 
   /// @cond library
@@ -51,30 +51,31 @@ class Human {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// How a part's pose came about. kNone: never seen, the pose means nothing. kHeld: its joints are missing,
-/// the last pose stands, which is never safe. kInferred: the tracker guessed a joint. kTracked: measured.
+/// Origin of the pose of a part. kNone: never seen, the pose is undefined. kHeld: its joints are missing and
+/// the last pose is kept, which never counts as safe. kInferred: the tracker estimated a joint without seeing
+/// it. kTracked: measured.
 enum class PartState : std::uint8_t { kNone, kHeld, kInferred, kTracked };
 
-/// Where the parts are.
+/// Poses of all parts.
 struct HumanPose {
   std::vector<Pose> X_WP;        ///< of each part, in the order of Human::parts()
   std::vector<PartState> state;  ///< likewise
   std::vector<double> age;       ///< s since the part was last seen; infinite before the first time
 };
 
-/// Lays the parts of a person along skeletons. Joints follow the skeleton's directions and keep the model's
-/// lengths; hips are lifted by the ratio of leg lengths. For one person, and one thread at a time.
+/// Poses the parts of a person along skeletons. Joints follow the directions of the skeleton with the lengths
+/// of the model; the height of the hips is scaled by the ratio of the leg lengths. For one person, and one
+/// thread at a time.
 class HumanPoser {
  public:
-  /// `follow_lengths`: joints stand where the skeleton has them.
+  /// `follow_lengths`: the joints are at the positions of the skeleton.
   explicit HumanPoser(const Human& human, bool follow_lengths = false);
   ~HumanPoser();
-  HumanPoser(HumanPoser&& other) noexcept;             ///< the other can only be assigned to
+  HumanPoser(HumanPoser&& other) noexcept;             ///< `other` can then only be assigned to
   HumanPoser& operator=(HumanPoser&& other) noexcept;  ///< likewise
-  /// Takes the sizes of legs from the whole of a recording instead of from every frame for itself.
+  /// Determines the leg lengths from a whole recording instead of from each frame.
   void calibrate(const std::vector<Skeleton>& recording);
-  /// Skeletons come in the order of time. A skeleton with numbers that are not finite changes nothing but
-  /// state and age.
+  /// Skeletons are in order of time. A skeleton with values that are not finite changes only state and age.
   HumanPose pose(const Skeleton& skeleton);
 
  private:

@@ -1,16 +1,17 @@
-// The library itself: its version, and the files that came with it.
+// Version and data files of the library.
 #pragma once
 
 #include <filesystem>
 
 namespace abstand {
 
-/// Of the library that runs, "0.2.0"; two that differ before the last point do not share a binary interface.
+/// Version of the loaded library, "0.2.0". Versions that differ in the first two numbers are not binary
+/// compatible.
 const char* version();
 
-/// The folder with robots, joint maps and example scenes: the environment's ABSTAND_DATA, else that of the
-/// source which the library was built from while it exists, else share/abstand beside the program's folder or
-/// where the library was installed to. It need not exist. Any thread.
+/// The folder with robots, joint maps and example scenes: the environment variable ABSTAND_DATA; otherwise
+/// the data folder of the source tree from which the library was built, if it exists; otherwise share/abstand
+/// beside the folder of the program or in the installation folder. It may be missing. Any thread.
 std::filesystem::path dataDirectory();
 
 }  // namespace abstand

@@ -1,4 +1,4 @@
-// What a body looks like: triangles, or one of five exact shapes.
+// Geometry of a body: a triangle mesh, or one of five exact shapes.
 #pragma once
 
 #include <array>
@@ -11,38 +11,38 @@
 
 namespace abstand {
 
-/// Triangles over shared vertices, m, in the body's own frame; counter-clockwise seen from outside. A value.
+/// Triangles with shared vertices, m, in the frame of the body; counter-clockwise seen from outside. A value.
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;                ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of vertices
-  /// What a reader noticed: open edges, an inverted mesh, a doubtful unit. A sentence each.
+  /// Remarks of the reader, one sentence each: open edges, an inverted mesh, a doubtful unit.
   std::vector<std::string> remarks;
 };
 
-/// Reads STL, OBJ, PLY, OFF or DAE by the extension, and what else assimp knows. `scale`: metres per unit of
-/// the file, positive. Equal vertices are merged, triangles without area dropped. Any thread. Throws
-/// std::runtime_error, one line `FILE:LINE: error: WHAT`, for whatever gives no triangle.
+/// Reads STL, OBJ, PLY, OFF or DAE by the extension, and other formats by assimp. `scale`: metres per unit of
+/// the file, positive. Equal vertices are merged, triangles without area are dropped. Any thread. Throws
+/// std::runtime_error, one line `FILE:LINE: error: WHAT`, if there is no triangle.
 Mesh loadMesh(const std::filesystem::path& file, double scale = 1.0);
 
-/// One of five exact shapes, centred on its own frame. A value, made by the five functions, which throw
+/// One of five exact shapes, centred on its frame. A value, created by the five functions, which throw
 /// std::runtime_error for sizes (m) that are not finite or not between 1e-6 and 1e6. Any thread.
 class Shape {
  public:
-  /// Which of them.
+  /// Type of a shape.
   enum class Kind { kSphere, kEllipsoid, kCuboid, kCylinder, kCapsule };
 
-  /// All points within `radius` (m).
+  /// Sphere of `radius` (m).
   static Shape sphere(double radius);
-  /// By its three half axes (m).
+  /// Ellipsoid with three semi-axes (m).
   static Shape ellipsoid(const Eigen::Vector3d& semi_axes);
-  /// By the full lengths of its edges (m).
+  /// Cuboid with the full lengths of its edges (m).
   static Shape cuboid(const Eigen::Vector3d& size);
-  /// About z; `length` (m) from cap to cap.
+  /// Cylinder about z; `length` (m) from cap to cap.
   static Shape cylinder(double radius, double length);
-  /// About z; `length` (m) of the cylindrical part, so length + 2 radius in all; it may be 0.
+  /// Capsule about z; `length` (m) of the cylindrical part, may be 0; the total length is length + 2 radius.
   static Shape capsule(double radius, double length);
 
-  /// Which shape it is.
+  /// Type of this shape.
   Kind kind() const { return kind_; }
   /// Sphere: (radius, 0, 0). Ellipsoid: semi-axes. Cuboid: edges. Cylinder, capsule: (radius, length, 0). m.
   const Eigen::Vector3d& sizes() const { return sizes_; }

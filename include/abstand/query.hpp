@@ -10,7 +10,7 @@
 
 namespace abstand {
 
-/// What a query is asked for.
+/// Parameters of a query.
 struct QueryOptions {
   /// kVolume: f_i = k a_i depth_i n_i, so that pressing a body into a flat wall gives k times the overlapping
   /// volume. kThesis: f_i = k V_i n_i (thesis eq. 2.2), unweighted.
@@ -18,17 +18,16 @@ struct QueryOptions {
 
   double margin{0.0};       ///< m, 0 or more: contacts begin at this distance
   double stiffness{1.0e6};  ///< k, N/m^3 (kVolume) or N/m (kThesis), 0 or more
-  Law law{Law::kVolume};    ///< of the forces
+  Law law{Law::kVolume};    ///< force law
 };
 
-/// What is known of a pair A, B. World frame, SI.
+/// Result of a query of a pair A, B. World frame, SI.
 struct PairResult {
-  /// m, between the bare surfaces without margins: positive apart, negative inside (then less the deepest
-  /// penetration).
+  /// m, between the bare surfaces without margins: positive outside; inside, minus the deepest penetration.
   double distance{std::numeric_limits<double>::quiet_NaN()};
   /// m: the true distance is never below distance - bound.
   double bound{std::numeric_limits<double>::quiet_NaN()};
-  Eigen::Vector3d witness_a{Eigen::Vector3d::Zero()};  ///< m, nearest point on A; the deepest one inside
+  Eigen::Vector3d witness_a{Eigen::Vector3d::Zero()};  ///< m, nearest point on A; inside, the deepest
   Eigen::Vector3d witness_b{Eigen::Vector3d::Zero()};  ///< m, nearest point on B
   Eigen::Vector3d force_a{Eigen::Vector3d::Zero()};    ///< N, on A; the opposite acts on B
   Eigen::Vector3d torque_a{Eigen::Vector3d::Zero()};   ///< N m, on A about A's centre of mass
@@ -37,17 +36,17 @@ struct PairResult {
   double depth{0.0};                                   ///< m, deepest penetration of the margins, >= 0
 };
 
-/// What a pair remembers from one query to the next, which makes the next one faster and never weakens its
-/// bound. For one pair of structures, and one thread at a time; a new one remembers nothing. Beyond 0.1 m the
-/// distance may then exceed the smallest one by 1 %; `bound` says by how much in each case.
+/// Data of a pair from one query to the next, for a warm start. A warm start is faster and never weakens the
+/// bound. For one pair of structures, and one thread at a time; a new state gives a cold start. With a warm
+/// start, a distance beyond 0.1 m may exceed the smallest one by up to 1 %; `bound` includes the excess.
 class PairState {
  public:
   PairState();
   ~PairState();
-  /// The one that was moved from can only be assigned to.
+  /// A moved-from state can only be assigned to.
   PairState(PairState&& other) noexcept;
   PairState& operator=(PairState&& other) noexcept;  ///< likewise
-  /// Forgets everything. For another pair, and for results that depend on nothing before.
+  /// Discards all data, for use with another pair or for a cold start.
   void reset() noexcept;
 
   /// @cond library
@@ -59,31 +58,32 @@ class PairState {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Asks one pair. The result depends on the arguments alone, never on the thread. Any thread. Throws
-/// std::runtime_error for a pose that is not finite or no rotation (within 1e-6), and for bad options.
+/// Queries one pair (cold start). The result depends only on the arguments, not on the thread. Any thread.
+/// Throws std::runtime_error for a pose that is not finite or not a rotation (within 1e-6), and for invalid
+/// options.
 PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, const Pose& X_WB,
                      const QueryOptions& options = {});
-/// The same with a warm start; the result depends on the calls before through `state` alone. No allocation.
+/// The same with a warm start; earlier calls affect the result only through `state`. No allocation.
 PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, const Pose& X_WB,
                      const QueryOptions& options, PairState& state);
 
-/// How a batch goes about.
+/// Parameters of a batch.
 struct BatchOptions {
-  QueryOptions query{};  ///< of each pair
-  int threads{1};        ///< 0: all cores. The bits do not depend on it.
-  /// The poses follow each other like the frames of a motion: warm starts within blocks of kBatchBlock poses.
+  QueryOptions query{};  ///< parameters of each query
+  int threads{1};        ///< 0: all cores; does not affect the bits
+  /// The poses are consecutive frames of a motion: warm starts within blocks of kBatchBlock poses.
   bool sequence{false};
 };
-/// Poses of a block; the first one of each is asked without a memory.
+/// Number of poses in a block; the first one of each block is a cold start.
 inline constexpr std::size_t kBatchBlock = 128;
 
-/// Asks one pair in many poses: results[i] belongs to the i-th poses. One of X_WA and X_WB may hold a single
-/// pose, which then stands for all. Without `sequence` the bits are those of queryPair() without a state. Any
-/// thread; no allocation with one thread. Throws as queryPair(), before anything is asked, and for sizes that
-/// do not fit.
+/// Queries one pair in many poses: results[i] belongs to the i-th poses. X_WA or X_WB may hold a single pose,
+/// which is then used for all. Without `sequence`, the bits are those of queryPair() without a state. Any
+/// thread; no allocation with one thread. Throws as queryPair(), before the first query, and if the sizes do
+/// not match.
 void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
                 std::span<const Pose> X_WB, const BatchOptions& options, std::span<PairResult> results);
-/// The same into a new array of max(X_WA.size(), X_WB.size()) results.
+/// The same, returning a new array of max(X_WA.size(), X_WB.size()) results.
 std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure& b,
                                    std::span<const Pose> X_WB, const BatchOptions& options = {});
 

@@ -1,4 +1,4 @@
-// One moment of a person: where the joints are.
+// Joint positions of a person at one time.
 #pragma once
 
 #include <array>
@@ -44,23 +44,23 @@ inline constexpr std::size_t kJoints = static_cast<std::size_t>(Joint::kCount);
 
 /// "pelvis", "shoulder_left", ...
 std::string jointName(Joint joint);
-/// The joint of this name, or none.
+/// The joint with this name; empty if there is none.
 std::optional<Joint> findJoint(const std::string& name);
 
-/// How much is known of a joint. kMissing: nothing in this moment. kInferred: a tracker guessed it. kTracked:
-/// it was measured.
+/// State of a joint. kMissing: no position at this time. kInferred: a tracker estimated it without seeing it.
+/// kTracked: measured.
 enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
 
-/// All joints at one time; a new one has none. World z up, m, right-handed. A value.
+/// All joints at one time; initially all are missing. World z up, m, right-handed. A value.
 struct Skeleton {
   double t{0.0};                            ///< s
-  std::array<Eigen::Vector3d, kJoints> p;   ///< m; NaN where missing
+  std::array<Eigen::Vector3d, kJoints> p;   ///< m; NaN if missing
   std::array<JointState, kJoints> state{};  ///< of each joint
-  std::array<double, kJoints> spread{};     ///< m, standard deviation along the worst axis; 0: not known
+  std::array<double, kJoints> spread{};     ///< m, standard deviation along the worst axis; 0: unknown
 
-  /// Without any joint.
+  /// All joints missing.
   Skeleton() { p.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())); }
-  /// Puts a joint to a point (m).
+  /// Sets the position (m) and state of a joint.
   void set(Joint joint, const Eigen::Vector3d& point, JointState s = JointState::kTracked) {
     p[static_cast<std::size_t>(joint)] = point;
     state[static_cast<std::size_t>(joint)] = s;
