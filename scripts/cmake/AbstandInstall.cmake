@@ -1,9 +1,9 @@
-# What `cmake --install` puts where: programs and data, and the library for find_package(Abstand) and pkg-config.
+# Installation of programs and data, and of the library for find_package(Abstand) and pkg-config.
 include(CMakePackageConfigHelpers)
 
 set(abstand_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Abstand)
 
-# abstand_export(COMPONENT targets...): the libraries of a component; NAME=TARGET gives an exported name, others keep their own.
+# abstand_export(COMPONENT targets...): exports the libraries of a component; NAME=TARGET sets the exported name.
 function(abstand_export component)
   set(targets "")
   foreach(word IN LISTS ARGN)
@@ -22,7 +22,7 @@ function(abstand_export component)
   install(EXPORT Abstand${component}Targets NAMESPACE Abstand:: DESTINATION ${abstand_cmake_dir} COMPONENT dev)
 endfunction()
 
-# What starts with a capital is for users; the others are what it is made of.
+# Targets with a capital letter are for users; the others are their dependencies.
 abstand_export(Engine engine Engine=facade_engine)
 abstand_export(Mechanism mechanism Mechanism=facade_mechanism)
 abstand_export(Human humanmodel Human=facade_human)
@@ -42,7 +42,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/AbstandConfigVers
 install(FILES ${PROJECT_BINARY_DIR}/package/AbstandConfig.cmake ${PROJECT_BINARY_DIR}/package/AbstandConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/scripts/cmake/FindODE.cmake DESTINATION ${abstand_cmake_dir} COMPONENT dev)
 
-# abstand_pkg_config(NAME DESCRIPTION LIBRARIES packages...): NAME.pc; a static library asks for everything it is made of.
+# abstand_pkg_config(NAME DESCRIPTION LIBRARIES packages...): NAME.pc; a static library also requires its dependencies.
 function(abstand_pkg_config name description libraries)
   cmake_parse_arguments(P "" "" "REQUIRES;PRIVATE;SYSTEM" ${ARGN})
   set(libs "")
@@ -76,17 +76,17 @@ file(RELATIVE_PATH abstand_pc_up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" abstand_pc_up "${abstand_pc_up}")
 abstand_pkg_config(abstand-engine "Distances and contact of two bodies, with certified bounds" "facade_engine;engine"
   REQUIRES eigen3 PRIVATE assimp qhull_r SYSTEM -lpthread)
-abstand_pkg_config(abstand-mechanism "Kinematics of robots in URDF and tables" "facade_mechanism;mechanism"
+abstand_pkg_config(abstand-mechanism "Kinematics of robots in URDF and Denavit-Hartenberg tables" "facade_mechanism;mechanism"
   REQUIRES abstand-engine PRIVATE urdfdom console_bridge)
-abstand_pkg_config(abstand-human "People of fourteen parts" "facade_human;humanmodel" REQUIRES abstand-engine)
+abstand_pkg_config(abstand-human "Parametric people of fourteen rigid parts" "facade_human;humanmodel" REQUIRES abstand-engine)
 abstand_pkg_config(abstand-tracking "Recordings of people" "facade_tracking;tracking;body;scene;config"
   REQUIRES abstand-human abstand-mechanism PRIVATE zlib SYSTEM -lyaml-cpp)
-# OpenCV's packages for single modules bring no file for pkg-config.
+# The Debian packages of single OpenCV modules contain no file for pkg-config.
 abstand_pkg_config(abstand-scene "Scenes of people and robots, frame by frame" "facade_scene;app;tracker;depth;verify;physics"
   REQUIRES abstand-tracking PRIVATE ode pcl_common pcl_sample_consensus hdf5-serial libdeflate sqlite3 libzstd
   SYSTEM -lopencv_calib3d -lopencv_imgcodecs -lopencv_imgproc -lopencv_core -ldl)
 
-# Programs, their data and what is said of them.
+# Programs, data and documents.
 if(BUILD_SHARED_LIBS)
   file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set_target_properties(abstand PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
@@ -103,7 +103,7 @@ if(ABSTAND_BUILD_UI)
     COMPONENT studio)
 endif()
 
-# The API documentation, where doxygen is there; installed once it was made.
+# The API documentation, if doxygen is available; installed if it was built.
 add_custom_target(docs COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${PROJECT_BINARY_DIR}/api
   -DVERSION=${PROJECT_VERSION} -P ${PROJECT_SOURCE_DIR}/scripts/cmake/ApiDocs.cmake VERBATIM)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/api/html DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libabstand-dev/api COMPONENT dev OPTIONAL)

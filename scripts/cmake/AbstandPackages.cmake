@@ -1,5 +1,5 @@
-# Debian packages by CPack, one a component: abstand (program), abstand-studio (studio), libabstand-dev (dev), python3-abstand (python).
-# scripts/package makes them.
+# Debian packages by CPack, one for each component: abstand (program), abstand-studio (studio), libabstand-dev (dev), python3-abstand
+# (python). scripts/package builds them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME abstand)
 set(CPACK_PACKAGE_VENDOR "Abstand")
@@ -17,22 +17,22 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(same_version "(= ${PROJECT_VERSION}-1)")
 
-# What programs and modules load is found by dpkg-shlibdeps; what a static library is linked with is said here.
+# dpkg-shlibdeps finds the dependencies of programs and modules; those of the static libraries are listed here.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME abstand)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS assimp-testmodels)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "abstand-studio, libfreenect0.5, weasyprint")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Tells robotics labs and safety engineers, in numbers with stated error
-bounds, how close a person came to a robot, how hard a touch would have
-been, and which safety margin would have been right. An analysis tool, not
-a safety function.
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Computes for robotics labs and safety engineers, with stated error bounds,
+how close a person came to a robot, how hard a contact would have been, and
+which safety margin would have been sufficient. An analysis tool, not a
+safety function.
 .
-This package holds the command line program, robots, scenes and joint maps.")
+This package contains the command line program, robots, scenes and joint maps.")
 set(CPACK_DEBIAN_STUDIO_PACKAGE_NAME abstand-studio)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_STUDIO_PACKAGE_DEPENDS "abstand ${same_version}, libgl1-mesa-dri")
 set(CPACK_DEBIAN_STUDIO_PACKAGE_RECOMMENDS qttranslations5-l10n)
-set(CPACK_COMPONENT_STUDIO_DESCRIPTION "The desktop program: people and robots in three dimensions with their
+set(CPACK_COMPONENT_STUDIO_DESCRIPTION "The desktop program: shows people and robots in three dimensions with
 distances, force arrows and live plots.")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libabstand-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
@@ -49,15 +49,14 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-abstand)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "abstand ${same_version}, python3, python3-numpy")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module: the engine, robots, people and scenes with arrays of
-NumPy.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module: engine, robots, people and scenes with NumPy arrays.")
 
-# Only what has files becomes a package.
+# Only components with files become packages.
 get_cmake_property(CPACK_COMPONENTS_ALL COMPONENTS)
 list(REMOVE_ITEM CPACK_COMPONENTS_ALL Unspecified)
 
 find_program(GZIP gzip)
-# abstand_compressed(FILE NAME DESTINATION COMPONENT): as Debian's policy asks, without time stamps.
+# abstand_compressed(FILE NAME DESTINATION COMPONENT): installs a compressed file without time stamps, as Debian policy requires.
 function(abstand_compressed file name destination component)
   set(out ${PROJECT_BINARY_DIR}/package/${component}/${name})
   get_filename_component(folder ${out} DIRECTORY)

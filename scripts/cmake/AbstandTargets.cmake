@@ -1,13 +1,13 @@
-# How every target of the project is compiled, in one place.
+# Compile settings of all targets of the project.
 
-# Flags that all own code shares. No fused multiply-add unless asked for, so that results do not
-# depend on what the compiler contracts.
+# Flags of all own code. No fused multiply-add unless requested, so that results do not depend on the
+# contractions of the compiler.
 add_library(abstand_flags INTERFACE)
 target_compile_options(abstand_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
   $<$<BOOL:${ABSTAND_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Position-independent code inlines what other code does then; clang does so by itself.
+  # Allows the same inlining in position-independent code as in other code; default of clang.
   target_compile_options(abstand_flags INTERFACE -fno-semantic-interposition)
 endif()
 if(ABSTAND_SANITIZE)
@@ -18,25 +18,25 @@ if(ABSTAND_SANITIZE)
   endif()
 endif()
 
-# Headers from outside that nearly every file takes, read once for all libraries, and once more with GoogleTest for all tests:
-# half of the time of a build. Files still include what they use.
+# External headers that nearly every file includes, precompiled once for all libraries, and once more with GoogleTest for all tests.
+# This halves the build time. Files still include what they use.
 set(abstand_common_headers <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <functional> <memory> <optional> <span>
   <string> <vector>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # The first for the compiler cache. With precompiled headers GCC 12 takes the library's own strings for code of ours, and finds
-  # bounds broken in them that are not (GCC bug 105651 and its kin); clang and the sanitizers look at bounds.
+  # -fpch-preprocess is for the compiler cache. With precompiled headers, GCC 12 reports false bounds warnings in the strings of the
+  # standard library (GCC bug 105651 and related ones); clang and the sanitizers check bounds.
   target_compile_options(abstand_flags INTERFACE -fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
   if(ABSTAND_UNITY)
-    # A private class with a member of an unnamed namespace, in a file that others are compiled with.
+    # For a private class with a member of an unnamed namespace, in a file that is compiled together with others.
     target_compile_options(abstand_flags INTERFACE -Wno-subobject-linkage)
   endif()
 else()
-  # The compiler cache finds them again by what they hold.
+  # So that the compiler cache identifies precompiled headers by content.
   target_compile_options(abstand_flags INTERFACE "SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
-# abstand_library(NAME [sources] [LINKS libraries of the project]): a library that others link as abstand::NAME; static unless
-# BUILD_SHARED_LIBS says otherwise. A facade's headers are those of include/, which are all that is installed.
+# abstand_library(NAME [sources] [LINKS libraries of the project]): a library with the alias abstand::NAME; static unless
+# BUILD_SHARED_LIBS is set. The headers of a facade are those of include/; only these are installed.
 function(abstand_library name)
   cmake_parse_arguments(L "" "" "LINKS" ${ARGN})
   add_library(abstand_${name} ${L_UNPARSED_ARGUMENTS})
@@ -47,8 +47,8 @@ function(abstand_library name)
       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   endif()
   target_compile_features(abstand_${name} PUBLIC cxx_std_20)
-  # Position-independent for the Python module; no macro for shared libraries, as precompiled headers must fit all of them. Until
-  # 1.0 the second number of the version counts for the binary interface.
+  # Position-independent for the Python module. No macro for shared libraries, because all libraries share the precompiled headers.
+  # Until 1.0, the second number of the version also identifies the binary interface.
   set_target_properties(abstand_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL ""
     INSTALL_RPATH "$ORIGIN" VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   list(TRANSFORM L_LINKS PREPEND abstand::)
@@ -61,8 +61,8 @@ function(abstand_library name)
   endif()
 endfunction()
 
-# abstand_fingerprint(TARGET HEADER NAME WHAT sources...): the target's sources may include HEADER, which says in NAME what the sources
-# are, whatever their times.
+# abstand_fingerprint(TARGET HEADER NAME WHAT sources...): generates HEADER for the sources of the target, with the constant NAME, a hash
+# of the contents of `sources` that does not depend on their times.
 function(abstand_fingerprint target header name what)
   set(file ${PROJECT_BINARY_DIR}/generated/${header})
   add_custom_command(OUTPUT ${file}
@@ -74,11 +74,11 @@ function(abstand_fingerprint target header name what)
   target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
 endfunction()
 
-# Programs that start threads, for the thread sanitizer: built by this target, and their labels end with `_threads`.
+# Builds the test programs that start threads, for the thread sanitizer; their labels end with `_threads`.
 add_custom_target(threaded_tests)
 
-# abstand_test(NAME [THREADS] [SHARDS count] SOURCES files LIBS libraries): one GoogleTest program; each case is a test of ctest. With a
-# sanitizer the whole program is, as its start takes longer than most of its cases, or each of its shards.
+# abstand_test(NAME [THREADS] [SHARDS count] SOURCES files LIBS libraries): a GoogleTest program; each case is a test of ctest. With a
+# sanitizer, the whole program or each of its shards is one test, because its start takes longer than most of its cases.
 function(abstand_test name)
   cmake_parse_arguments(T "THREADS" "SHARDS" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT T_SHARDS)
@@ -98,7 +98,7 @@ function(abstand_test name)
     foreach(shard RANGE 1 ${T_SHARDS})
       math(EXPR index "${shard} - 1")
       add_test(NAME ${name}_${shard} COMMAND ${name})
-      # The long ones first, so that no core waits at the end.
+      # Long tests start first, so that no core is idle at the end.
       set_tests_properties(${name}_${shard} PROPERTIES LABELS ${T_LABELS} COST ${T_SHARDS} TIMEOUT 1800
         ENVIRONMENT "GTEST_TOTAL_SHARDS=${T_SHARDS};GTEST_SHARD_INDEX=${index}")
     endforeach()
@@ -108,13 +108,13 @@ function(abstand_test name)
   endif()
 endfunction()
 
-# abstand_group_sources(DIRECTORY): the .cpp files of each folder of each target are compiled up to ten at a time, those of tests up to
-# six, as most of the time of a file goes into headers that its neighbours read too (docs/build-time.md). Names in unnamed namespaces
-# are therefore unique in a folder; a test file has a namespace of its own name, as tests name their tolerances alike. Called once all
-# targets are there.
+# abstand_group_sources(DIRECTORY): compiles the .cpp files of each folder of each target in groups of up to ten, those of tests in groups
+# of up to six, because headers that the files share take most of the time (docs/build-time.md). Names in unnamed namespaces have to be
+# unique in a folder; each test file has its own named namespace, because tests use the same names for tolerances. Call it after all
+# targets are defined.
 function(abstand_group_sources directory)
   get_property(folders DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
-  # Its parts are linked one by one: a window's tests have a main function of their own.
+  # Its files are linked individually: the tests of the window have their own main function.
   list(REMOVE_ITEM folders ${PROJECT_SOURCE_DIR}/tests/support)
   foreach(folder IN LISTS folders)
     abstand_group_sources(${folder})

@@ -1,4 +1,4 @@
-# cmake -DSOURCE=folder -DOUT=folder -DVERSION=x.y.z -P ApiDocs.cmake: the API documentation; warnings are errors.
+# cmake -DSOURCE=folder -DOUT=folder -DVERSION=x.y.z -P ApiDocs.cmake: builds the API documentation; warnings are errors.
 find_program(DOXYGEN doxygen REQUIRED)
 file(MAKE_DIRECTORY ${OUT})
 set(ENV{ABSTAND_VERSION} ${VERSION})

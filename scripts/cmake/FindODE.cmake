@@ -1,4 +1,4 @@
-# Finds the Open Dynamics Engine and gives the target ODE::ODE.
+# Finds the Open Dynamics Engine and defines the target ODE::ODE.
 find_path(ODE_INCLUDE_DIR ode/ode.h)
 find_library(ODE_LIBRARY NAMES ode)
 include(FindPackageHandleStandardArgs)

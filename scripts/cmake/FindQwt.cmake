@@ -1,4 +1,4 @@
-# Finds Qwt built for Qt 5 and gives the target Qwt::Qwt.
+# Finds Qwt for Qt 5 and defines the target Qwt::Qwt.
 find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt qwt-qt5 qt5/qwt)
 find_library(QWT_LIBRARY NAMES qwt-qt5 qwt)
 if(QWT_INCLUDE_DIR AND EXISTS "${QWT_INCLUDE_DIR}/qwt_global.h")
