@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes data/robots/arm6: an industrial arm of six axes, about 1.2 m of reach, as a URDF with its meshes, and the
-motion of data/scenes/arm6.yaml. The arm is our own, like many of its size. Python's standard library only.
+"""Generates data/robots/arm6: an industrial six-axis arm with a reach of about 1.2 m, as a URDF with meshes, and the
+motion of data/scenes/arm6.yaml. The arm is our own design, similar to others of its size. Uses only the standard library.
 """
 import math
 import os
@@ -12,7 +12,7 @@ from robot_builder import Robot, mesh_from, write_motion
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data")
 FOLDER = os.path.join(DATA, "robots", "arm6")
 TRIANGLES = 1200
-DENSITY = 1300.0        # kg/m^3, castings with motors in them, hollow for the rest
+DENSITY = 1300.0        # kg/m^3, mean of hollow castings with motors
 
 
 def drum_y(radius, y0, y1, x=0.0, z=0.0):
@@ -27,7 +27,7 @@ def along_x(profile):
 
 
 def slab(field, y0, y1):
-    """The field between two planes."""
+    """Intersection of the field with the slab between two planes."""
     return lambda x, y, z: max(field(x, y, z), y0 - y, y - y1)
 
 

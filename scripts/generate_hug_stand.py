@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes what stands around the two arms: data/robots/hug/column.stl and table.stl (metres, z up, floor at z = 0).
+"""Generates the column and the table of HUG: data/robots/hug/column.stl and table.stl (metres, z up, floor at z = 0).
 
-The column carries the feet of both arms: their frames 0 are the `base` poses of the scenes data/scenes/hug_*.yaml.
-Python's standard library only; the script checks that both meshes are closed.
+The column includes the feet of both arms: their frames 0 are the `base` poses of the scenes data/scenes/hug_*.yaml.
+Uses only the standard library. The script checks that both meshes are closed.
 """
 import math
 import os
@@ -13,14 +13,14 @@ from mesh_from_field import (assert_closed, box, capsule, mesh_of, revolved, rou
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "robots", "hug")
 
-# Where the left arm's foot stands and where its axis points; the right arm is its mirror image in y.
+# Position and axis of the foot of the left arm; the right arm is mirrored in y.
 FOOT = (-0.08, 0.16, 1.25)
 AXIS = tuple(c / math.sqrt(0.45 ** 2 + 0.85 ** 2 + 0.25 ** 2) for c in (0.45, 0.85, 0.25))
 POST = (-0.30, 0.0)
 
 
 def foot(side):
-    """The foot of an arm up to joint 1, stouter than base.stl, for the coarser grid."""
+    """The foot of an arm up to joint 1, thicker than base.stl because the grid is coarser."""
     profile = rounded_profile([(0, -0.02), (0.084, -0.02), (0.084, 0.026), (0.064, 0.050), (0.069, 0.085),
                                (0.069, JOINT_1 - 0.0015), (0, JOINT_1 - 0.0015)], 0.012)
     axis = (AXIS[0], side * AXIS[1], AXIS[2])
@@ -47,7 +47,7 @@ def column():
 
 
 def spaced(parts):
-    """Grid coordinates: [(from, to, step), ...] joined."""
+    """Concatenated grid coordinates of [(from, to, step), ...]."""
     axis = []
     for lower, upper, step in parts:
         n = max(1, round((upper - lower) / step))
@@ -56,7 +56,7 @@ def spaced(parts):
 
 
 def table():
-    """A top on four legs, from the filled cells of a small grid; sharp edges."""
+    """A table top on four legs with sharp edges, from the filled cells of a small grid."""
     xs = [-0.20, -0.17, -0.13, 0.0, 0.13, 0.17, 0.20]
     ys = [-0.35, -0.32, -0.28, -0.14, 0.0, 0.14, 0.28, 0.32, 0.35]
     zs = [0.0, 0.175, 0.35, 0.525, 0.70, 0.73]

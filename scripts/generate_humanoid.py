@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes data/robots/humanoid: a humanoid of 47 degrees of freedom on wheels, as a URDF of boxes, cylinders and
-spheres, and the motion of data/scenes/humanoid.yaml. Python's standard library only.
+"""Generates data/robots/humanoid: a humanoid with 47 degrees of freedom on wheels, as a URDF of boxes, cylinders and
+spheres, and the motions of data/scenes/humanoid.yaml and humanoid_self.yaml. Uses only the standard library.
 
-    wheeled base   4   x, y and yaw on the floor (one planar joint), and the span of its four legs (three mimic the first)
+    wheeled base   4   x, y and yaw on the floor (one planar joint), and the spread of its four legs (three mimic the first)
     torso          3   yaw, pitch, chest pitch
     two arms    7 + 7
     two hands  12 + 12 four fingers of three joints each; the outermost joint of each finger mimics the middle one
@@ -60,7 +60,7 @@ def head(robot):
 
 
 def finger(robot, hand, name, pose, side):
-    """Spread about z, then two joints and one that follows, about y; the finger points along x."""
+    """Spread about z, then two joints and one mimic joint about y; the finger points along x."""
     f = f"{hand}_{name}"
     robot.link(f"{f}_base", [sphere(0.0115)], 1500)
     robot.joint(f"{f}_spread", "revolute", f"{hand}_palm", f"{f}_base", pose, Z, deg(-20, 20, 360, 2.4))
@@ -74,7 +74,7 @@ def finger(robot, hand, name, pose, side):
 
 
 def arm(robot, side, s):
-    """s: 1 for the left. The arm hangs along -z at zero, except that the shoulder stands off along y."""
+    """s: 1 for the left arm, -1 for the right. At zero, the arm hangs along -z, with the shoulder offset along y."""
     robot.link(f"{side}_shoulder", [cylinder(0.065, 0.09, at(0, 0.055 * s, 0, ALONG_Y))], 1300)
     robot.joint(f"{side}_shoulder_pitch", "revolute", "chest", f"{side}_shoulder", at(0, 0.165 * s, 0.22), Y,
                 deg(-170, 170, 110, 180))
@@ -94,7 +94,7 @@ def arm(robot, side, s):
                 deg(-60, 60, 180, 30))
     robot.link(f"{side}_palm", [box((0.045, 0.10, 0.085), at(0, 0, -0.095))], 1300)
     robot.joint(f"{side}_wrist_pitch", "revolute", f"{side}_wrist", f"{side}_palm", NOWHERE, Y, deg(-90, 90, 180, 30))
-    # Fingers along -z, the thumb forwards and against them.
+    # Fingers along -z, the thumb forward and opposite to them.
     down = (0, math.pi / 2, 0)
     for name, y in (("index", 0.034), ("middle", 0.0), ("ring", -0.034)):
         finger(robot, side, name, at(-0.002, y * s, -0.150, down), s)
@@ -140,7 +140,7 @@ def main():
 
 
 def within_an_arm(robot):
-    """Pairs of one arm and its hand, which are always near each other and are not to be pushed apart."""
+    """Writes the pairs within an arm and its hand, which are always near each other and must not be pushed apart."""
     with open(os.path.join(DATA, "scenes", "humanoid_self.pairs"), "w") as out:
         out.write("# Pairs within an arm and its hand, by scripts/generate_humanoid.py: near in every posture.\nverdict,a,b\n")
         for side in ("left", "right"):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the link meshes of the arm in data/robots/lwr: the looks of a light-weight robot, made here from formulas.
+"""Generates the link meshes of the arm in data/robots/lwr, which resemble a light-weight robot, from formulas.
 
-Each mesh stands in its frame of lwr4.mech (metres). The script checks what it writes: closed, consistent, outward,
-and not convex. Run it from anywhere; it needs Python's standard library only.
+Each mesh is in its frame of lwr4.mech (metres). The script checks that the meshes are closed, consistent, outward and not
+convex. Uses only the standard library.
 """
 import math
 import os
@@ -12,12 +12,12 @@ from mesh_from_field import (assert_closed, box, capsule, centroid, hull_volume,
                              rounded_profile, smooth_difference, smooth_union, sphere, turned, volume, write_stl)
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "robots", "lwr")
-TRIANGLES = 4700        # a link; 14 links have about 66,000, the thesis's HUG has 70,000
-LEAST_HULL = 1.10       # a link's convex hull has at least 10 % more volume
+TRIANGLES = 4700        # per link; 14 links have about 66,000, HUG in the thesis has 70,000
+LEAST_HULL = 1.10       # minimum ratio of the volumes of the convex hull and the link
 
 GAP = 0.0015            # m, half the gap between the two shells of an elbow
 DRUM = 0.072            # m, radius of an elbow's shells
-JOINT_1 = 0.1185        # m above the foot: where link 1 begins
+JOINT_1 = 0.1185        # m above the foot, start of link 1
 
 
 def along_x(profile):
@@ -25,10 +25,10 @@ def along_x(profile):
 
 
 def elbow_link(length):
-    """One shell of an elbow and the tube that leads away from it.
+    """One shell of an elbow and the adjacent tube.
 
-    The elbow's centre is the origin, its axis is x, this link's shell stands at x > 0; the tube runs along z to
-    z = length, where the next joint's face is.
+    The origin is the centre of the elbow, its axis is x, the shell of this link is at x > 0. The tube extends along z to
+    z = length, the face of the next joint.
     """
     end = length - 0.0015
     tube = revolved(rounded_profile(
@@ -44,7 +44,7 @@ def elbow_link(length):
 
 
 def forearm_link(length):
-    """Tube from joint 5 (z = -length) to the socket in which the wrist's ball turns, below the origin."""
+    """Tube from joint 5 (z = -length) to the socket of the wrist ball, below the origin."""
     start = -length + 0.0015
     tube = revolved(rounded_profile(
         [(0, start), (0.063, start), (0.069, start + 0.006), (0.069, start + 0.040), (0.060, start + 0.052),
@@ -58,7 +58,7 @@ def wrist_link():
     neck = turned(revolved(rounded_profile(
         [(0, 0.0), (0.031, 0.0), (0.031, 0.053), (0.043, 0.058), (0.043, 0.068), (0, 0.068)], 0.006)),
         lambda x, y, z: (z, x, y))
-    # A flat at each end of the axis, with the cap of the bearing sunk into it.
+    # A flat face at each end of the axis, with a recess for the bearing cap.
     flat = [turned(revolved([(0, 0.043), (0.09, 0.043), (0.09, 0.2), (0, 0.2)]), lambda x, y, z, s=s: (x, y, s * z))
             for s in (1, -1)]
     bearing = [turned(revolved([(0, 0.024), (0.026, 0.024), (0.028, 0.2), (0, 0.2)]),
@@ -67,7 +67,7 @@ def wrist_link():
 
 
 def hand_link():
-    """Flange (its face is the origin's plane, z out) and the handle that the user holds."""
+    """Flange (its face is the plane of the origin, z outward) and the handle for the user."""
     flange = revolved(rounded_profile(
         [(0, -0.0085), (0.040, -0.0085), (0.043, -0.005), (0.043, 0.008), (0.030, 0.014), (0, 0.014)], 0.004))
     stem = capsule((0, 0, 0), (0, 0, 0.034), 0.021, 0.017)
@@ -95,8 +95,8 @@ def base_link():
     return smooth_union(0.008, body, plug)
 
 
-# The shell of an elbow stands on the side +x of elbow_link's coordinates; these put it into the frames of the arm.
-# Shells alternate: link 1 on one side of the arm, 2 and 3 on the other, 4 on the first again.
+# The shell of an elbow is on the side +x in the coordinates of elbow_link(); these transforms move it to the frames of the arm.
+# Shells alternate: link 1 is on one side of the arm, 2 and 3 on the other, 4 on the first.
 LINKS = {
     "link1": (turned(elbow_link(0.3105 - JOINT_1), lambda x, y, z: (y, x, -z)), 0.20),
     "link2": (turned(elbow_link(0.200), lambda x, y, z: (z, x, y)), 0.21),
@@ -114,7 +114,7 @@ def main():
     os.makedirs(FOLDER, exist_ok=True)
     for name in wanted:
         field, reach = LINKS[name]
-        # A coarse look first, so that the grid fits the body.
+        # A coarse mesh first, to determine the bounds of the grid.
         coarse = mesh_with(field, (-reach,) * 3, (reach,) * 3, 1200, 0.3)[0]
         lower = [min(v[m] for v in coarse) - 0.006 for m in range(3)]
         upper = [max(v[m] for v in coarse) + 0.006 for m in range(3)]

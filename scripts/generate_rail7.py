@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes data/robots/rail7: the seven-axis arm of data/robots/lwr, with its meshes, on a linear axis of 1.8 m, as a URDF,
-and the motion of data/scenes/rail7.yaml. Python's standard library only.
+"""Generates data/robots/rail7: the seven-axis arm of data/robots/lwr, with its meshes, on a linear axis of 1.8 m, as a URDF,
+and the motion of data/scenes/rail7.yaml. Uses only the standard library.
 """
 import math
 import os
@@ -13,7 +13,7 @@ FOLDER = os.path.join(DATA, "robots", "rail7")
 LWR = os.path.join(DATA, "robots", "lwr")
 DENSITY = 1000.0
 
-# alpha, d, limit and speed in degrees, effort in N m: the table of lwr4.mech; the limits are those that are published for
+# alpha, d, limit and speed in degrees, effort in N m: the table of lwr4.mech; the limits are the published ones of
 # the KUKA LWR 4+.
 JOINTS = ((0, 0.3105, 170, 110, 200), (90, 0, 120, 110, 200), (-90, 0.4, 170, 128, 100), (-90, 0, 120, 128, 100),
           (90, 0.39, 170, 204, 100), (90, 0, 120, 184, 30), (-90, 0.078, 170, 184, 30))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes data/scenes/hug_reach.bvh: a person who stands, reaches forward with the right hand and takes it back.
+"""Generates data/scenes/hug_reach.bvh: a standing person reaches forward with the right hand and withdraws it.
 
-Synthetic: minimum-jerk joint angles on a skeleton of 1.75 m; cm, y up, facing +z, 120 Hz, joint names as MotionBuilder
-writes them. Python's standard library only.
+Synthetic: minimum-jerk joint angles on a skeleton of 1.75 m; cm, y up, facing +z, 120 Hz, joint names of MotionBuilder.
+Uses only the standard library.
 """
 import math
 import os
@@ -11,7 +11,7 @@ from generate_scene_motions import minimum_jerk
 
 FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "scenes", "hug_reach.bvh")
 RATE, FRAMES = 120, 541                 # 4.5 s
-START, REACH, HOLD, BACK = 0.6, 1.3, 0.5, 1.3   # s: when the reach begins, and how long each stretch lasts
+START, REACH, HOLD, BACK = 0.6, 1.3, 0.5, 1.3   # s: start of the reach, and durations of the phases
 
 
 def skeleton():
@@ -29,7 +29,7 @@ def skeleton():
 
 
 def angles(t):
-    """Rotations (z, y, x) in degrees of the joints that turn, and the place of the hips in cm."""
+    """Rotations (z, y, x) in degrees of the moving joints, and the position of the hips in cm."""
     s = minimum_jerk((t - START) / REACH) - minimum_jerk((t - START - REACH - HOLD) / BACK)
     sway = math.sin(2 * math.pi * t / 2.25)
     lean = 14 * s

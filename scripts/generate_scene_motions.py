@@ -1,43 +1,43 @@
 #!/usr/bin/env python3
-"""Makes the joint motions of the scenes in data/scenes/motion: CSV with the columns t,q0,q1,... (s, rad or m).
+"""Generates the joint motions of the scenes in data/scenes/motion: CSV with the columns t,q0,q1,... (s, rad or m).
 
-Python's standard library only. The two arms of HUG move as mirror images of each other.
+Uses only the standard library. The motions of the two arms of HUG are mirror images of each other.
 """
 import math
 import os
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data", "scenes", "motion")
 
-# Left arm: the hands apart in front of the column, and the handles 3 cm from each other.
+# Postures of the left arm: hands apart in front of the column; handles 3 cm apart.
 APART = (0.016, -0.909, -1.175, 1.933, -0.955, -0.321, 0.142)
 CLOSE = (-0.174, -1.747, -1.240, 1.838, 0.593, 0.421, -0.667)
 
-ALONE_PERIOD, ALONE_TIMES = 5.0, 4            # s, and how often the hands come together
+ALONE_PERIOD, ALONE_TIMES = 5.0, 4            # s, and number of repetitions
 GENTLE_LENGTH = 31.0                          # s, longer than the recording
 GENTLE = ((0.08, 7.0), (0.10, 6.0), (0.10, 9.0), (0.12, 5.0), (0.15, 4.0), (0.10, 3.5), (0.20, 4.5))  # rad, s
 
-SPHERE_CORNER = 0.25                          # m, half the side of the square that the centres stay in
+SPHERE_CORNER = 0.25                          # m, half the side of the square of the centres
 SPHERE_TIME = 8.0                             # s
 
-# Two robots on a table. The large one swings its hand from side to side; the small one goes from place to place and
-# lowers its quill at each.
+# Two robots on a table. The large one swings its hand from side to side; the small one moves between positions and lowers its
+# quill at each.
 TABLE_TIME = 32.0                             # s, longer than the recordings
 LWR_REST = (0.35, -0.8, 0.0, 1.2, 0.0, -1.1, 0.0)
 LWR_SWING = ((0.5, 4.0), (0.15, 5.0), (0.1, 7.0), (0.2, 6.0), (0.2, 3.0), (0.2, 3.5), (0.5, 4.5))  # rad, s
 SCARA_PLACES = ((0.6, 1.2), (1.6, 0.7), (2.4, -0.9), (1.2, -0.4))  # rad
 SCARA_MOVE, SCARA_DOWN, SCARA_STROKE = 0.8, 0.35, 0.07        # s, s, m
 
-ROD_TURN, ROD_TIME = math.pi / 2, 2.0         # rad and s from lying side by side to touching
+ROD_TURN, ROD_TIME = math.pi / 2, 2.0         # rad and s, from side by side to contact
 
 
 def minimum_jerk(s):
-    """From 0 to 1 with no speed and no acceleration at the ends."""
+    """Minimum-jerk interpolation from 0 to 1, with zero velocity and acceleration at both ends."""
     s = min(max(s, 0.0), 1.0)
     return s ** 3 * (10 - 15 * s + 6 * s * s)
 
 
 def mirrored(q):
-    """The joint values that put the right arm into the mirror image of the left."""
+    """Joint values of the right arm for the mirrored posture of the left arm."""
     return tuple(v if i % 2 else -v for i, v in enumerate(q))
 
 
@@ -53,7 +53,7 @@ def times(end, step):
 
 
 def hug_alone():
-    """Hands together and apart, again and again."""
+    """Repeatedly moves the hands together and apart."""
     rows = []
     for t in times(ALONE_PERIOD * ALONE_TIMES, 0.05):
         phase = t % ALONE_PERIOD / ALONE_PERIOD
@@ -63,13 +63,13 @@ def hug_alone():
 
 
 def hug_gentle():
-    """Slow swings of every joint about the posture with the hands apart."""
+    """Slow oscillation of every joint around the posture with the hands apart."""
     return [(t, tuple(q + size * math.sin(2 * math.pi * t / period) for q, (size, period) in zip(APART, GENTLE)))
             for t in times(GENTLE_LENGTH, 0.05)]
 
 
 def bouncing(start, direction, speed):
-    """To and fro on the diagonal between -end and end at constant speed: rows at the turns are enough."""
+    """Moves back and forth on the diagonal between -end and end at constant speed; rows only at the reversals."""
     end = SPHERE_CORNER * math.sqrt(2)
     t, q = 0.0, start * end
     rows = [(t, (q,))]
@@ -84,7 +84,7 @@ def bouncing(start, direction, speed):
 
 
 def rod():
-    """Turns into the other rod, rests there, turns back."""
+    """Rotates into the other rod, rests there, rotates back."""
     rows = []
     for t in times(3 * ROD_TIME, 0.02):
         s = minimum_jerk(t / ROD_TIME) if t < 1.5 * ROD_TIME else minimum_jerk((3 * ROD_TIME - t) / ROD_TIME)
@@ -98,7 +98,7 @@ def lwr_at_table():
 
 
 def scara_at_table():
-    """Move, lower, raise, and on to the next place."""
+    """Repeats: move to the next position, lower, raise."""
     cycle = SCARA_MOVE + 2 * SCARA_DOWN
     rows = []
     for t in times(TABLE_TIME, 0.05):
@@ -116,8 +116,8 @@ def main():
     for name, rows in (("hug_alone", hug_alone()), ("hug_gentle", hug_gentle())):
         write(name + "_left.csv", rows)
         write(name + "_right.csv", [(t, mirrored(q)) for t, q in rows])
-    # Half a diagonal takes the fast ones 0.5 s. The slow one starts half way out, so that it comes through the
-    # centre with them every second time; from a corner, at half the speed, it never would.
+    # The fast spheres take 0.5 s for half a diagonal. The slow one starts halfway out, so that it passes the centre together
+    # with them every second time; starting from a corner, at half the speed, it never would.
     half = SPHERE_CORNER * math.sqrt(2)
     write("sphere_fast.csv", bouncing(-1.0, 1, half / 0.5))
     write("sphere_slow.csv", bouncing(0.5, 1, half / 1.0))

@@ -1,4 +1,4 @@
-"""Closed triangle meshes from signed distance functions, in plain Python (surface nets), and binary STL.
+"""Closed triangle meshes from signed distance functions, in pure Python (surface nets), and binary STL.
 
 A field is a function (x, y, z) -> distance in metres, negative inside. It may be inexact away from the surface.
 """
@@ -10,7 +10,7 @@ import struct
 
 
 def smooth_union(k, *fields):
-    """Union whose inner edges are filleted over about k metres (polynomial smooth minimum)."""
+    """Union with inner edges filleted over about k metres (polynomial smooth minimum)."""
 
     def field(x, y, z):
         d = fields[0](x, y, z)
@@ -24,7 +24,7 @@ def smooth_union(k, *fields):
 
 
 def smooth_difference(k, body, *tools):
-    """Body without the tools, edges rounded over about k metres."""
+    """Body minus the tools, with edges rounded over about k metres."""
 
     def field(x, y, z):
         d = body(x, y, z)
@@ -43,7 +43,7 @@ def sphere(center, radius):
 
 
 def capsule(p, q, radius, end_radius=None):
-    """Around the segment pq; with end_radius the radius changes linearly from p to q."""
+    """Capsule around the segment pq; with end_radius, the radius changes linearly from p to q."""
     end_radius = radius if end_radius is None else end_radius
     d = [q[i] - p[i] for i in range(3)]
     length2 = sum(c * c for c in d)
@@ -88,12 +88,12 @@ def revolved(profile):
 
 
 def turned(field, to_local):
-    """The field in other coordinates: to_local takes a point (x, y, z) to the field's own."""
+    """The field in other coordinates: to_local maps a point (x, y, z) to the coordinates of the field."""
     return lambda x, y, z: field(*to_local(x, y, z))
 
 
 def rounded_profile(points, radius, steps=4):
-    """Polygon with its inner corners replaced by arcs of about the given radius."""
+    """Polygon with inner corners replaced by arcs of about the given radius."""
     out = [points[0]]
     for (ax, ay), (bx, by), (cx, cy) in zip(points, points[1:], points[2:]):
         u, v = math.hypot(ax - bx, ay - by), math.hypot(cx - bx, cy - by)
@@ -132,9 +132,9 @@ for axis in range(3):
 
 
 def sheets(inside):
-    """The crossed edges of a cell, grouped by the sheets of surface that cut it.
+    """The crossed edges of a cell, grouped by the surface sheets that cut it.
 
-    A face whose inside corners are across from each other keeps them apart: both its cells decide alike.
+    If the inside corners of a face are diagonally opposite, they are kept separate, consistently in both adjacent cells.
     """
     group = {e: e for e in EDGES if inside[e[0]] != inside[e[1]]}
 
@@ -156,9 +156,9 @@ def sheets(inside):
 
 
 def surface_nets(field, axes):
-    """Quads [vertex index]*4, outward, and vertices near the surface, of a field on a rectilinear grid.
+    """Vertices near the surface and outward quads [vertex index]*4 of a field on a rectilinear grid.
 
-    Each cell has a vertex for every sheet of surface in it (dual marching cubes), so that thin places stay closed.
+    Each cell has a vertex for every surface sheet in it (dual marching cubes), so that thin parts stay closed.
     """
     nx, ny, nz = (len(a) for a in axes)
     value = [field(x, y, z) for x in axes[0] for y in axes[1] for z in axes[2]]
@@ -226,7 +226,7 @@ def project(field, vertices, steps=2, most=0.01):
 
 
 def relax(vertices, quads, weight=0.5):
-    """Evens out the vertices: each goes some way to the mean of its neighbours."""
+    """Laplacian smoothing: moves each vertex towards the mean of its neighbours."""
     neighbours = [set() for _ in vertices]
     for quad in quads:
         for a, b in zip(quad, quad[1:] + quad[:1]):
@@ -239,7 +239,7 @@ def relax(vertices, quads, weight=0.5):
 
 
 def triangulated(vertices, quads):
-    """Each quad cut along its shorter diagonal."""
+    """Triangles of the quads, each cut along its shorter diagonal."""
     dist2 = lambda a, b: sum((vertices[a][m] - vertices[b][m]) ** 2 for m in range(3))
     triangles = []
     for a, b, c, d in quads:
@@ -255,13 +255,13 @@ def mesh_of(field, axes, rounds=4):
     for _ in range(rounds):
         relax(vertices, quads)
         project(field, vertices)
-    # What is stored are floats: check and measure those.
+    # Rounds to the floats that are stored, so that these are checked and measured.
     vertices = [tuple(struct.unpack("<3f", struct.pack("<3f", *v))) for v in vertices]
     return vertices, triangulated(vertices, quads)
 
 
 def mesh_with(field, lower, upper, triangles, tolerance=0.03):
-    """Mesh on a uniform grid whose step is chosen so that about so many triangles come out."""
+    """Mesh on a uniform grid; the step is chosen such that the number of triangles is about `triangles`."""
     step = max(u - l for l, u in zip(lower, upper)) / 25
     for _ in range(8):
         axes = uniform_axes(lower, upper, step)
@@ -284,7 +284,7 @@ def volume(vertices, triangles):
 
 
 def centroid(vertices, triangles):
-    """Centre of the enclosed volume."""
+    """Centroid of the enclosed volume."""
     total, whole = [0.0, 0.0, 0.0], 0.0
     for a, b, c in triangles:
         p, q, r = vertices[a], vertices[b], vertices[c]
@@ -297,7 +297,7 @@ def centroid(vertices, triangles):
 
 
 def hull_volume(points):
-    """Volume of the convex hull of the points that are farthest in each of many directions: a lower bound."""
+    """Lower bound of the volume of the convex hull, from the extreme points in many directions."""
     sub = lambda a, b: (a[0] - b[0], a[1] - b[1], a[2] - b[2])
     cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
     dot = lambda a, b: a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -316,7 +316,7 @@ def hull_volume(points):
         n = tuple(v / length for v in n)
         return (a, b, c), n, dot(n, points[a])
 
-    # Four points far from being in one plane, then one point after the other.
+    # Starts with four points that are far from coplanar, then adds one point at a time.
     p0 = min(range(len(points)), key=lambda i: points[i])
     p1 = max(range(len(points)), key=lambda i: dot(sub(points[i], points[p0]), sub(points[i], points[p0])))
     line = sub(points[p1], points[p0])
@@ -338,10 +338,10 @@ def hull_volume(points):
 
 
 def assert_closed(name, vertices, triangles):
-    """Every edge has exactly two triangles that run along it in opposite directions, and the volume is positive."""
+    """Asserts that every edge has exactly two triangles with opposite directions, and that the volume is positive."""
     edges = {}
     for t in triangles:
-        assert len(set(t)) == 3, f"{name}: a triangle that is a line"
+        assert len(set(t)) == 3, f"{name}: degenerate triangle"
         for k in range(3):
             edge = (t[k], t[(k + 1) % 3])
             assert edge not in edges, f"{name}: an edge has two triangles on the same side"

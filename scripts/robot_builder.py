@@ -1,4 +1,4 @@
-"""URDF robots from solids in plain Python: mass, centre of mass and inertia follow from the shapes and a density.
+"""Builds URDF robots from solids in pure Python; computes mass, centre of mass and inertia from the shapes and a density.
 
 A pose is (xyz, rpy) with fixed-axis roll, pitch, yaw as in URDF; metres, radians, kilograms.
 """
@@ -21,7 +21,7 @@ def times(R, v):
 
 
 class Solid:
-    """volume (m^3), centre, and inertia about it for density 1, in its own frame; `element` is its URDF text."""
+    """Volume (m^3), centre of mass, and inertia about it for density 1, in the frame of the link; `element`: URDF text."""
 
     def __init__(self, element, volume, centre, inertia, pose):
         self.element, self.volume, self.pose = element, volume, pose
@@ -65,7 +65,7 @@ def sphere(radius, pose=NOWHERE):
 
 
 def mesh(file, vertices, triangles, pose=NOWHERE):
-    """Volume integrals over the tetrahedra of the triangles with the origin."""
+    """Solid of a mesh, by volume integrals over the tetrahedra of the triangles and the origin."""
     v, first, second = 0.0, [0.0] * 3, [[0.0] * 3 for _ in range(3)]
     for triangle in triangles:
         p, q, r = (vertices[i] for i in triangle)
@@ -85,7 +85,7 @@ def mesh(file, vertices, triangles, pose=NOWHERE):
 
 
 def mesh_from(folder, name, field, reach, triangles):
-    """Meshes a field within the cube of that reach, writes NAME.stl, and gives the solid."""
+    """Meshes a field within the cube of half side `reach`, writes NAME.stl, and returns the solid."""
     coarse = mesh_with(field, (-reach,) * 3, (reach,) * 3, 800, 0.3)[0]
     lower = [min(v[m] for v in coarse) - 0.01 for m in range(3)]
     upper = [max(v[m] for v in coarse) + 0.01 for m in range(3)]
@@ -98,10 +98,10 @@ def mesh_from(folder, name, field, reach, triangles):
 class Robot:
     def __init__(self, name, comment):
         self.name, self.comment, self.text, self.dofs, self.mass = name, comment, [], 0, 0.0
-        self.bodies = []  # as a scene names them
+        self.bodies = []  # names in a scene
 
     def link(self, name, solids=(), density=1000.0):
-        """Each solid is collision and visual geometry; overlaps count twice in the mass."""
+        """Adds a link. Each solid is collision and visual geometry; overlaps count twice in the mass."""
         self.bodies += [f"{self.name}/{name}" + (f"/{i + 1}" if i else "") for i in range(len(solids))]
         out = [f'  <link name="{name}">']
         if solids:
@@ -128,7 +128,7 @@ class Robot:
         return f'<inertial><origin xyz="{numbers(centre)}"/><mass value="{number(mass)}"/><inertia {moments}/></inertial>'
 
     def joint(self, name, kind, parent, child, pose=NOWHERE, axis=None, limit=None, mimic=None):
-        """limit: (lower, upper, velocity, effort); mimic: (joint, multiplier)."""
+        """Adds a joint. limit: (lower, upper, velocity, effort); mimic: (joint, multiplier)."""
         out = [f'  <joint name="{name}" type="{kind}">', f'    <origin xyz="{numbers(pose[0])}" rpy="{numbers(pose[1])}"/>',
                f'    <parent link="{parent}"/><child link="{child}"/>']
         if axis:
@@ -151,7 +151,7 @@ class Robot:
 
 
 def write_motion(file, seconds, posture):
-    """CSV t,q0,q1,...: posture(t) every 20 ms."""
+    """Writes a CSV with the columns t,q0,q1,...: posture(t) every 20 ms."""
     with open(file, "w", newline="\n") as out:
         rows = [(i * 0.02, posture(i * 0.02)) for i in range(round(seconds / 0.02) + 1)]
         out.write("t," + ",".join(f"q{i}" for i in range(len(rows[0][1]))) + "\n")
