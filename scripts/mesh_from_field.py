@@ -346,9 +346,9 @@ def assert_closed(name, vertices, triangles):
             edge = (t[k], t[(k + 1) % 3])
             assert edge not in edges, f"{name}: an edge has two triangles on the same side"
             edges[edge] = True
-    assert all((b, a) in edges for a, b in edges), f"{name}: there is an open edge"
-    assert len(set(vertices)) == len(vertices), f"{name}: two vertices are one"
-    assert volume(vertices, triangles) > 0, f"{name}: turned inside out"
+    assert all((b, a) in edges for a, b in edges), f"{name}: open edge"
+    assert len(set(vertices)) == len(vertices), f"{name}: duplicate vertices"
+    assert volume(vertices, triangles) > 0, f"{name}: negative volume"
 
 
 def write_stl(path, name, vertices, triangles):
