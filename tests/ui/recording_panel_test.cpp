@@ -36,7 +36,7 @@ QTreeWidgetItem* row(const RecordingPanel& panel, const QString& property) {
   return nullptr;
 }
 
-TEST(RecordingPanelTest, SaysHowTheFileWasReadAndWhy) {
+TEST(RecordingPanelTest, ShowsHowFileWasRead) {
   QAction options(QStringLiteral("Options"));
   RecordingPanel panel(&options);
   panel.open({boxer()});
@@ -55,7 +55,7 @@ TEST(RecordingPanelTest, SaysHowTheFileWasReadAndWhy) {
   EXPECT_FALSE(row(panel, QStringLiteral("Warning")));
 }
 
-TEST(RecordingPanelTest, SaysWhatIsMissing) {
+TEST(RecordingPanelTest, ShowsWhatIsMissing) {
   QAction options(QStringLiteral("Options"));
   RecordingPanel panel(&options);
   view::RecordingCard cut = boxer();

@@ -55,7 +55,7 @@ void expectRefused(const std::string& head, const std::vector<BadScene>& cases) 
   }
 }
 
-TEST(BadScenes, Yaml) {
+TEST(SceneErrors, RejectsBadYaml) {
   expectRefused("", {
                         {"{{{{", 1, 0, "YAML"},
                         {"", 1, 1, "no YAML value"},
@@ -76,7 +76,7 @@ TEST(BadScenes, Yaml) {
                     });
 }
 
-TEST(BadScenes, TopLevel) {
+TEST(SceneErrors, RejectsBadTopLevel) {
   expectRefused("", {
                         {"objects: []\n", 1, 1, "abstand: 1"},
                         {"abstand: 2\n", 1, 10, "format version 1"},
@@ -109,7 +109,7 @@ TEST(BadScenes, TopLevel) {
                     });
 }
 
-TEST(BadScenes, Objects) {
+TEST(SceneErrors, RejectsBadObjects) {
   expectRefused(
       kObject,
       {
@@ -154,7 +154,7 @@ TEST(BadScenes, Objects) {
       });
 }
 
-TEST(BadScenes, Mechanisms) {
+TEST(SceneErrors, RejectsBadMechanisms) {
   expectRefused(
       kMechanism,
       {
@@ -192,7 +192,7 @@ TEST(BadScenes, Mechanisms) {
       });
 }
 
-TEST(BadScenes, Humans) {
+TEST(SceneErrors, RejectsBadHumans) {
   expectRefused(
       kHuman,
       {
@@ -231,7 +231,7 @@ TEST(BadScenes, Humans) {
       });
 }
 
-TEST(BadScenes, PairsAndThreads) {
+TEST(SceneErrors, RejectsBadPairsAndThreads) {
   expectRefused(
       "abstand: 1\nobjects: [{name: aa, shape: {sphere: {radius: 1}}}, {name: bb, shape: {sphere: {radius: "
       "1}}}]\n",
@@ -252,7 +252,7 @@ TEST(BadScenes, PairsAndThreads) {
       });
 }
 
-TEST(BadScenes, HugeAndNestedInput) {
+TEST(SceneErrors, RejectsHugeAndNestedInput) {
   SourcePos pos;
   const std::string head = "abstand: 1\nobjects: ";
   for (const char* open : {"[", "{a: ", "- "}) {
@@ -283,7 +283,7 @@ TEST(BadScenes, HugeAndNestedInput) {
   EXPECT_EQ(pos.line, 1003);
 }
 
-TEST(BadScenes, TheMessageIsOneLineAndAHint) {
+TEST(SceneErrors, MessageIsOneLineAndHint) {
   SourcePos pos;
   const auto message = errorOf("abstand: 1\nobjekts: []\n", pos);
   EXPECT_NE(

@@ -39,7 +39,7 @@ Read readAll(const std::string& text) {
   return r;
 }
 
-TEST(BvhReader, ReadsWhatPeopleWrite) {
+TEST(BvhReader, ReadsCommonVariants) {
   const std::vector<double> first{1, 2, 3, 4, 5, 6, 7}, second{8, 9, 10, 11, 12, 13, 14};
   struct Case {
     const char* what;
@@ -69,7 +69,7 @@ TEST(BvhReader, ReadsWhatPeopleWrite) {
   }
 }
 
-TEST(BvhReader, ReadsTheTree) {
+TEST(BvhReader, ReadsJointTree) {
   BvhReader reader(
       "HIERARCHY\nROOT mixamorig:Hips \t\n{\nOFFSET 0 1e1 -.5\nCHANNELS 6 Zrotation Xrotation Yrotation "
       "Xposition "
@@ -126,7 +126,7 @@ TEST(BvhReader, KeepsWholeFramesAndWarns) {
   }
 }
 
-TEST(BvhReader, RefusesWithThePlace) {
+TEST(BvhReader, RejectsBadFilesWithPosition) {
   struct Case {
     std::string text;
     int line, column;  // 0: not told
@@ -180,7 +180,7 @@ TEST(BvhReader, RefusesWithThePlace) {
 }
 
 // Every beginning of a file either reads or throws ParseError; the corpus of the fuzzer too.
-TEST(BvhReader, NothingElseEscapes) {
+TEST(BvhReader, ThrowsOnlyParseErrors) {
   const std::string whole = withData("2", "1 2 3 4 5 6 7\n8 9 10 11 12 13 14\n");
   std::vector<std::string> texts;
   for (std::size_t n = 0; n <= whole.size(); ++n) texts.push_back(whole.substr(0, n));

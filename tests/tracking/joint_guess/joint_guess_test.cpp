@@ -58,7 +58,7 @@ double limbsApart(const Recording& a, const Recording& b) {
   return apart;
 }
 
-TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
+TEST(JointGuess, ReadsNamesWithUnknownPrefixes) {
   const Recording plain = read(bvhOf({}));
   const Recording r =
       read(bvhOf({.rename = [](const std::string& n) { return "Ch7_rig_" + n + "_jnt.003"; }}));
@@ -69,7 +69,7 @@ TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: 12 of 12")));
 }
 
-TEST(JointGuess, NumbersAndForeignLettersGoByShape) {
+TEST(JointGuess, UnreadableNamesAreGuessedByShape) {
   const Recording plain = read(bvhOf({}));
   EXPECT_FALSE(plain.report.map_use.is_guess);
   for (const auto& name :
@@ -84,7 +84,7 @@ TEST(JointGuess, NumbersAndForeignLettersGoByShape) {
   }
 }
 
-TEST(JointGuess, AUsersMapAlwaysWins) {
+TEST(JointGuess, UserMapTakesPrecedence) {
   const testing::ScratchFolder folder;
   const auto map = folder.write("own.map", "name: Own\npelvis: bone0\n");
   const Recording r =
@@ -108,7 +108,7 @@ std::string comb(int teeth) {
   return text + "\n";
 }
 
-TEST(JointGuess, NoPersonIsFoundInOtherTrees) {
+TEST(JointGuess, FindsNoPersonInOtherTrees) {
   for (const int teeth : {1, 3, 300}) {
     const Recording r = read(comb(teeth));
     EXPECT_THAT(r.report.mapped, IsEmpty()) << teeth;
@@ -122,7 +122,7 @@ TEST(JointGuess, NoPersonIsFoundInOtherTrees) {
   }
 }
 
-TEST(JointGuess, NamesOfImpossibleLimbsAreNotBelieved) {
+TEST(JointGuess, IgnoresNamesOfImpossibleLimbs) {
   // The left calf begins at the ankle: left and right differ.
   const Recording plain = read(bvhOf({}));
   const Recording r = read(bvhOf({.rename = [](const std::string& n) {
@@ -134,7 +134,7 @@ TEST(JointGuess, NamesOfImpossibleLimbsAreNotBelieved) {
   EXPECT_EQ(limbsApart(plain, r), 0.0);
 }
 
-TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
+TEST(JointMapWriter, RoundTrips) {
   const testing::ScratchFolder folder;
   const std::string odd = renamed(bvhOf({}), [](int i) { return "rig|a:b + c " + std::to_string(i) + "#"; });
   for (const std::string& bvh : {bvhOf({}), odd}) {
@@ -153,7 +153,7 @@ TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
   EXPECT_THROW(jointMapText(twice.report), UsageError);
 }
 
-TEST(JointMapWriter, OffersAMapToFillIn) {
+TEST(JointMapWriter, WritesTemplateToFillIn) {
   const testing::ScratchFolder folder;
   const std::string text = jointMapText(read(comb(2)).report);
   EXPECT_THAT(text, HasSubstr("\n# hip_left:\n"));
@@ -166,7 +166,7 @@ TEST(JointMapWriter, OffersAMapToFillIn) {
 constexpr double kOtherScale = 0.03;
 
 // Neither names nor trees of any kind may break a guess.
-TEST(JointGuess, AnyTreeIsGuessedOrRefused) {
+TEST(JointGuess, AnyTreeIsGuessedOrRejected) {
   std::mt19937_64 random(1);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   constexpr const char* kNames[]{"arm", "LeftLeg", "r_hand",          "head/end",
@@ -203,7 +203,7 @@ void PrintTo(const Named& n, std::ostream* out) { *out << n.file; }
 class RealShape : public ::testing::TestWithParam<Named> {};
 
 // The names of real captures are taken away: the shape must find the joints that the names say.
-TEST_P(RealShape, FindsWhatTheNamesSay) {
+TEST_P(RealShape, ShapeMatchesNames) {
   const std::string name = GetParam().file;
   const auto file = name.starts_with("01_") || name.starts_with("Boxing")
                         ? testing::debianBvh(name)

@@ -29,7 +29,7 @@ tracking::LiveTrackerOptions usual(std::optional<double> height) {
   return options;
 }
 
-TEST(LiveTracker, SeesEveryImageOnce) {
+TEST(LiveTracker, ProcessesEveryImageOnce) {
   SimulatedClip clip = someoneReaching(1.5);
   tracking::LiveTrackerOptions options = usual(1.75);
   std::size_t watched = 0;
@@ -59,7 +59,7 @@ TEST(LiveTracker, SeesEveryImageOnce) {
 }
 
 /// Fitting on a thread of its own comes to the same body, later, and nobody is lost meanwhile.
-TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
+TEST(LiveTracker, BackgroundFitMatchesInlineFit) {
   const auto fitted = [](bool aside) {
     SimulatedClip clip = someoneReaching(4.0);
     tracking::LiveTrackerOptions options;
@@ -90,7 +90,7 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
 }
 
 /// Measured first: nobody to send, then somebody of about the right height.
-TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
+TEST(LiveTracker, MeasuresUnknownPerson) {
   SimulatedClip clip = someoneReaching(0.7);
   tracking::LiveTrackerOptions options = usual(std::nullopt);
   options.keep = false;
@@ -110,7 +110,7 @@ TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
 }
 
 /// Where the camera does not say how it stands, the floor does, and nothing is tracked before.
-TEST(LiveTracker, StandsOnTheFloorThatItSees) {
+TEST(LiveTracker, UsesDetectedFloor) {
   SimulatedClip clip = someoneReaching(0.3, true);
   tracking::DepthCamera camera = clip.stream->camera();
   const Transform X_WC = camera.X_WC;
@@ -134,7 +134,7 @@ TEST(LiveTracker, StandsOnTheFloorThatItSees) {
   EXPECT_TRUE(blind.track().people.empty());
 }
 
-TEST(LiveTracker, LosesWhoGoes) {
+TEST(LiveTracker, ReportsLeavingPersonLost) {
   SimulatedClip clip = someoneReaching(0.2);
   tracking::LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
   tracking::DepthFrame frame;

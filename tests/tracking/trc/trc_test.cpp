@@ -45,7 +45,7 @@ TEST(Trc, ReadsMarkersAndGaps) {
   }
 }
 
-TEST(Trc, SaysWhatDiffersFromItsClaims) {
+TEST(Trc, ReportsDifferencesFromHeader) {
   const std::string text = trc("1\t0\t1\t2\t3\t4\n", "A\t\t\tB", "3");
   TrcReader reader(text, "t.trc");
   PointFrame f;
@@ -58,7 +58,7 @@ TEST(Trc, SaysWhatDiffersFromItsClaims) {
   EXPECT_THAT(reader.warnings()[2].text, HasSubstr("rows end early"));
 }
 
-TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
+TEST(Trc, WarnsOfMissingValueAndExtraMarker) {
   // Of the second row a value is missing, nobody knows which; the third has three values behind the named
   // markers.
   const std::string text =
@@ -80,7 +80,7 @@ TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
   EXPECT_THAT(reader.warnings()[2].text, HasSubstr("more markers"));
 }
 
-TEST(Trc, RefusesWithTheLine) {
+TEST(Trc, RejectsBadFilesWithLine) {
   struct Case {
     std::string text;
     int line;
@@ -137,7 +137,7 @@ TEST(Trc, ReadsRealFiles) {
 }
 
 // Motek's dancer in a T-pose: the marker map makes a standing body of plausible measures.
-TEST(Trc, MarkersMakeABody) {
+TEST(Trc, MarkersGivePlausibleBody) {
   const auto file = testing::sharedData("mocap/trc/motek/T.trc");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);

@@ -26,7 +26,7 @@ void record(const std::filesystem::path& folder, int count) {
   writeFile(folder / "INDEX.txt", index);
 }
 
-TEST(Fakenect, TheDriverGivesTheDepthsOfTheFileReader) {
+TEST(Fakenect, DriverMatchesFileReader) {
   if (!loadDriver(ABSTAND_FAKENECT)) GTEST_SKIP() << "libfreenect0.5, which has fakenect";
   ScratchFolder folder;
   constexpr int kCount = 6;

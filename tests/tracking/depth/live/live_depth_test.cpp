@@ -17,7 +17,7 @@ std::string refusal(const char* role, const std::string& name = tracking::kKinec
   return "nothing was refused";
 }
 
-TEST(LiveDepth, SaysWhyThereIsNoCamera) {
+TEST(LiveDepth, ReportsWhyCameraIsUnavailable) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   EXPECT_EQ(refusal("no_usb"),
             "live:kinect: error: found no USB that libfreenect can use, expected a machine with a Kinect v1 "
@@ -36,7 +36,7 @@ TEST(LiveDepth, SaysWhyThereIsNoCamera) {
             "--rate: found with a camera that looks now, expected a recording");
 }
 
-TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
+TEST(LiveDepth, KeepsFramesReceivedBeforeDisconnect) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:7", 1);
   tracking::LiveDepth camera(tracking::kKinectSource, {});
@@ -63,7 +63,7 @@ TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
   EXPECT_EQ(camera.next(none, 0.0), tracking::LiveDepth::Outcome::kEnded) << "it stays ended";
 }
 
-TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
+TEST(LiveDepth, WaitsAtMostTimeout) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "silent", 1);
   tracking::LiveDepth camera(tracking::kKinectSource, {});
@@ -72,7 +72,7 @@ TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
   EXPECT_EQ(camera.ended(), "");
 }
 
-TEST(LiveDepth, TurnsTheImagesOfAMirrorBack) {
+TEST(LiveDepth, CorrectsMirroredImages) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:1", 1);
   tracking::DepthStreamOptions options;
