@@ -24,7 +24,7 @@ view::RecordingCard boxer() {
   card.up = {"y", "said in the scene", false};
   card.stature = 1.7352;
   card.stature_reason = "along the bones";
-  card.joint_map = {"guessed by the shape", "no map knows the names", true};
+  card.joint_map = {"guessed from the shape", "no map matches the names", true};
   return card;
 }
 

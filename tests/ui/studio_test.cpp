@@ -75,7 +75,7 @@ TEST_F(StudioProgram, ScreenshotFollowsOutputRules) {
   fs::create_symlink("scene.yaml", in("scene.png"));
   const Answer input = run("scene.yaml --screenshot scene.png");
   EXPECT_EQ(input.code, 2);
-  EXPECT_NE(input.err.find("scene.png: found a file that is an input too"), std::string::npos) << input.err;
+  EXPECT_NE(input.err.find("scene.png: found a file that is also an input"), std::string::npos) << input.err;
   EXPECT_EQ(readFile(in("scene.yaml")), scene);
 
   fs::create_symlink("/dev/full", in("full.png"));

@@ -183,7 +183,7 @@ TEST_F(Cli, CalibrateByPersonSeenByTwoCameras) {
   EXPECT_NEAR(tracking::loadDepthCamera(placed).spread, j["spread"].get<double>(), 1e-6);
   EXPECT_GT(j["used"], 500);
   EXPECT_EQ(j["exchanged"], false);
-  EXPECT_THAT(j["warnings"].dump(), ::testing::HasSubstr("let the person walk about"));
+  EXPECT_THAT(j["warnings"].dump(), ::testing::HasSubstr("record a walking person"));
   // What is refused, and why.
   const std::string brief = (folder_.path() / "brief").string();
   ASSERT_EQ(run(render + "--end 0.6 --eye 2.8,0,1.4 --out " + brief).code, 0);
@@ -213,7 +213,7 @@ TEST_F(Cli, TrackWarnsThatStatureIsUnmeasured) {
   EXPECT_EQ(text.code, 0);
   EXPECT_NE(text.out.find("height: 1.750 m, as given"), std::string::npos) << text.out;
   EXPECT_EQ(text.err.find("warning"), std::string::npos) << text.err;
-  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is not known, between"),
+  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is unknown, between"),
             std::string::npos);
 }
 

@@ -314,7 +314,8 @@ TEST_F(CheckCommand, ReportsMinDistancePerClassAndSelfPairsOnRequest) {
   EXPECT_EQ(least["person_robot"]["value"], j["min_distance"]["value"]);
   EXPECT_GT(j["min_distance"]["value"], 1.0) << "not within the person";
   const std::string text = run("run " + first_scene + " --no-cache").out;
-  const auto people = text.find("closest person to robot: "), things = text.find("closest robot to thing: ");
+  const auto people = text.find("minimum distance person to robot: "),
+             things = text.find("minimum distance robot to thing: ");
   EXPECT_TRUE(people != std::string::npos && things != std::string::npos && people < things) << text;
   const Answer gate = run("check " + first_scene + " --no-cache --min-distance 0.01 --json");
   EXPECT_EQ(json::parse(gate.out)["min_distance_by_class"], least);

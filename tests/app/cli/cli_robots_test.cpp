@@ -244,7 +244,7 @@ TEST_F(Cli, ConvertToUrdfWarnsOfDroppedAccelerationLimits) {
   const std::string mech = write("slide.mech", kLimitedSlide);
   const Answer a = run("convert " + mech + " " + urdf);
   EXPECT_EQ(a.code, 0) << a.err;
-  EXPECT_NE(a.err.find("acceleration limits, which a URDF does not have: rail"), std::string::npos) << a.err;
+  EXPECT_NE(a.err.find("acceleration limits, which URDF does not support: rail"), std::string::npos) << a.err;
   EXPECT_EQ(runJson("convert " + mech + " " + urdf)["warnings"].size(), 1u);
   const std::string again = (folder_.path() / "again.mech").string();
   EXPECT_TRUE(runJson("convert " + mech + " " + again)["warnings"].empty());

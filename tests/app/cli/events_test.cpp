@@ -43,7 +43,7 @@ TEST_F(Events, ListStopsOfMarginSetWithStoppingPair) {
     EXPECT_EQ(false_stops, outcome["false_stops"]);
     EXPECT_EQ(missed, outcome["missed_stops"]);
     EXPECT_GT(stops, 0);
-    EXPECT_NE(run("events " + folder + " --margin-set " + set).out.find(", told by "), std::string::npos);
+    EXPECT_NE(run("events " + folder + " --margin-set " + set).out.find(", stopped by "), std::string::npos);
   }
   const std::string events = "events " + folder;
   EXPECT_EQ(run(events).code, 2);

@@ -167,7 +167,7 @@ TEST_F(Tune, WritesAReport) {
   EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html")).code,
             0);
   const std::string html = readFile(out("report.html"));
-  for (const char* said : {"Proposed margins", "What margins cost", "Nearest approaches", "What was assumed",
+  for (const char* said : {"Proposed margins", "Cost of margins", "Nearest approaches", "Assumptions",
                            "Inputs", "Signature", "hardest closing before", "stops per minute", "person6.csv",
                            "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
     EXPECT_NE(html.find(said), std::string::npos) << said;

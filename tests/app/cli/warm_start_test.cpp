@@ -92,7 +92,7 @@ TEST_F(WarmStart, IsReportedAndCanBeSwitchedOff) {
   EXPECT_EQ(warm["far_from_m"], query::kRelativeFrom);
   EXPECT_EQ(runJson("run " + kScene + part + " --tolerance 0.01")["warm_start"]["far_tolerance"], 0.01);
   EXPECT_TRUE(runJson("run " + kScene + part + " --cold")["warm_start"].is_null());
-  EXPECT_NE(run("run " + kScene + part).out.find("beyond 0.1 m distances are at most 0.2 % above"),
+  EXPECT_NE(run("run " + kScene + part).out.find("distances beyond 0.1 m are at most 0.2 % above"),
             std::string::npos);
   EXPECT_EQ(run("run " + kScene + part + " --cold").out.find("warm start"), std::string::npos);
   EXPECT_EQ(run("run " + kScene + part + " --cold --remember").code, 2);

@@ -24,7 +24,7 @@ class Interrupts : public Outputs {
     constexpr int kLongestLoad = 1600;
     for (int ticks = 100;; ticks *= 2) {
       Answer a = interrupt(command, signal, ticks);
-      if (ticks >= kLongestLoad || a.code != 130 || a.out.find("before a frame was run") == std::string::npos)
+      if (ticks >= kLongestLoad || a.code != 130 || a.out.find("before the first frame") == std::string::npos)
         return a;
     }
   }
@@ -100,9 +100,9 @@ TEST_F(Interrupts, CheckKeepsViolationsFoundBefore) {
   write("slide.csv", kLongMotion);
   const Answer a = interruptFrames("check scene.yaml --min-distance 0.5");
   EXPECT_EQ(a.code, 130) << a.err;
-  EXPECT_NE(a.out.find("broken: cart to wall"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("violated: cart to wall"), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("reservation (interrupted)"), std::string::npos) << a.out;
-  EXPECT_NE(a.out.find("not passed: 1 limit broken, 1 reservation (interrupted)"), std::string::npos)
+  EXPECT_NE(a.out.find("not passed: 1 limit violated, 1 reservation (interrupted)"), std::string::npos)
       << a.out;
 }
 

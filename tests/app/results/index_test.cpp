@@ -238,7 +238,7 @@ TEST_F(ResultIndexTest, IsOptional) {
   fs::create_directory(index("results"));
   const Answer a = run("results " + file("results"));
   EXPECT_EQ(a.code, 0);
-  EXPECT_NE(a.err.find("warning: the index is not kept"), std::string::npos) << a.err;
+  EXPECT_NE(a.err.find("warning: the index could not be written"), std::string::npos) << a.err;
   EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), kPeople + 1);
   EXPECT_EQ(run("merge " + file("results")).code, 0);
   EXPECT_EQ(run("results " + file("nothing")).code, 2);

@@ -82,7 +82,7 @@ TEST_F(Pdf, UsesInstalledConverter) {
   if (!findProgram("pdftotext")) return;
   ASSERT_EQ(std::system(("pdftotext '" + file("page.pdf") + "' '" + file("page.txt") + "'").c_str()), 0);
   const std::string text = readFile(file("page.txt"));
-  for (const char* said : {"Proposed margins", "What margins cost", "Nearest approaches", "Signature"})
+  for (const char* said : {"Proposed margins", "Cost of margins", "Nearest approaches", "Signature"})
     EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 

@@ -110,7 +110,7 @@ TEST_P(BadMechExtras, AreRejectedWithPosition) {
 INSTANTIATE_TEST_SUITE_P(
     Values, BadMechExtras,
     ::testing::Values(
-        BadCase{"mimic before", "mapping\nmimic 0 1\nend_mapping\n", 2, 7, "stands before"},
+        BadCase{"mimic before", "mapping\nmimic 0 1\nend_mapping\n", 2, 7, "defined before"},
         BadCase{"limit of nothing", "limits\nlimit 9 0 1 1 1\nend_limits\n", 2, 7,
                 "a frame that a chain defines"},
         BadCase{"limit of a fixed frame", "limits\nlimit 3 0 1 1 1\nend_limits\n", 2, 7, "constant"},

@@ -179,10 +179,10 @@ TEST(Urdf, WarnsOfQuestionableContent) {
       {"<link name='a'><inertial><mass value='2'/>\n<inertia ixx='1' iyy='1' izz='3'/></inertial></link>",
        "no body has", 2},
       {"<link name='a'>\n\n<visual><geometry><capsule radius='1' length='1'/></geometry></visual></link>",
-       "left out", 3},
+       "ignored", 3},
       {"<link name='a'>\n<visual/></link>", "without a geometry", 2},
       {"<link name='a'>\n<collision><geometry><sphere radius='0'/></geometry></collision></link>",
-       "radius 0 in <collision>, expected a positive one: left out", 2},
+       "radius 0 in <collision>, expected a positive one: ignored", 2},
       {"<link name='a'/><link name='b'/><joint name='j' type='prismatic'><parent link='a'/><child "
        "link='b'/>\n"
        "<axis xyz='0 0 2'/><limit lower='0' upper='1' effort='1' velocity='1'/></joint>",

@@ -197,18 +197,20 @@ TEST(StopLog, DescribesEndOfStopWithoutItsCause) {
   m.update(12.0, {&cause, 1}, 0.0, false);
   m.update(12.5, kNone, 0.0, false);
   ASSERT_EQ(m.log().kept(), 2u);
-  EXPECT_EQ(describe(m.log().entry(1)),
-            "12.5 s: protective stop -> running, the cause is gone, the robot goes on by itself after 2.5 s; "
-            "the reason was distance, pair 3");
+  EXPECT_EQ(
+      describe(m.log().entry(1)),
+      "12.5 s: protective stop -> running, the cause is gone, the robot resumes automatically after 2.5 s; "
+      "the reason was distance, pair 3");
 
   StopMachine emergency;
   with(emergency, 1.0, {StopReason::kUser}, 0.0);
   for (const double t : {1.2, 1.4}) emergency.update(t, kNone, 0.0, false);
   emergency.update(4.0, kNone, 0.0, true);
   ASSERT_EQ(emergency.log().kept(), 3u);
-  EXPECT_NE(describe(emergency.log().entry(1)).find("the robot stands and waits for a reset after "),
-            std::string::npos);
-  EXPECT_NE(describe(emergency.log().entry(2)).find("reset by a person, the robot goes on after "),
+  EXPECT_NE(
+      describe(emergency.log().entry(1)).find("the robot is at standstill and waits for a reset after "),
+      std::string::npos);
+  EXPECT_NE(describe(emergency.log().entry(2)).find("reset by a person, the robot resumes after "),
             std::string::npos);
   for (std::size_t i = 1; i < 3; ++i)
     EXPECT_EQ(describe(emergency.log().entry(i)).find("limit"), std::string::npos);

@@ -108,8 +108,8 @@ TEST(Acclaim, RejectsBadFilesWithLine) {
         Case{with(kArm, "dof rx ry rz", "dof rx ry rx"), kMotion, "a.asf", 21, "a second time"},
         Case{with(kArm, "dof rx ry rz", "dof tx"), kMotion, "a.asf", 21, "expected rx, ry or rz"},
         Case{with(kArm, "upper fore", "upper four"), kMotion, "a.asf", 36, "found 'four'"},
-        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 37, "do not hang on the root"},
-        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 37, "do not hang on the root"},
+        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 37, "not connected to the root"},
+        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 37, "not connected to the root"},
         Case{with(kArm, "name fore", "name upper"), kMotion, "a.asf", 32, "a second time"},
         Case{kArm, with(kMotion, "upper 0 0 0", "upper 0 0"), "a.amc", 6,
              "found 2 numbers for 'upper', expected 3"},
@@ -136,7 +136,7 @@ TEST(Acclaim, DropsTruncatedFrame) {
     AcclaimPoints reader(kArm, "a.asf", amc, "a.amc");
     EXPECT_EQ(framesOf(reader).size(), 1u) << cut;
     ASSERT_EQ(reader.warnings().size(), 1u) << cut;
-    EXPECT_THAT(reader.warnings()[0].text, HasSubstr("the last frame is cut"));
+    EXPECT_THAT(reader.warnings()[0].text, HasSubstr("the last frame is truncated"));
   }
 }
 

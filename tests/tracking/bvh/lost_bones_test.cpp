@@ -46,7 +46,7 @@ TEST(LostBones, CmuCapturesRegainThoraxAndWrists) {
     EXPECT_NEAR(before.report.stature, c.before, kStature) << c.file;
     EXPECT_NEAR(after.report.stature, c.after, kStature) << c.file;
     ASSERT_EQ(after.report.repairs.size(), 3u) << c.file;
-    EXPECT_THAT(after.report.repairs[0], HasSubstr("the file lacks a bone behind '" + std::string(c.chest)));
+    EXPECT_THAT(after.report.repairs[0], HasSubstr("the file lacks a bone after '" + std::string(c.chest)));
     EXPECT_THAT(after.report.repairs[1], HasSubstr("the wrist"));
     EXPECT_THAT(after.report.notes, Contains(HasSubstr("--no-repair")));
     BvhPoints points(text, c.file, true);

@@ -102,7 +102,7 @@ TEST(C3d, PointsAtOriginAreMissing) {
   const auto frames = framesOf(reader);
   EXPECT_EQ(frames[3].state[1], humanmodel::JointState::kMissing);
   EXPECT_EQ(frames[3].state[0], humanmodel::JointState::kTracked);
-  EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("1 times a point lies at (0, 0, 0)")));
+  EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("1 samples at (0, 0, 0)")));
 }
 
 TEST(C3d, ReportsSubjectMeasures) {
@@ -149,7 +149,7 @@ TEST(C3d, RejectsBadFilesWithByteOffset) {
         Case{with(16, "\0\0"s), "found the data in block 0"},
         Case{with(20, "\0\0\0\0"s), "found a rate of 0"},
         Case{with(6, "\x09"), "found the last frame 5 before the first, 9"},
-        Case{with(16, "\xff\xff"), "found no whole frame"},
+        Case{with(16, "\xff\xff"), "found no complete frame"},
         Case{with(0, "\xff"), "found the end of the file"}}) {
     try {
       C3dReader reader(c.bytes, "t.c3d");

@@ -68,7 +68,7 @@ TEST(Compact, ReadsWholeFramesOfTruncatedFile) {
     last = frames;
     if (size + 9 < whole.size()) {
       ASSERT_EQ(reader.warnings().size(), 1u) << size;
-      EXPECT_THAT(reader.warnings()[0].text, HasSubstr("is cut"));
+      EXPECT_THAT(reader.warnings()[0].text, HasSubstr("is truncated"));
     }
   }
   EXPECT_LT(last, 3u);
@@ -89,7 +89,7 @@ TEST(Compact, RejectsBadFiles) {
        {Case{with(0, "X"), "expected ABSTREC1"}, Case{good.substr(0, 8), "found no joint"},
         Case{with(10, "q"), "expected a canonical one"}, Case{good.substr(0, 12), "the name of a joint"},
         Case{with(head, "\x03"), "found the mark 3"},
-        Case{with(head + 1, std::string(8, '\xff')), "nan, expected one behind that of the last frame"},
+        Case{with(head + 1, std::string(8, '\xff')), "nan, expected one after that of the last frame"},
         Case{with(head + 9, "\x07"), "found the state 7"},
         Case{with(head + 11, std::string(12, '\xff')), "more than nine bytes"},
         Case{with(good.size() - 8, "\x07"), "after 2 frames, expected 7"}}) {

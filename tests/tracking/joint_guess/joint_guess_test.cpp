@@ -62,11 +62,11 @@ TEST(JointGuess, ReadsNamesWithUnknownPrefixes) {
   const Recording plain = read(bvhOf({}));
   const Recording r =
       read(bvhOf({.rename = [](const std::string& n) { return "Ch7_rig_" + n + "_jnt.003"; }}));
-  EXPECT_EQ(r.report.joint_map, "guessed by the names");
+  EXPECT_EQ(r.report.joint_map, "guessed from the names");
   EXPECT_TRUE(r.report.map_use.is_guess);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
   EXPECT_EQ(limbsApart(plain, r), 0.0);
-  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: 12 of 12")));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("the joint assignment is guessed: 12 of 12")));
 }
 
 TEST(JointGuess, UnreadableNamesAreGuessedByShape) {
@@ -76,11 +76,11 @@ TEST(JointGuess, UnreadableNamesAreGuessedByShape) {
        {std::function<std::string(int)>([](int i) { return "bone" + std::to_string(i); }),
         std::function<std::string(int)>([](int i) { return "\xe9\xaa\xa8" + std::to_string(i); })}) {
     const Recording r = read(renamed(bvhOf({}), name));
-    EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+    EXPECT_EQ(r.report.joint_map, "guessed from the shape");
     EXPECT_THAT(r.report.missing_parts, IsEmpty());
     EXPECT_EQ(limbsApart(plain, r), 0.0) << "left and right by the toes";
     EXPECT_NEAR(r.report.stature, testing::kSmallHumanStature, kSame);
-    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: two branches")));
+    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("the joint assignment is guessed: two branches")));
   }
 }
 
@@ -112,12 +112,12 @@ TEST(JointGuess, FindsNoPersonInOtherTrees) {
   for (const int teeth : {1, 3, 300}) {
     const Recording r = read(comb(teeth));
     EXPECT_THAT(r.report.mapped, IsEmpty()) << teeth;
-    EXPECT_THAT(r.report.notes, Contains(HasSubstr("cannot be guessed by the shape"))) << teeth;
+    EXPECT_THAT(r.report.notes, Contains(HasSubstr("cannot be guessed from the shape"))) << teeth;
     try {
       requirePerson(r.report, "t.bvh");
       FAIL();
     } catch (const ParseError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("t.bvh: error: found no part of a person"));
+      EXPECT_THAT(e.what(), HasSubstr("t.bvh: error: found no body part"));
     }
   }
 }
@@ -130,7 +130,7 @@ TEST(JointGuess, IgnoresNamesOfImpossibleLimbs) {
   }}));
   EXPECT_THAT(r.report.notes,
               Contains(HasSubstr("the legs that the names suggest are not used: left and right")));
-  EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+  EXPECT_EQ(r.report.joint_map, "guessed from the shape");
   EXPECT_EQ(limbsApart(plain, r), 0.0);
 }
 
@@ -213,7 +213,7 @@ TEST_P(RealShape, ShapeMatchesNames) {
   const Recording named = read(text);
   const Recording r = read(renamed(text, [](int i) { return "n" + std::to_string(i); }));
   for (const auto& note : r.report.notes) RecordProperty("note", note);
-  ASSERT_EQ(r.report.joint_map, "guessed by the shape") << ::testing::PrintToString(r.report.notes);
+  ASSERT_EQ(r.report.joint_map, "guessed from the shape") << ::testing::PrintToString(r.report.notes);
   EXPECT_LE(limbsApart(named, r), GetParam().apart) << ::testing::PrintToString(r.report.warnings);
   EXPECT_NEAR(r.report.stature, named.report.stature, 0.1);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());

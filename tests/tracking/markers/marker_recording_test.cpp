@@ -170,7 +170,7 @@ TEST(MarkerRecording, EmptyFramesDoNotAffectOthers) {
   EXPECT_EQ(r.report.markers.set, "Plug-in-Gait");
   EXPECT_EQ(r.report.markers.unseen, m.moments.size() - 30);
   EXPECT_EQ(r.report.markers.lost, 0u);
-  EXPECT_THAT(r.report.notes, ::testing::Contains(HasSubstr("frames no marker of the set is there")));
+  EXPECT_THAT(r.report.notes, ::testing::Contains(HasSubstr("frames no marker of the set is visible")));
   for (std::size_t i = 0; i < r.frames.size(); ++i)
     EXPECT_EQ(r.frames[i].has(humanmodel::Joint::kKneeLeft), i >= 40 && i < 70) << i;
 }

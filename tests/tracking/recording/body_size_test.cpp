@@ -49,7 +49,7 @@ TEST(BodySize, AnyKnownBoneDeterminesUnit) {
 TEST(BodySize, UnknownBonesDetermineNoUnit) {
   EXPECT_FALSE(statureByBones(part(1.75, 1.0, {Joint::kHead, Joint::kNeck, Joint::kWristLeft})));
   EXPECT_FALSE(statureByBones({}));
-  EXPECT_THAT(chooseUnit("auto", std::nullopt).warning, HasSubstr("units are not known"));
+  EXPECT_THAT(chooseUnit("auto", std::nullopt).warning, HasSubstr("units are unknown"));
   const UnitChoice odd = chooseUnit("auto", std::nullopt, BoneStature{7.0, 2});
   EXPECT_EQ(odd.name, "free");
   EXPECT_DOUBLE_EQ(odd.scale, 0.25);

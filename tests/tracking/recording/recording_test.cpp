@@ -55,7 +55,7 @@ TEST(Recording, ScalesToStatureIfNoUnitFits) {
   const Recording r = read({.units_per_metre = 22.0});
   EXPECT_EQ(r.report.units.name, "free");
   EXPECT_NEAR(r.report.stature, 1.75, kRounding);
-  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no usual unit")));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no common unit")));
 }
 
 TEST(Recording, AcceptsUnitsFromUser) {
@@ -147,7 +147,7 @@ TEST(Recording, ReportsSwappedSides) {
     if (n.starts_with("Left")) return "Right" + n.substr(4);
     return n.starts_with("Right") ? "Left" + n.substr(5) : n;
   };
-  EXPECT_THAT(read({.rename = swap}).report.warnings, Contains(HasSubstr("left and right look swapped")));
+  EXPECT_THAT(read({.rename = swap}).report.warnings, Contains(HasSubstr("left and right seem swapped")));
 }
 
 TEST(Recording, OpensByContentNotByName) {

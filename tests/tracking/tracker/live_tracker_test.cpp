@@ -55,7 +55,7 @@ TEST(LiveTracker, ProcessesEveryImageOnce) {
   EXPECT_EQ(track.people[0].body.height, 1.75);
   EXPECT_GT(track.people[0].residual, 0.0);
   EXPECT_LT(track.people[0].residual, 0.03);
-  EXPECT_EQ(track.world, "the camera's pose is that of its file");
+  EXPECT_EQ(track.world, "the camera pose is taken from its file");
 }
 
 /// Fitting on a thread of its own comes to the same body, later, and nobody is lost meanwhile.
@@ -119,7 +119,7 @@ TEST(LiveTracker, UsesDetectedFloor) {
   tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
   const tracking::ClipTrack track = tracker.track();
-  EXPECT_EQ(track.world, "the floor in sight is z = 0");
+  EXPECT_EQ(track.world, "the visible floor is z = 0");
   // Height and tilt are those of the true camera; where it stands on the floor nobody can know.
   EXPECT_NEAR(track.camera.X_WC.translation().z(), X_WC.translation().z(), kFloorNoise);
   EXPECT_NEAR((track.camera.X_WC.linear().row(2) - X_WC.linear().row(2)).norm(), 0.0, 0.02);
@@ -130,7 +130,7 @@ TEST(LiveTracker, UsesDetectedFloor) {
     frame.t = 0.1 * i;
     EXPECT_TRUE(blind.see(frame).empty());
   }
-  EXPECT_EQ(blind.track().world, "not decided: nothing was seen");
+  EXPECT_EQ(blind.track().world, "undetermined: no image");
   EXPECT_TRUE(blind.track().people.empty());
 }
 

@@ -66,7 +66,7 @@ TEST(Stature, OutOfRangeExtentIsNotReportedAsMeasured) {
     EXPECT_NEAR(s.interval[0], std::max(Stature::kShortest, height), kNear);
     EXPECT_EQ(s.interval[1], Stature::kTallest);
     EXPECT_GT(s.deviation(), 0.1);
-    EXPECT_THAT(statureReason(s), HasSubstr("not known, between"));
+    EXPECT_THAT(statureReason(s), HasSubstr("unknown, between"));
   }
   // Arms over the head: the extent says nothing.
   const Stature raised = measureStature(std::vector<VerticalExtent>(15, {2.25, 2.25, true}));
@@ -126,8 +126,8 @@ TEST(Facing, UndecidedIsFrontWithWarning) {
   EXPECT_TRUE(decided(1.5));
   for (const double ratio : {1.0, 1.03, 1.06, kNaN}) {
     EXPECT_FALSE(decided(ratio)) << ratio;
-    EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("the front is taken")));
-    EXPECT_THAT(facingReason(person.facing), HasSubstr("facing the camera at first, which"));
+    EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing the camera is assumed")));
+    EXPECT_THAT(facingReason(person.facing), HasSubstr("initially facing the camera, assumed"));
   }
   person.facing.given = true;
   EXPECT_THAT(trackWarnings(person), IsEmpty());

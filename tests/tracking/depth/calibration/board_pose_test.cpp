@@ -121,7 +121,7 @@ TEST(BoardPose, SymmetricBoardNeedsRoughPose) {
       tracking::fitBoardPose(unplaced(camera), kSameTurned, std::span(&board, 1));
       FAIL() << "taken";
     } catch (const UsageError& e) {
-      EXPECT_THAT(e.what(), ::testing::HasSubstr("looks the same upside down (8 x 6)"));
+      EXPECT_THAT(e.what(), ::testing::HasSubstr("a board with ambiguous orientation (8 x 6)"));
     }
     tracking::DepthCamera rough = camera;
     rough.X_WC = camera.X_WC * fromXyzRpy({0.3, -0.2, 0.1}, {0.5, 0.3, -0.4});
@@ -214,7 +214,7 @@ TEST(Intrinsics, FrontalBoardsLeaveFocalLengthUndetermined) {
     tracking::fitIntrinsics(kBoard, views, 640, 480);
     FAIL() << "taken";
   } catch (const UsageError& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("leave the focal length open"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("do not determine the focal length"));
   }
 }
 

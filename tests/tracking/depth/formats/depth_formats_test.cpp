@@ -147,7 +147,7 @@ TEST(PcdCloud, ReadsAllEncodingsAndFindsCamera) {
   tracking::PcdCloud moved = tracking::parsePcd(pcd(image, camera, "binary"), "a.pcd");
   for (Vector3f& p : moved.points)
     p = Eigen::AngleAxisf(0.5f, Vector3f::UnitX()) * p + Vector3f(0.1f, 0.0f, 0.5f);
-  EXPECT_TRUE(holds(refusal([&] { tracking::fitCamera(moved, "a.pcd"); }), "no pinhole camera"));
+  EXPECT_TRUE(holds(refusal([&] { tracking::fitCamera(moved, "a.pcd"); }), "do not fit a pinhole camera"));
 }
 
 TEST(PcdCloud, RejectsUnorganizedClouds) {
@@ -165,7 +165,7 @@ TEST(PcdCloud, RejectsUnorganizedClouds) {
   EXPECT_TRUE(holds(says(with("FIELDS x y z", "FIELDS x y w")), "no field z"));
   EXPECT_TRUE(holds(says(with("TYPE F F F", "TYPE F F I")), "z of type I4"));
   EXPECT_TRUE(holds(says(with("DATA binary", "DATA zip")), "DATA 'zip'"));
-  EXPECT_TRUE(holds(says(with("SIZE 4 4 4 4", "SIZE 4 4 4")), "3 values behind SIZE"));
+  EXPECT_TRUE(holds(says(with("SIZE 4 4 4 4", "SIZE 4 4 4")), "3 values after SIZE"));
   EXPECT_TRUE(holds(says(whole.substr(0, whole.size() - 1)), "bytes of points"));
   std::string packed = pcd(tracking::DepthImage(4, 3), {}, "binary_compressed");
   // A copy from before the start in the place of the first run.

@@ -100,7 +100,7 @@ TEST(DepthStream, RejectsBadLists) {
     tracking::saveDepthPng(numbered(1, 640, 480), 5000.0, folder.path() / "1.png");
     return refusal(folder.write("depth.txt", list));
   };
-  EXPECT_EQ(says("1.0 1.png\n0.5 1.png\n"), "found the time 0.5 after 1, expected times that rise");
+  EXPECT_EQ(says("1.0 1.png\n0.5 1.png\n"), "found the time 0.5 after 1, expected increasing times");
   EXPECT_EQ(says("1.0 ../1.png\n"), "found '../1.png', expected a file within the folder");
   EXPECT_EQ(says("1.0 /1.png\n"), "found '/1.png', expected a file within the folder");
   EXPECT_EQ(says("one 1.png\n"), "found 'one', expected a time in seconds");
@@ -125,7 +125,7 @@ TEST(DepthStream, ReadsImagesInNaturalOrder) {
   EXPECT_EQ(numbers(*tracking::openDepthStream(folder.path(), {camera, 0.0})),
             (std::vector<int>{2, 4, 20, 22}));
   const auto wrong = elsewhere.write("wrong.yaml", cameraText(9, 6));
-  EXPECT_EQ(refusal(folder.path(), {wrong, 0.0}), "found 8 x 6 pixels, expected 9 x 6 as its camera has");
+  EXPECT_EQ(refusal(folder.path(), {wrong, 0.0}), "found 8 x 6 pixels, expected 9 x 6 as in its camera file");
   // One that is of another size is found when it is its turn.
   tracking::saveDepthPng(numbered(3, 4, 4), 1000.0, folder.path() / "d3.png");
   EXPECT_THROW(numbers(*tracking::openDepthStream(folder.path())), ParseError);
@@ -199,7 +199,7 @@ TEST(DepthStream, ReadsCloudsTiffAndArrays) {
 
 TEST(DepthStream, ReportsReasonForRejection) {
   const ScratchFolder folder;
-  EXPECT_EQ(refusal(folder.path() / "none"), "found nothing there, expected a depth recording");
+  EXPECT_EQ(refusal(folder.path() / "none"), "found no such file, expected a depth recording");
   EXPECT_EQ(refusal(folder.path()),
             "found no depth image in the folder, expected PNG of 16 bits, TIFF, PCD or NumPy");
   EXPECT_NE(refusal(folder.write("a.oni", "NI10 and more")).find("OpenNI"), std::string::npos);

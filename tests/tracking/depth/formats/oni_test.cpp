@@ -192,7 +192,7 @@ TEST(OniRecording, ReportsErrors) {
   EXPECT_TRUE(holds(with("xnCropping", bytesOf(1, 4) + bytesOf(0, 8)), "cropped"));
   OniText falls(depth);
   falls.image(1, 0.5, packed16z(kFirst)).image(1, 0.4, packed16z(kFirst));
-  EXPECT_TRUE(holds(refusalOf(falls.end()), "a time that falls"));
+  EXPECT_TRUE(holds(refusalOf(falls.end()), "a decreasing time"));
   EXPECT_TRUE(holds(refusalOf(depth.cut() + std::string(40, 'x')), "found no record, expected NIR"));
   std::string future = depth.image(1, 0.0, packed16z(kFirst)).end();
   future[5] = 3;
