@@ -22,7 +22,7 @@ QComboBox* choice(const char* name, std::initializer_list<const char*> values, c
                   QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setObjectName(QString::fromLatin1(name));
-  box->addItem(words(QT_TRANSLATE_NOOP("reading_dialog", "as the scene says")), QString());
+  box->addItem(words(QT_TRANSLATE_NOOP("reading_dialog", "as in the scene")), QString());
   box->addItem(words(QT_TRANSLATE_NOOP("reading_dialog", "guessed from the file")), QStringLiteral("auto"));
   for (const char* value : values) box->addItem(QString::fromLatin1(value), QString::fromLatin1(value));
   // A project may name metres per unit.

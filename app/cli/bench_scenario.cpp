@@ -48,7 +48,7 @@ structure::HapticOptions variantOptions(const std::string& variant) {
   if (!named && !(both && voxel >= 0.1 && voxel <= 1000.0 && point >= 0.1 && point <= 1000.0))
     throw UsageError("--variant: found '" + variant +
                      "', expected h1, h2 or h4 (voxels of 1, 2 or 4 mm), or as h1p1.5, with points 1.5 mm "
-                     "apart; -rest and a share behind it: pairs may rest");
+                     "apart; with the suffix -rest and a share: temporal culling");
   structure::HapticOptions o;
   o.voxel_size = 1e-3 * (named ? variant[1] - '0' : voxel);
   o.point_spacing = variant == "h2" ? 0.003 : 1e-3 * (named ? variant[1] - '0' : point);

@@ -74,20 +74,20 @@ Said sayReport(const store::BuildReport& r) {
                                 {"where", placeOrNull(r.hull->where)}};
 
   if (r.inside_doubtful)
-    said.text += r.open_edges + r.non_manifold_edges + r.flipped_edges > 0
-                     ? format(
-                           "  leaks: %zu open edges, %zu with more than two triangles, %zu flipped; inside "
-                           "is a guess\n",
-                           r.open_edges, r.non_manifold_edges, r.flipped_edges)
-                     : std::string("  the surface cuts itself: inside is doubtful where it does\n");
+    said.text +=
+        r.open_edges + r.non_manifold_edges + r.flipped_edges > 0
+            ? format(
+                  "  leaks: %zu open edges, %zu with more than two triangles, %zu flipped; inside "
+                  "is a guess\n",
+                  r.open_edges, r.non_manifold_edges, r.flipped_edges)
+            : std::string("  the surface intersects itself: inside and outside are uncertain there\n");
   if (r.thin_walls.share > 0.0)
     said.text +=
         format("  thin walls: %.2g %% of the area is thinner than two voxels; thinnest %.2f mm at %s\n",
                1e2 * r.thin_walls.share, 1e3 * r.thin_walls.thinnest, place(r.thin_walls.where).c_str());
   if (r.hull && r.hull->worst > 0.0)
-    said.text +=
-        format("  a convex hull would be up to %.1f mm wrong, at %s, and hold %.2f times the volume\n",
-               1e3 * r.hull->worst, place(r.hull->where).c_str(), r.hull->volume_ratio);
+    said.text += format("  convex hull: error up to %.1f mm, at %s, %.2f times the volume\n",
+                        1e3 * r.hull->worst, place(r.hull->where).c_str(), r.hull->volume_ratio);
   return said;
 }
 
@@ -115,18 +115,19 @@ Said explain(const std::string& name, std::shared_ptr<const geometry::Surface> s
 nlohmann::ordered_json explainRules() {
   return {
       {"error_bound",
-       "predicted, at most: the field's part grows with the voxel, the shell's is 1.1 spacings"},
+       "predicted upper bound: the field's share grows with the voxel size, the pointshell's is 1.1 "
+       "spacings"},
       {"memory_bytes",
        "predicted within 25 %: field blocks counted at their centres, bytes a block and a point "
        "measured on a coarse build"},
       {"points", "predicted within 25 %: area / (1.155 point^2), and edges and tips from two coarse shells"},
       {"build_ms", "phases of the coarse build on this machine, each scaled by voxels, blocks or points"},
       {"distance_us",
-       "timed on the coarse build, two of the body a tenth of its size apart; grows with "
+       "timed on the coarse build, two copies of the body a tenth of its size apart; grows with "
        "the root of the points"},
       {"contact_us",
-       "timed on the coarse build, two of the body pressed 2 % of its size together; what it takes "
-       "more than a distance grows with points^0.75"}};
+       "timed on the coarse build, two copies of the body overlapping by 2 % of its size; the time beyond "
+       "a distance query grows with points^0.75"}};
 }
 
 }  // namespace abstand::cli

@@ -20,7 +20,7 @@ tracking::Chessboard boardOf(const CalibrateArguments& args) {
                      "', expected the squares along both sides, 4 to 40 each, like 8x5");
   if (board.columns == board.rows)
     throw UsageError(
-        "--squares: found a square board, which looks the same from all four sides, expected 8x5 or the "
+        "--squares: found a square board, whose orientation is ambiguous, expected 8x5 or the "
         "like");
   board.square = numberWithin(args.square, "--square", 1e-3, 1.0, "m");
   return board;
@@ -39,8 +39,8 @@ std::string hintOf(const tracking::GreyImage& image, const tracking::Chessboard&
     const tracking::Chessboard other{board.columns + more, board.rows + more, board.square};
     if (std::min(other.columns, other.rows) >= tracking::Chessboard::kMinSquares &&
         tracking::findChessboard(image, other))
-      return "it shows one of " + std::to_string(other.columns) + " x " + std::to_string(other.rows) +
-             " squares; --squares counts squares, not inner corners";
+      return "the image shows a board of " + std::to_string(other.columns) + " x " +
+             std::to_string(other.rows) + " squares; --squares counts squares, not inner corners";
   }
   return {};
 }
@@ -59,7 +59,7 @@ std::vector<tracking::BoardCorners> cornersIn(const CalibrateArguments& args,
     if (!corners)
       throw ParseError(
           {file.string()},
-          format("found no whole chessboard, expected one of %d x %d squares", board.columns, board.rows),
+          format("found no complete chessboard, expected one of %d x %d squares", board.columns, board.rows),
           hintOf(image, board));
     views.push_back(std::move(*corners));
   }
@@ -71,7 +71,7 @@ std::vector<tracking::PlacedBoard> placed(const CalibrateArguments& args,
                                           const std::vector<tracking::BoardCorners>& views) {
   const std::size_t places = args.boards.size();
   if (places > views.size() || (!args.intrinsics && places != 1 && places != views.size()))
-    throw UsageError(format("--board: found %zu places for %zu images, expected one for all or one for each",
+    throw UsageError(format("--board: found %zu poses for %zu images, expected one for all or one for each",
                             places, views.size()));
   const std::size_t count = args.intrinsics ? places : views.size();
   std::vector<tracking::PlacedBoard> boards;
@@ -117,8 +117,10 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
                               {"distortion", std::vector<double>(c.distortion.begin(), c.distortion.end())},
                               {"rms_px", fit.rms},
                               {"focal_spread", fit.focal_spread}};
-    text += format("lens: fx %.2f, fy %.2f, cx %.2f, cy %.2f, %.3f pixels off; focal lengths to %.2f %%\n",
-                   c.fx, c.fy, c.cx, c.cy, fit.rms, 100.0 * fit.focal_spread);
+    text += format(
+        "lens: fx %.2f, fy %.2f, cx %.2f, cy %.2f, reprojection error %.3f pixels; focal lengths within %.2f "
+        "%%\n",
+        c.fx, c.fy, c.cx, c.cy, fit.rms, 100.0 * fit.focal_spread);
   }
   if (!args.boards.empty()) {
     const tracking::BoardFit fit = tracking::fitBoardPose(camera, board, placed(args, views));
@@ -132,8 +134,8 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
     document["spread"] = fit.spread;
     const Vector3d p = fit.X_WC.translation();
     text += format(
-        "%.3f pixels off on the mean square at %.2f m, worst %.3f in %s\n"
-        "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
+        "RMS reprojection error %.3f pixels at %.2f m, maximum %.3f in %s\n"
+        "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
         fit.rms, fit.depth, fit.worst, args.images[fit.worst_view].filename().string().c_str(), p.x(), p.y(),
         p.z(), 1e3 * fit.spread);
   }

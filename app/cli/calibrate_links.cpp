@@ -31,7 +31,7 @@ int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
   const auto stream = tracking::openDepthStream(args.links, stream_options);
   if (!stream->facts().pose_known)
     throw UsageError(
-        "--links: found a recording that does not say how the camera stands, expected a camera file with a "
+        "--links: found a recording without a camera pose, expected a camera file with a "
         "rough "
         "T_WC (--camera)");
   session::SessionOptions session_options;
@@ -65,15 +65,15 @@ int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
   const Vector3d p = fit.X_WC.translation();
   line.print(
       document,
-      format(
-          "%s: %zu points on %zu links in %zu images, %.2f mm off on the mean square; %.0f %% of what would "
-          "be seen "
-          "is there\n"
-          "moved by %.1f mm and turned by %.2f degrees from the start\n"
-          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
-          links.robot().c_str(), fit.points, links.surfaces().size(), views.size(), 1e3 * fit.rms,
-          100.0 * fit.explained, 1e3 * fit.moved, fit.turned / unit::deg(1.0), p.x(), p.y(), p.z(),
-          1e3 * fit.spread));
+      format("%s: %zu points on %zu links in %zu images, RMS error %.2f mm; %.0f %% of the robot surface "
+             "that should "
+             "be visible "
+             "was found\n"
+             "moved by %.1f mm and turned by %.2f degrees from the start\n"
+             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+             links.robot().c_str(), fit.points, links.surfaces().size(), views.size(), 1e3 * fit.rms,
+             100.0 * fit.explained, 1e3 * fit.moved, fit.turned / unit::deg(1.0), p.x(), p.y(), p.z(),
+             1e3 * fit.spread));
   return kDone;
 }
 

@@ -17,7 +17,7 @@ constexpr double kLittleMoved = 0.5;
 int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
   if (tracking::isDepthRecording(args.person) && !tracking::openDepthStream(args.person)->facts().pose_known)
     throw UsageError(
-        "--person: found a depth recording that does not say how its camera stands, expected one with "
+        "--person: found a depth recording without a camera pose, expected one with "
         "T_WC, or a skeleton recording in world");
   tracking::DepthStreamOptions stream_options;
   stream_options.camera = args.camera;
@@ -28,7 +28,7 @@ int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
   const tracking::ClipTrack track = tracking::trackClip(*stream, options);
   if (track.interrupted) return endBeforeFound(line, track.images);
   if (track.people.empty())
-    throw ParseError({args.input.string()}, "found nobody in the depth recording, expected a person");
+    throw ParseError({args.input.string()}, "found no person in the depth recording, expected one");
   const tracking::Recording world = tracking::openAnyRecording(args.person, {}, std::nullopt);
   const tracking::PersonPoseFit fit =
       tracking::fitPoseToPerson(world.frames, track.people.front().frames, track.camera.X_WC);
@@ -41,9 +41,9 @@ int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
   }
   std::vector<std::string> warnings;
   if (!fit.clock_known)
-    warnings.push_back("the movements do not decide how the clocks lie: let the person move faster");
+    warnings.push_back("the motion does not determine the clock offset: record faster motion");
   if (fit.moved < kLittleMoved)
-    warnings.push_back(format("the person moved by %.2f m only: let the person walk about", fit.moved));
+    warnings.push_back(format("the person moved by only %.2f m: record a walking person", fit.moved));
   for (const std::string& warning : warnings) line.warn(warning);
   const nlohmann::ordered_json document{{"joints", fit.joints},
                                         {"used", fit.used},
@@ -58,10 +58,9 @@ int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
   const Vector3d p = fit.X_WC.translation();
   line.print(
       document,
-      format(
-          "%zu joints, %zu of them used, %.1f mm off on the mean square; clock %+.3f s\n"
-          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
-          fit.joints, fit.used, 1e3 * fit.rms, fit.clock, p.x(), p.y(), p.z(), 1e3 * fit.spread));
+      format("%zu joints, %zu of them used, RMS error %.1f mm; clock offset %+.3f s\n"
+             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+             fit.joints, fit.used, 1e3 * fit.rms, fit.clock, p.x(), p.y(), p.z(), 1e3 * fit.spread));
   return kDone;
 }
 

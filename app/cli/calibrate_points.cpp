@@ -21,11 +21,10 @@ int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args) {
   const Vector3d p = fit.X_WC.translation();
   line.print(
       document,
-      format(
-          "%zu points: %.2f mm off on the mean square, line %zu worst with %.2f mm\n"
-          "camera at %.4f, %.4f, %.4f m; a point of it is known to %.2f mm (standard deviation of an axis)\n",
-          points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst, p.x(), p.y(), p.z(),
-          1e3 * fit.spread));
+      format("%zu points: RMS error %.2f mm, maximum in line %zu with %.2f mm\n"
+             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+             points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst, p.x(), p.y(), p.z(),
+             1e3 * fit.spread));
   return kDone;
 }
 

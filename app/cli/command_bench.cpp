@@ -19,9 +19,11 @@ struct Benchmark {
   const char* what;
 };
 constexpr Benchmark kScenes[] = {
-    {"spheres", "spheres.yaml", "three spheres, 3 pairs"}, {"rods", "rods.yaml", "two rods, 1 pair"},
-    {"hug", "hug_alone.yaml", "HUG alone, 79 pairs"},      {"boxing", "hug_boxing.yaml", "HUG and a boxer"},
-    {"reach", "hug_reach.yaml", "HUG and a reach"},
+    {"spheres", "spheres.yaml", "three spheres, 3 pairs"},
+    {"rods", "rods.yaml", "two rods, 1 pair"},
+    {"hug", "hug_alone.yaml", "HUG alone, 79 pairs"},
+    {"boxing", "hug_boxing.yaml", "HUG and a boxer"},
+    {"reach", "hug_reach.yaml", "HUG and a reaching person"},
 };
 constexpr int kFkBatch = 100;
 constexpr int kFkSamples = 2000;
@@ -91,14 +93,14 @@ int runBench(const CommandLine& line, const std::string& name) {
       add(benchScene(line, b));
     } catch (const ParseError& e) {
       if (!name.empty()) throw;
-      line.warn(std::string(b.name) + " left out: " + e.what());
+      line.warn(std::string(b.name) + " skipped: " + e.what());
     }
     if (interrupted()) return kInterrupted;
   }
   if (!found) {
     std::string list;
     for (const auto& k : known) list += (list.empty() ? "" : ", ") + k;
-    throw UsageError("there is no benchmark '" + name + "', expected one of " + list);
+    throw UsageError("found the unknown benchmark '" + name + "', expected one of " + list);
   }
   line.print(document, text);
   return kDone;
@@ -108,7 +110,7 @@ int runBench(const CommandLine& line, const std::string& name) {
 
 void addBench(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(
-      root, line, "bench", "the project's own figures, one thread; or a row of a peer benchmark",
+      root, line, "bench", "benchmarks of the project, one thread; or one row of a comparison benchmark",
       "abstand bench hug --json\n  abstand bench --scenario S3_hug_human --mode distance --variant h4");
   auto name = std::make_shared<std::string>();
   auto scenario = std::make_shared<BenchScenario>();
@@ -118,8 +120,9 @@ void addBench(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"distance", "collide", "contact", "both", "dmin"}));
   command->add_option(
       "--variant", scenario->variant,
-      "h1, h2, h4: voxels of 1, 2, 4 mm; h1p1.5: points 1.5 mm apart; h4-rest0.05: pairs rest");
-  command->add_option("--block", scenario->block, "frames in a row")->check(CLI::Range(1, 1000000));
+      "h1, h2, h4: voxels of 1, 2, 4 mm; h1p1.5: points 1.5 mm apart; h4-rest0.05: with temporal culling");
+  command->add_option("--block", scenario->block, "number of consecutive frames")
+      ->check(CLI::Range(1, 1000000));
   command->add_option("--period", scenario->period, "of that many")->check(CLI::Range(1, 1000000));
   command->add_option("--start", scenario->start, "first frame")->check(CLI::Range(0, 100000000));
   command->add_option("--budget", scenario->budget, "seconds of measured work");

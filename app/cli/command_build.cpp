@@ -164,7 +164,8 @@ int runBuild(const CommandLine& line, const BuildArguments& args) {
   }
   if (folder && failed.size() < args.meshes.size()) folder->commit();
   if (!failed.empty()) document["failed"] = failed;
-  if (args.explain) text += "* as asked; predicted, nothing was built. How: abstand build --explain --json\n";
+  if (args.explain)
+    text += "* requested resolution. Predicted, nothing was built; method: abstand build --explain --json\n";
   line.print(document, text);
   if (failed.empty()) return kDone;
   return failed.size() == args.meshes.size() ? kBadInput : kPartly;
@@ -187,14 +188,14 @@ void addBuild(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(0, 10000));
   command->add_option("--field", args->field, "layered, float or mixed")
       ->check(CLI::IsMember({"layered", "float", "mixed"}));
-  command->add_option("--scale", args->scale, "metres a unit of the mesh files");
+  command->add_option("--scale", args->scale, "metres per unit of the mesh files");
   line.output(
       command->add_option("--out", args->out,
                           "folder for the mesh (STL), the pointshell (PLY) and the structure of each"),
       OutputKind::kFolder);
-  command->add_flag(
-      "--explain", args->explain,
-      "build nothing: predict error, memory, points, time and cost of this and other resolutions");
+  command->add_flag("--explain", args->explain,
+                    "predict error, memory, points, build time and query time of this and other resolutions, "
+                    "without building");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runBuild(line, *args); }; });

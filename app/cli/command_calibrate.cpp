@@ -9,9 +9,10 @@ int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
   if (args.links.empty() && !args.robot.empty())
     throw UsageError("--robot: found without --links, expected a depth recording there");
   if (!args.images.empty()) {
-    if (!args.links.empty()) throw UsageError("--chessboard: found beside --links, expected one of them");
+    if (!args.links.empty())
+      throw UsageError("--chessboard: found together with --links, expected one of them");
     if (!args.input.empty())
-      throw UsageError("--chessboard: found beside " + args.input.string() + ", expected one of them");
+      throw UsageError("--chessboard: found together with " + args.input.string() + ", expected one of them");
     return calibrateByBoard(line, args);
   }
   if (!args.squares.empty() || !args.square.empty() || !args.boards.empty() || args.intrinsics)
@@ -21,7 +22,7 @@ int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
         "found neither a table of points, nor --chessboard, nor SCENE with --links, nor CLIP with --person, "
         "expected one of them");
   if (!args.person.empty() && !args.links.empty())
-    throw UsageError("--person: found beside --links, expected one of them");
+    throw UsageError("--person: found together with --links, expected one of them");
   if (!args.person.empty()) return calibrateByPerson(line, args);
   if (!args.links.empty()) return calibrateByLinks(line, args);
   if (args.camera.empty()) throw UsageError("--camera: found none, expected a camera file");
@@ -38,7 +39,7 @@ std::vector<double> rowsOf(const Transform& X_WC) {
 void addCalibrate(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(
       root, line, "calibrate",
-      "where a depth camera stands, from matched points, a chessboard, a robot's links or a person",
+      "estimates the pose of a depth camera from matched points, a chessboard, a robot's links or a person",
       "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml\n"
       "  abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
       "--camera kinect.yaml --out placed.yaml\n  "
@@ -51,32 +52,33 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
                       "file; with --person a "
                       "depth recording of the camera");
   command->add_option("--camera", args->camera, "camera file with the intrinsics");
-  line.output(command->add_option("--out", args->out, "the same with the pose T_WC and its spread"));
+  line.output(
+      command->add_option("--out", args->out, "camera file to write, with the pose T_WC and its spread"));
   command->add_option("--chessboard", args->images, "PNG images of a board, infrared or colour");
   command->add_option("--squares", args->squares, "of the board, along x and y: 8x5");
   command->add_option("--square", args->square, "m, side of a square");
   command
       ->add_option(
           "--board", args->boards,
-          "X,Y,Z or X,Y,Z,ROLL,PITCH,YAW (m, rad): the board's frame in world, once or once an image; its "
+          "X,Y,Z or X,Y,Z,ROLL,PITCH,YAW (m, rad): the board's frame in world, once or once per image; its "
           "origin is the inner corner at the dark corner square, x along the first side of --squares, z "
           "towards the viewer")
       ->allow_extra_args(false);
   command->add_flag(
       "--intrinsics", args->intrinsics,
-      "measures the lens by 5 or more images of the board in different poses, of which the first "
+      "estimates the intrinsics from 5 or more images of the board in different poses, of which the first "
       "are those of --board");
   command->add_option(
       "--links", args->links,
       "depth recording of a robot of SCENE, at the scene's times; the start is the camera file's T_WC, "
-      "wrong by 0.1 m and 10 degrees at most");
+      "within 0.1 m and 10 degrees of the true pose");
   command->add_option("--person", args->person,
                       "recording of the same person in world: depth images of a camera with T_WC, or "
                       "skeletons; clocks may differ "
                       "by 5 s");
   command->add_option("--robot", args->robot,
-                      "mechanism of SCENE whose links are seen; where it has one: that");
-  command->add_option("--seed", args->seed, "of the search with --links");
+                      "mechanism of SCENE whose links are visible (default: the only one)");
+  command->add_option("--seed", args->seed, "random seed of the search with --links");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runCalibrate(line, *args); }; });

@@ -48,18 +48,18 @@ nlohmann::ordered_json violationJson(const run::Violation& v) {
 /// Text for the amount by which a limit was widened; empty: none.
 std::string widened(double uncertainty) {
   if (!(uncertainty > 0.0)) return {};
-  if (std::isinf(uncertainty)) return ", but one of them was not seen at all";
-  return format(", widened by %.1f mm for what is not known of their places", 1e3 * uncertainty);
+  if (std::isinf(uncertainty)) return "; one of them was never tracked";
+  return format(", plus %.1f mm of pose uncertainty", 1e3 * uncertainty);
 }
 
-/// "2 limits broken, 1 reservation (refused_pose)".
+/// "2 limits violated, 1 reservation (refused_pose)".
 std::string whyNot(const run::CheckResult& result, bool strict) {
   const auto counted = [](std::size_t n, const char* one, const char* many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
   };
   std::string text;
   const auto add = [&](const std::string& reason) { text += (text.empty() ? "" : ", ") + reason; };
-  if (!result.violations.empty()) add(counted(result.violations.size(), "limit broken", "limits broken"));
+  if (!result.violations.empty()) add(counted(result.violations.size(), "limit violated", "limits violated"));
   if (strict && !result.unproven.empty())
     add(counted(result.unproven.size(), "pair not proven", "pairs not proven"));
   std::string kinds;
@@ -161,7 +161,7 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
     for (const run::Violation& v : *list) {
       rows.push_back(violationJson(v));
       text += format("%s: %s to %s, %.3f s to %.3f s, %.1f mm (limit %.1f mm%s)\n",
-                     list == &all.violations ? "broken" : "not proven", v.a.c_str(), v.b.c_str(), v.start,
+                     list == &all.violations ? "violated" : "not proven", v.a.c_str(), v.b.c_str(), v.start,
                      v.end, 1e3 * v.min_distance, 1e3 * v.limit, widened(v.uncertainty).c_str());
     }
     document[list == &all.violations ? "violations" : "unproven"] = rows;
@@ -187,31 +187,31 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
 
 void addCheck(CLI::App& root, CommandLine& line) {
   auto* command =
-      addCommand(root, line, "check", "the gate for scripts: exit 1 when a limit is broken",
+      addCommand(root, line, "check", "checks distance limits for scripts: exit 1 if a limit is violated",
                  "abstand check cell.yaml --recording reach.bvh --min-distance 0.1 --junit result.xml");
   auto args = std::make_shared<CheckArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--recording", args->recordings, "recordings, each checked in turn");
   command->add_flag(
       "--cut-things", args->cut_things,
-      "the depth images show the scene's robots and objects where the scene has them: they are cut out");
+      "remove the scene's robots and objects from the depth images, at their poses in the scene");
   command->add_option("--poses", args->poses, "CSV of poses that named objects follow");
   command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
   command->add_option("--margins", args->margins,
-                      "YAML, NAME: metres; a pair then needs the sum of its margins too");
+                      "YAML, NAME: metres; the limit of a pair is then also the sum of its margins");
   line.output(command->add_option("--junit", args->junit, "JUnit XML"));
   line.output(command->add_option("--report", args->report, "HTML page"));
   command
       ->add_option("--react", args->react,
-                   "on: mechanisms with a reaction move away, and every millisecond is checked; off: they "
-                   "follow their motion")
+                   "on: mechanisms with a reaction react, and every millisecond is checked; off: they "
+                   "follow their planned motion")
       ->check(CLI::IsMember({"on", "off"}));
-  command->add_flag("--dry-run", args->dry_run, "print the scene as it was understood");
+  command->add_flag("--dry-run", args->dry_run, "print the scene as parsed, without running it");
   command->add_flag("--strict", args->strict,
-                    "fail also where distance minus its error bound is below the limit, and for every "
-                    "reservation that touches safety (guessed units, open meshes, gaps, ...)");
+                    "also fail if distance minus error bound is below the limit, and for every "
+                    "reservation that affects safety (guessed units, open meshes, gaps, ...)");
   command->add_flag("--swept", args->swept,
-                    "between frames too: certified for bodies that go straight from pose to pose");
+                    "also check between frames: certified for bodies that move linearly from pose to pose");
   addWarmStart(*command, args->warm_start);
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);

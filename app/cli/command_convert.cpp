@@ -35,7 +35,7 @@ void rebase(robot_file::Robot& robot, const ConvertArguments& args, std::vector<
       g.mesh = (relative.empty() ? *file : relative).string();
     } else {
       warnings.push_back(g.pos.file + ":" + std::to_string(g.pos.line) + ": found no file " + g.mesh +
-                         ": named as it was");
+                         ": its name is kept unchanged");
     }
   }
   warnings.insert(warnings.end(), finder.remarks().begin(), finder.remarks().end());
@@ -85,7 +85,7 @@ std::string lostAccelerations(const mechanism::Mechanism& mechanism) {
   for (const auto& f : mechanism.frames)
     if (std::isfinite(f.limits.acceleration))
       joints += (joints.empty() ? "" : ", ") + (f.joint.empty() ? f.name : f.joint);
-  return joints.empty() ? joints : "left out the acceleration limits, which a URDF does not have: " + joints;
+  return joints.empty() ? joints : "dropped the acceleration limits, which URDF does not support: " + joints;
 }
 
 int runConvert(const CommandLine& line, const ConvertArguments& args) {
@@ -98,7 +98,8 @@ int runConvert(const CommandLine& line, const ConvertArguments& args) {
   for (std::size_t i = 0; i < w.scale.size(); ++i)
     if (w.scale[i] != 1.0)
       warnings.push_back(
-          format("the value of dof %zu is %g times that of the source: a URDF has no scale", i, w.scale[i]));
+          format("the value of dof %zu is %g times that of the source: URDF does not support a scale", i,
+                 w.scale[i]));
   if (args.out.extension() == ".urdf")
     if (const std::string lost = lostAccelerations(robot.mechanism); !lost.empty()) warnings.push_back(lost);
   for (const auto& warning : warnings) line.warn(warning);

@@ -35,7 +35,9 @@ Sides sidesOf(const DiffArguments& args) {
   return sides;
 }
 
-std::string millimetres(double v) { return std::isinf(v) ? "none would do" : format("%.0f mm", 1e3 * v); }
+std::string millimetres(double v) {
+  return std::isinf(v) ? "no margin suffices" : format("%.0f mm", 1e3 * v);
+}
 
 void addProposed(const tune::TuneAnswer& before, const tune::TuneAnswer& after, Json& document,
                  std::string& text) {
@@ -133,7 +135,7 @@ void addDifferences(const tune::TuneAnswer& study, const tune::MarginRules& a, c
 int runDiff(const CommandLine& line, const DiffArguments& args) {
   if (args.after.empty() && args.margin_sets.size() < 2)
     throw UsageError("found one folder and " + std::to_string(args.margin_sets.size()) +
-                     " --margin-set, expected two folders, or two sets of margins to judge over one");
+                     " --margin-set, expected two folders, or two margin sets to evaluate over one");
   std::vector<tune::MarginRules> sets;
   for (const std::string& file : args.margin_sets) sets.push_back(tune::loadMarginRules(file));
   const Sides sides = sidesOf(args);
@@ -157,15 +159,16 @@ int runDiff(const CommandLine& line, const DiffArguments& args) {
 }  // namespace
 
 void addDiff(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(
-      root, line, "diff",
-      "two studies of tune beside each other, or two sets of margins over one: proposed margins, stops",
-      "abstand diff before after");
+  auto* command =
+      addCommand(root, line, "diff",
+                 "compares two tune studies, or two margin sets over one study: proposed margins and stops",
+                 "abstand diff before after");
   auto args = std::make_shared<DiffArguments>();
   command->add_option("BEFORE", args->before, "folder of `tune --out`")->required();
   command->add_option("AFTER", args->after, "another one");
-  command->add_option("--margin-set", args->margin_sets,
-                      "file of margins for parts, links and pairs, judged over each folder; may be repeated");
+  command->add_option(
+      "--margin-set", args->margin_sets,
+      "file of margins for parts, links and pairs, evaluated for each folder; may be repeated");
   command->add_option("--margins", args->margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
   command->callback([&line, args] { line.run = [&line, args] { return runDiff(line, *args); }; });
 }

@@ -62,7 +62,7 @@ void addSolid(mechanism::Mechanism& mechanism, const std::string& text,
   const geometry::MassProperties solid =
       geometry::massProperties(mesh_file::loadMesh(meshArgument(file, packages)).mesh);
   if (solid.volume <= 0.0)
-    throw ParseError({file}, "the mesh bounds no solid, expected a closed surface for a density");
+    throw ParseError({file}, "found a mesh without volume, expected a closed surface for a density");
   auto& inertia = mechanism.frames[static_cast<std::size_t>(frame)].inertia;
   inertia = mechanism::together(inertia, mechanism::inertiaOfSolid(solid, density, Transform::Identity()));
 }
@@ -86,7 +86,7 @@ mechanism::Mechanism robotWithMasses(const DynamicsArguments& args) {
     mass += f.inertia.mass;
   }
   if (mass == 0.0)
-    throw ParseError({args.mechanism}, "found no frame with a mass, expected one at least",
+    throw ParseError({args.mechanism}, "found no frame with a mass, expected at least one",
                      "--solid FRAME:MESH:DENSITY gives a frame the mass of a mesh");
   return mechanism;
 }
@@ -110,7 +110,7 @@ nlohmann::ordered_json linksJson(const mechanism::Mechanism& mechanism, std::str
     text += format("link %s: %.4g kg\n", f.name.c_str(), f.inertia.mass);
     sum += f.inertia.mass;
   }
-  text += format("together %.4g kg\n", sum);
+  text += format("total %.4g kg\n", sum);
   return links;
 }
 
@@ -164,8 +164,8 @@ nlohmann::ordered_json alongMotion(const DynamicsArguments& args, const mechanis
     peaks.push_back({{"dof", k}, {"frame", f.name}, {"effort", peak[k]}, {"t", peak_t[k]}});
     peaks.back()["limit"] = numberOrNull(limit);
     peaks.back()["within_limit"] = peak[k] <= limit;
-    text += format("dof %zu: at most %.6g at %.6g s%s\n", k, peak[k], peak_t[k],
-                   peak[k] <= limit ? "" : format(", beyond its limit of %.6g", limit).c_str());
+    text += format("dof %zu: maximum %.6g at %.6g s%s\n", k, peak[k], peak_t[k],
+                   peak[k] <= limit ? "" : format(", exceeds its limit of %.6g", limit).c_str());
   }
   return peaks;
 }
@@ -204,7 +204,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
   mechanism::inverseDynamics(tree, {q, qd, qdd}, {gravity_B, external}, state.tree, efforts);
   mechanism::massMatrix(tree, state.tree, state.mass);
   for (std::size_t k = 0; k < q.size(); ++k)
-    text += format("dof %zu: effort %.6g, of that gravity %.6g\n", k, efforts[k], gravity[k]);
+    text += format("dof %zu: effort %.6g, including gravity %.6g\n", k, efforts[k], gravity[k]);
   document["efforts"] = efforts;
   document["gravity_efforts"] = gravity;
   document["bias_efforts"] = bias;
@@ -218,7 +218,7 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
   if (!args.effective.empty()) {
     if (const int massless = mechanism::factor(state.mass); massless >= 0)
       throw ParseError({args.mechanism}, "dof " + std::to_string(massless) +
-                                             " moves no mass, expected a mass on or beyond each joint");
+                                             " has no mass to move, expected a mass at or beyond each joint");
     auto rows = nlohmann::ordered_json::array();
     std::vector<double> work(q.size());
     for (const auto& option : args.effective) {
@@ -231,8 +231,9 @@ int runDynamics(const CommandLine& line, const DynamicsArguments& args) {
       const auto& name = mechanism.frames[static_cast<std::size_t>(frame)].name;
       rows.push_back({{"frame", name}, {"direction", toJson(n_B)}});
       rows.back()["mass"] = numberOrNull(mass);
-      text += format("frame %s along %.3f %.3f %.3f: ", name.c_str(), n_B.x(), n_B.y(), n_B.z()) +
-              (std::isfinite(mass) ? format("%.6g kg\n", mass) : "no joint gives way\n");
+      text +=
+          format("frame %s along %.3f %.3f %.3f: ", name.c_str(), n_B.x(), n_B.y(), n_B.z()) +
+          (std::isfinite(mass) ? format("%.6g kg\n", mass) : "infinite, no joint moves in this direction\n");
     }
     document["effective_masses"] = rows;
   }
@@ -266,9 +267,9 @@ void addDynamics(CLI::App& root, CommandLine& line) {
   command->add_option("--wrench", args->wrenches,
                       "FRAME:fx,fy,fz,tx,ty,tz in the base's axes, acting at that frame's origin");
   command->add_option("--effective", args->effective,
-                      "FRAME:nx,ny,nz: mass that a push at that frame's origin meets");
+                      "FRAME:nx,ny,nz: effective mass at that frame's origin in this direction");
   command->add_option("--motion", args->motion, "CSV t,q0,q1,...: efforts along it, as a smooth motion");
-  command->add_option("--rate", args->rate, "samples a second of the motion (default: 1000)")
+  command->add_option("--rate", args->rate, "samples per second of the motion (default: 1000)")
       ->check(CLI::Range(0.001, 1e6));
   line.output(command->add_option("--out", args->out, "CSV of the motion with its efforts"));
   addPackagePath(command, args->packages);

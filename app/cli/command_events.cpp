@@ -82,16 +82,17 @@ Json eventJson(const tune::MarginEvent& e, bool by_pair) {
 
 std::string eventText(const tune::MarginEvent& e, bool by_pair) {
   const tune::PassResult& pass = e.recording->pass;
-  const std::string what = e.kind == tune::MarginEvent::Kind::kBetweenFrames ? "between frames, nobody told"
+  const std::string what = e.kind == tune::MarginEvent::Kind::kBetweenFrames ? "between frames, not detected"
                            : e.missed                                        ? "missed stop"
                            : e.false_stop                                    ? "false stop"
                                                                              : "stop in time";
   const std::string nearest =
-      std::isinf(e.min_clearance) ? std::string("not known") : format("%.1f mm", 1e3 * e.min_clearance);
+      std::isinf(e.min_clearance) ? std::string("unknown") : format("%.1f mm", 1e3 * e.min_clearance);
   const bool told = by_pair && e.kind == tune::MarginEvent::Kind::kIntrusion;
-  const std::string by = told ? format(", told by %s and %s (%.0f mm)", pass.parts[e.told_part].part.c_str(),
-                                       pass.links[e.told_link].c_str(), 1e3 * e.told_margin)
-                              : std::string();
+  const std::string by =
+      told ? format(", stopped by %s and %s (%.0f mm)", pass.parts[e.told_part].part.c_str(),
+                    pass.links[e.told_link].c_str(), 1e3 * e.told_margin)
+           : std::string();
   return format("%9.3f to %9.3f s  %-14s %-20s %12s  %s%s\n", e.t0, e.t1, pass.parts[e.part].part.c_str(),
                 pass.links[e.link].c_str(), nearest.c_str(), what.c_str(), by.c_str());
 }
@@ -134,14 +135,14 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
 
 void addEvents(CLI::App& root, CommandLine& line) {
   auto* command =
-      addCommand(root, line, "events", "results of tune: when a margin was broken, by what, and how it ended",
+      addCommand(root, line, "events", "lists the margin violations in tune results: time, pair and outcome",
                  "abstand events results --margin 0.2");
   auto args = std::make_shared<EventArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  command->add_option("--margin", args->margin, "metres, of each body part by itself");
+  command->add_option("--margin", args->margin, "margin in metres, for each body part separately");
   command->add_option("--margin-set", args->margin_set,
-                      "file of margins for parts, links and pairs, all together");
-  command->add_option("--part", args->part, "stops by this body part only, such as hand_left");
+                      "margins file for parts, links and pairs, evaluated together");
+  command->add_option("--part", args->part, "only stops caused by this body part, such as hand_left");
   command->add_option("--fail-on", args->fail_on, "exit 1 for a missed stop, or for any intrusion")
       ->check(CLI::IsMember({"missed", "intrusion"}));
   command->callback([&line, args] { line.run = [&line, args] { return runEvents(line, *args); }; });

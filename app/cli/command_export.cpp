@@ -41,7 +41,8 @@ int runExport(const CommandLine& line, const ExportArguments& args) {
   if (args.csv.empty() && args.pairs_csv.empty() && args.mcap.empty())
     throw UsageError("found none of --csv, --pairs-csv and --mcap, expected a file to write");
   if (!args.margin.empty() && args.mcap.empty())
-    throw UsageError("--margin: found without --mcap, expected the file that tells events at that margin");
+    throw UsageError(
+        "--margin: found without --mcap, expected --mcap, which writes the events at that margin");
   results::McapOptions options{std::string("abstand ") + kVersion, {}};
   if (!args.margin.empty()) options.margin = numberWithin(args.margin, "--margin", 0.0, 10.0, "m");
   const tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
@@ -72,16 +73,17 @@ int runExport(const CommandLine& line, const ExportArguments& args) {
 
 void addExport(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(root, line, "export",
-                             "results of tune as a table, and as messages for Foxglove and PlotJuggler",
+                             "exports tune results as a table, and as messages for Foxglove and PlotJuggler",
                              "abstand export results --csv clearances.csv --mcap clearances.mcap");
   auto args = std::make_shared<ExportArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  line.output(command->add_option("--csv", args->csv, "table to write: a row a frame and body part"));
+  line.output(command->add_option("--csv", args->csv, "table to write: one row per frame and body part"));
   line.output(command->add_option("--pairs-csv", args->pairs_csv,
-                                  "table to write: a row a frame and pair of body part and link"));
-  line.output(command->add_option("--mcap", args->mcap,
-                                  "MCAP file to write: a topic a recording and body part (docs/margins.md)"));
-  command->add_option("--margin", args->margin, "m: --mcap has a topic of the events at this margin, too");
+                                  "table to write: one row per frame and pair of body part and link"));
+  line.output(command->add_option(
+      "--mcap", args->mcap, "MCAP file to write: one topic per recording and body part (docs/margins.md)"));
+  command->add_option("--margin", args->margin,
+                      "margin in m: --mcap also gets a topic with the events at this margin");
   command->callback([&line, args] { line.run = [&line, args] { return runExport(line, *args); }; });
 }
 

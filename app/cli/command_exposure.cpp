@@ -36,17 +36,17 @@ int runExposure(const CommandLine& line, const ExposureArguments& args) {
 }  // namespace
 
 void addExposure(CLI::App& root, CommandLine& line) {
-  auto* command =
-      addCommand(root, line, "exposure", "results of tune: who was near which robot, for how long and where",
-                 "abstand exposure results --html exposure.html --body body.ply");
+  auto* command = addCommand(root, line, "exposure",
+                             "evaluates tune results: time near each robot, per body part and place",
+                             "abstand exposure results --html exposure.html --body body.ply");
   auto args = std::make_shared<ExposureArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  command->add_option("--segment", args->segment, "s: stretches of the program (default: 1)");
-  line.output(command->add_option("--html", args->html, "HTML page for people with maps of body and room"));
-  line.output(command->add_option(
-      "--csv", args->csv, "table: a row for each part, link, pair of both and stretch of the program"));
-  line.output(command->add_option("--room", args->room, "PLY mesh: the floor in colours of exposure"));
-  line.output(command->add_option("--body", args->body, "PLY mesh: a person in colours of exposure"));
+  command->add_option("--segment", args->segment, "length of the program segments in s (default: 1)");
+  line.output(command->add_option("--html", args->html, "HTML report with exposure maps of body and room"));
+  line.output(
+      command->add_option("--csv", args->csv, "table: one row per part, link, pair and program segment"));
+  line.output(command->add_option("--room", args->room, "PLY mesh of the floor, coloured by exposure"));
+  line.output(command->add_option("--body", args->body, "PLY mesh of a person, coloured by exposure"));
   command->callback([&line, args] { line.run = [&line, args] { return runExposure(line, *args); }; });
 }
 

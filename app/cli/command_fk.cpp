@@ -108,7 +108,7 @@ void addFk(CLI::App& root, CommandLine& line) {
                       "joint values a,b,... in SI, in the order of the mapping (default: zeros)");
   command->add_option("--wrench", args->wrenches,
                       "FRAME:fx,fy,fz,tx,ty,tz in world axes at that frame's origin");
-  command->add_option("--repeat", args->repeat, "time this many batches of calls")
+  command->add_option("--repeat", args->repeat, "number of call batches to time")
       ->check(CLI::Range(1, 100000000));
   addPackagePath(command, args->packages);
   command->callback([&line, args] { line.run = [&line, args] { return runFk(line, *args); }; });

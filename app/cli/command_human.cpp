@@ -62,7 +62,7 @@ nlohmann::ordered_json partJson(const humanmodel::HumanPart& p, const humanmodel
 int runHuman(const CommandLine& line, const HumanArguments& args) {
   humanmodel::HumanOptions options;
   if (args.height.empty() && args.percentile.empty())
-    throw UsageError("found neither --height nor --percentile, expected one of them");
+    throw UsageError("found neither --height nor --percentile, expected one");
   if (!args.height.empty()) options.height = number(args.height, "--height");
   if (!args.percentile.empty()) options.percentile = number(args.percentile, "--percentile");
   if (!args.mass.empty()) options.mass = number(args.mass, "--mass");
@@ -108,17 +108,16 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
 }  // namespace
 
 void addHuman(CLI::App& root, CommandLine& line) {
-  auto* command =
-      addCommand(root, line, "human", "the parametric human: fourteen parts from the height or a percentile",
-                 "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
+  auto* command = addCommand(
+      root, line, "human", "generates the parametric human: fourteen parts from stature or percentile",
+      "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
   auto args = std::make_shared<HumanArguments>();
   command->add_option("--height", args->height, "stature in m (0.5 to 2.5); default: that of --percentile");
   command->add_option("--mass", args->mass,
-                      "body mass in kg; default: that of --percentile, else of the height");
-  command->add_option(
-      "--percentile", args->percentile,
-      "1 to 99 per cent: stature and mass of that percentile, and girths that enclose those of "
-      "so many people of that stature (ANSUR II)");
+                      "body mass in kg; default: from --percentile, else from --height");
+  command->add_option("--percentile", args->percentile,
+                      "1 to 99: stature and mass of that percentile, and girths not exceeded by "
+                      "that percentage of people of that stature (ANSUR II)");
   command
       ->add_option("--sex", args->sex,
                    "f or m (default: the mean of both; with --percentile: of both together)")
@@ -126,7 +125,7 @@ void addHuman(CLI::App& root, CommandLine& line) {
   command->add_option("--preset", args->preset, "thesis or anthropometric")
       ->check(CLI::IsMember({"thesis", "anthropometric"}));
   command->add_option("--set", args->set, "PART.contour=m, also length, breadth, depth, shape");
-  line.output(command->add_option("--out", args->out, "folder for one mesh a part"), OutputKind::kFolder);
+  line.output(command->add_option("--out", args->out, "folder for one mesh per part"), OutputKind::kFolder);
   command->callback([&line, args] { line.run = [&line, args] { return runHuman(line, *args); }; });
 }
 

@@ -50,7 +50,7 @@ CLI::App* addCommand(CLI::App& root, CommandLine& line, const std::string& name,
   CLI::App* command = root.add_subcommand(name, what);
   command->footer("Example:\n  " + example);
   command->add_flag("--json", line.json, "one JSON document on stdout");
-  command->add_flag("--quiet", line.quiet, "say nothing but errors");
+  command->add_flag("--quiet", line.quiet, "print errors only");
   return command;
 }
 
@@ -63,7 +63,7 @@ void addPackagePath(CLI::App* command, robot_file::PackagePaths& packages) {
 
 void addCacheFlag(CLI::App* command, CommandLine& line) {
   command->add_flag("--no-cache{false}", line.cache,
-                    "build all structures anew (they are kept in ~/.cache/abstand, or $ABSTAND_CACHE)");
+                    "rebuild all structures (cached in ~/.cache/abstand, or $ABSTAND_CACHE)");
 }
 
 double number(const std::string& text, const std::string& option) {
@@ -85,7 +85,7 @@ humanmodel::BodyPart bodyPart(const std::string& name, const std::string& option
   if (const auto part = humanmodel::parsePart(name)) return *part;
   const auto names = humanmodel::partNames();
   const std::string near = nearestName(name, {names.begin(), names.end()});
-  throw UsageError(option + ": there is no part '" + name + "'" +
+  throw UsageError(option + ": found the unknown part '" + name + "'" +
                    (near.empty() ? "" : ", did you mean '" + near + "'?"));
 }
 

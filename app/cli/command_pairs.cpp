@@ -89,8 +89,8 @@ void addToReport(const run::CollisionPair& p, const std::vector<scene::Object>& 
                 {"by_search", s.by_search},
                 {"posture", p.posture}});
     if (s.verdict != study::PairVerdict::kSometimes && s.verdict != study::PairVerdict::kUndecided)
-      report.text +=
-          format("%s: %s, %s; nearest %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(), 1e3 * s.distance);
+      report.text += format("%s: %s, %s; minimum distance %.1f mm\n", verdict.c_str(), a.c_str(), b.c_str(),
+                            1e3 * s.distance);
   }
   report.rows.push_back(std::move(row));
 }
@@ -162,25 +162,28 @@ int runPairs(const CommandLine& line, PairsArguments& args) {
 }  // namespace
 
 void addPairs(CLI::App& root, CommandLine& line) {
-  auto* command =
-      addCommand(root, line, "pairs", "which pairs of bodies can collide at all, by sampling the joint space",
-                 "abstand pairs robot.urdf --out robot.pairs --srdf robot.srdf");
+  auto* command = addCommand(root, line, "pairs",
+                             "finds the pairs of bodies that can collide, by sampling the joint space",
+                             "abstand pairs robot.urdf --out robot.pairs --srdf robot.srdf");
   auto args = std::make_shared<PairsArguments>();
   command->add_option("FILE", args->file, "scene (.yaml) or robot file (.mech or .urdf)")->required();
   command->add_option("--samples", args->study.samples, "random postures");
-  command->add_option("--seed", args->study.seed, "of the postures");
+  command->add_option("--seed", args->study.seed, "random seed of the postures");
   command->add_option("--searches", args->study.searches,
-                      "searches for a counter-example, a pair that no posture hit");
+                      "searches for a collision, per pair without a colliding posture");
   command->add_option("--clearance", args->clearance,
-                      "m; nearer than this counts as a collision (default: 0)");
-  command->add_option("--voxel", args->voxel, "m, of the structures, for a robot file (default: 0.005)");
-  command->add_option("--threads", args->study.threads, "0: all cores; same result for any")
+                      "clearance in m below which a pair counts as colliding (default: 0)");
+  command->add_option("--voxel", args->voxel,
+                      "voxel size in m of the structures, for a robot file (default: 0.005)");
+  command
+      ->add_option("--threads", args->study.threads,
+                   "threads (0: all cores); the result does not depend on it")
       ->check(CLI::Range(0, 256));
   line.output(command->add_option("--out", args->out,
-                                  "file of pairs, for people and for `pairs: {file: ...}` of a scene"));
+                                  "pairs file, for reading and for `pairs: {file: ...}` of a scene"));
   line.output(command->add_option("--srdf", args->srdf,
-                                  "SRDF with the pairs of links that need no check; of a file that is there "
-                                  "already everything else is kept"));
+                                  "SRDF file with the link pairs that need no check; other content of an "
+                                  "existing file is kept"));
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runPairs(line, *args); }; });

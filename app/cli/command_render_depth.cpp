@@ -30,7 +30,7 @@ Vector3d point(const std::string& text, const std::string& option) {
 tracking::DepthCamera cameraOf(const RenderDepthArguments& args, session::Session& session) {
   tracking::DepthCamera camera;
   if (!args.camera.empty()) {
-    if (args.width != 640) throw UsageError("--width: found beside --camera, expected one of them");
+    if (args.width != 640) throw UsageError("--width: found together with --camera, expected one of them");
     camera = tracking::loadDepthCamera(args.camera);
   } else {
     const double part = args.width / 640.0;
@@ -63,8 +63,7 @@ std::optional<tracking::SkinOptions> skinOf(const RenderDepthArguments& args) {
 scene_file::SceneDescription sceneOf(const RenderDepthArguments& args) {
   if (!args.scene.empty()) {
     if (!args.height.empty())
-      throw UsageError(
-          "--height: found beside a scene, which says its people's heights; expected one of them");
+      throw UsageError("--height: found with a scene, which states the statures; expected one of them");
     return scene_file::loadScene(args.scene, args.packages);
   }
   if (args.recording.empty()) throw UsageError("found neither SCENE nor --recording, expected one or both");
@@ -79,7 +78,7 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   depth::DepthClipOptions options;
   options.rate = number(args.rate, "--rate");
   if (!(options.rate > 0.0 && options.rate <= 1000.0))
-    throw UsageError("--rate: found " + args.rate + ", expected above 0, at most 1000 frames a second");
+    throw UsageError("--rate: found " + args.rate + ", expected above 0, at most 1000 frames per second");
   if (!args.start.empty()) options.start = number(args.start, "--start");
   if (!args.end.empty()) options.end = number(args.end, "--end");
   options.seed = args.seed;
@@ -116,7 +115,7 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
 
 void addRenderDepth(CLI::App& root, CommandLine& line) {
   auto* command =
-      addCommand(root, line, "render-depth", "what a depth camera would see of a scene, as a clip",
+      addCommand(root, line, "render-depth", "renders a scene as seen by a depth camera, as a clip",
                  "abstand render-depth data/scenes/hug_boxing.yaml --out clip --end 2");
   auto args = std::make_shared<RenderDepthArguments>();
   command->add_option("SCENE", args->scene,
@@ -124,26 +123,30 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--out", args->out, "folder of the clip"), OutputKind::kFolder)->required();
   command
       ->add_option("--format", args->format,
-                   "png: PNG and depth.txt; freenect: what libfreenect records, for its fakenect, too")
+                   "png: PNG and depth.txt; freenect: a libfreenect record, also for fakenect")
       ->check(CLI::IsMember({"png", "freenect"}));
-  command->add_option("--recording", args->recording, "moves every person, instead of the scene's");
-  command->add_option("--camera", args->camera, "camera file; default: a Kinect before the first person");
+  command->add_option("--recording", args->recording,
+                      "recording that moves every person, instead of the scene's");
+  command->add_option("--camera", args->camera,
+                      "camera file; default: a Kinect in front of the first person");
   command->add_option("--eye", args->eye, "X,Y,Z, m: where the camera is, with --look");
   command->add_option("--look", args->look, "X,Y,Z, m: what it looks at");
   command->add_option("--width", args->width, "pixels, without --camera")->check(CLI::IsMember({320, 640}));
-  command->add_option("--rate", args->rate, "frames a second (30)");
+  command->add_option("--rate", args->rate, "frames per second (30)");
   command->add_option("--start", args->start, "s");
   command->add_option("--end", args->end, "s");
-  command->add_option("--noise", args->noise, "kinect: of a Kinect of 2010; none: an ideal camera")
+  command->add_option("--noise", args->noise, "noise model; kinect: a Kinect v1; none: an ideal camera")
       ->check(CLI::IsMember({"kinect", "none"}));
   command->add_option("--seed", args->seed, "of the noise");
   command
-      ->add_option("--body", args->body, "of people: model, as in the scene; skin: smooth, unlike the model")
+      ->add_option("--body", args->body,
+                   "body shape; model: as in the scene; skin: a smooth surface that differs from the model")
       ->check(CLI::IsMember({"model", "skin"}));
-  command->add_option("--girth", args->girth, "of a body of skin: factor of its thicknesses (1)");
-  command->add_option("--clothing", args->clothing, "m, on a body of skin (0)");
-  command->add_option("--body-seed", args->body_seed,
-                      "of a body of skin: thicknesses of its own, by 8 % (0: usual)");
+  command->add_option("--girth", args->girth, "factor on the girths of a skin body (1)");
+  command->add_option("--clothing", args->clothing, "thickness of clothing in m on a skin body (0)");
+  command->add_option(
+      "--body-seed", args->body_seed,
+      "random seed of individual girths of a skin body, within 8 % of the mean (0: mean girths)");
   command->add_option("--height", args->height, "m, without SCENE: the recording is scaled to that stature");
   command->add_flag("--room", args->room, "adds a floor at z = 0 and a wall 1.5 m behind the people");
   addPackagePath(command, args->packages);

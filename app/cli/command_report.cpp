@@ -33,7 +33,7 @@ run::JunitSuite suiteOf(const std::vector<tune::TunedRecording>& recordings, dou
     for (const tune::MarginEvent& e : tune::marginEvents(recording, margin, options))
       if (e.missed)
         fail("missed_stop",
-             format("%s to %s at %.3f s: no certain stop in time", recording.pass.parts[e.part].part.c_str(),
+             format("%s to %s at %.3f s: missed stop", recording.pass.parts[e.part].part.c_str(),
                     recording.pass.links[e.link].c_str(), e.t0));
     for (const run::Reservation& r : recording.reservations) {
       if (run::failing(r, strict)) fail(r.kind, r.text);
@@ -48,8 +48,7 @@ int runReport(const CommandLine& line, const ReportArguments& args) {
   if (args.html.empty() && args.pdf.empty() && args.junit.empty())
     throw UsageError("found neither --html, --pdf nor --junit, expected a file to write");
   if (args.junit.empty() != args.margin.empty())
-    throw UsageError(
-        "--junit and --margin: found one alone, expected both: the test is whether that margin does");
+    throw UsageError("--junit and --margin: found one alone, expected both: the test evaluates that margin");
   if (!args.pdf.empty()) report::needPdfConverter();
   tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   answer.options.restart_time = restartTime(args.restart_time);
@@ -83,24 +82,24 @@ int runReport(const CommandLine& line, const ReportArguments& args) {
 
 void addReport(CLI::App& root, CommandLine& line) {
   auto* command =
-      addCommand(root, line, "report", "results of tune as a page to sign, and as JUnit for servers",
+      addCommand(root, line, "report", "reports tune results as an HTML page for signature, and as JUnit XML",
                  "abstand report results --html report.html --junit result.xml --margin 0.2");
   auto args = std::make_shared<ReportArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
-  line.output(command->add_option("--html", args->html, "HTML page for people, to be signed"));
+  line.output(command->add_option("--html", args->html, "HTML report for signature"));
   line.output(command->add_option("--pdf", args->pdf,
                                   "the same page as PDF; needs the package weasyprint or wkhtmltopdf"));
   line.output(command->add_option(
       "--junit", args->junit, "JUnit XML: a test for each run, failed where a stop at --margin is missed"));
-  command->add_option("--margin", args->margin, "m: the margin that --junit tests");
+  command->add_option("--margin", args->margin, "margin in m that --junit tests");
   command->add_flag("--strict", args->strict,
-                    "--junit fails for every reservation that touches safety, as `check --strict`");
+                    "--junit fails for every reservation that affects safety, as `check --strict`");
   command->add_option("--margins", args->margins,
                       "of the page: FROM:TO:STEP in metres (default: 0:0.5:0.05)");
   command->add_option("--restart-time", args->restart_time,
-                      "s, from the end of an intrusion until the robot goes on (default: 0)");
+                      "restart time in s: from the end of an intrusion until the robot resumes (default: 0)");
   command->add_option("--segment", args->segment,
-                      "s: stretches of the program that get a speed each (default: 1)");
+                      "length in s of the program segments that get one speed each (default: 1)");
   command->callback([&line, args] { line.run = [&line, args] { return runReport(line, *args); }; });
 }
 

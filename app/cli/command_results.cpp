@@ -29,7 +29,7 @@ std::string runText(const results::IndexedRun& run) {
   const std::string clearance =
       std::isinf(run.min_clearance) ? std::string("not seen") : format("%.1f mm", 1e3 * run.min_clearance);
   const std::string proposed =
-      std::isinf(run.proposed) ? std::string("none would do") : format("%.0f mm", 1e3 * run.proposed);
+      std::isinf(run.proposed) ? std::string("no margin suffices") : format("%.0f mm", 1e3 * run.proposed);
   return format("%12s  %-14s %-16s %9.3f s %13s  %-14s %8.2f s  %s\n", clearance.c_str(), run.part.c_str(),
                 run.link.c_str(), run.t, proposed.c_str(), run.proposed_part.c_str(), run.seconds,
                 run.recording.c_str());
@@ -48,7 +48,7 @@ int runResults(const CommandLine& line, const std::string& folder) {
     document["unreadable"].push_back({{"file", bad.file}, {"error", bad.error}});
     line.warn(bad.file + ": " + bad.error);
   }
-  if (!index.not_written.empty()) line.warn("the index is not kept: " + index.not_written);
+  if (!index.not_written.empty()) line.warn("the index could not be written: " + index.not_written);
   line.print(document, text);
   return index.unreadable.empty() ? kDone : kPartly;
 }
@@ -56,7 +56,8 @@ int runResults(const CommandLine& line, const std::string& folder) {
 }  // namespace
 
 void addResults(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "results", "the runs in a folder of `tune --out`, nearest first",
+  auto* command = addCommand(root, line, "results",
+                             "lists the runs in a folder of `tune --out`, smallest clearance first",
                              "abstand results results");
   auto folder = std::make_shared<std::string>();
   command->add_option("FOLDER", *folder, "folder of `tune --out`")->required();

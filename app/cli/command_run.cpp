@@ -98,23 +98,23 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
   text += format("cycle: median %.0f us, p99 %.0f, p99.9 %.0f, max %.0f; %ld above 1 ms\n", s.cycle_us.median,
                  s.cycle_us.p99, s.cycle_us.p999, s.cycle_us.max, s.cycle_us.overruns);
   if (s.profile)
-    text += timesText("  processor time of it", s.profile->work()) +
-            timesText("  an empty loop as long", s.profile->empty()) +
-            timesText("  processor time of that", s.profile->emptyWork());
+    text += timesText("  processor time", s.profile->work()) +
+            timesText("  empty loop of the same length", s.profile->empty()) +
+            timesText("  processor time", s.profile->emptyWork());
   text += warmStartText(s);
   text += closestText(s.min_distance_by_class);
   if (s.min_distance)
-    text += format("closest: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
+    text += format("minimum distance: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,
                    s.min_distance->a.c_str(), s.min_distance->b.c_str(), s.min_distance->t);
   if (s.min_clearance && s.min_clearance->value == -kInfinity)
-    text += format("%s or %s was never seen: it may have been anywhere\n", s.min_clearance->a.c_str(),
-                   s.min_clearance->b.c_str());
+    text += format("smallest clearance including pose uncertainty: unknown, %s or %s was never tracked\n",
+                   s.min_clearance->a.c_str(), s.min_clearance->b.c_str());
   else if (s.min_clearance && s.min_distance && s.min_clearance->value < s.min_distance->value)
-    text += format("as near as %.1f mm with what is not known of their places: %s to %s at %.3f s\n",
+    text += format("smallest clearance including pose uncertainty: %.1f mm, %s to %s at %.3f s\n",
                    1e3 * s.min_clearance->value, s.min_clearance->a.c_str(), s.min_clearance->b.c_str(),
                    s.min_clearance->t);
   if (s.peak_force)
-    text += format("peak %s: %.2f N, %s on %s at %.3f s; %ld contacts of pairs in all frames\n",
+    text += format("peak %s: %.2f N, %s on %s at %.3f s; %ld pair contacts in all frames\n",
                    s.peak_force_apart ? "virtual (margin) force" : "force", s.peak_force->value,
                    s.peak_force->b.c_str(), s.peak_force->a.c_str(), s.peak_force->t, s.contacts);
   if (s.oldest_result)
@@ -122,10 +122,11 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
                    s.oldest_result->a.c_str(), s.oldest_result->b.c_str(), s.oldest_result->t);
   text += robotsText(s.robots);
   if (s.work.rested + s.work.beyond + s.work.deferred > 0)
-    text += format("pairs in all cycles: %ld queried, %ld rested, %ld beyond the horizon, %ld put off\n",
-                   s.work.checked, s.work.rested, s.work.beyond, s.work.deferred);
+    text +=
+        format("pair queries in all cycles: %ld queried, %ld culled, %ld beyond the horizon, %ld deferred\n",
+               s.work.checked, s.work.rested, s.work.beyond, s.work.deferred);
   if (s.breaches.count > 0)
-    text += format("faster than its max_speed: %s at %.3f s, %.2f m/s (bound %.2f); %ld stretches in all\n",
+    text += format("max_speed exceeded: %s at %.3f s, %.2f m/s (limit %.2f); %ld times in all\n",
                    s.breaches.listed.front().object.c_str(), s.breaches.listed.front().t,
                    s.breaches.listed.front().speed, s.breaches.listed.front().bound, s.breaches.count);
   for (const auto& remark : session.remarks())
@@ -180,48 +181,50 @@ void addRun(CLI::App& root, CommandLine& line) {
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_flag(
       "--cut-things", args->session.cut_things,
-      "the depth images show the scene's robots and objects where the scene has them: they are cut out");
+      "remove the scene's robots and objects from the depth images, at their poses in the scene");
   command->add_option("--poses", args->session.poses, "CSV of poses that named objects follow");
   command->add_option("--recording", args->session.recording, "recording that replaces the scene's");
   command->add_option("--start", args->start, "first time in s");
   command->add_option("--end", args->end, "last time in s");
-  command->add_option("--rate", args->rate, "frames a second (default: the recording's own)");
+  command->add_option("--rate", args->rate, "frames per second (default: the rate of the recording)");
   command
-      ->add_option("--threads", args->session.threads, "lock-step threads (0: all cores; same bits for any)")
+      ->add_option("--threads", args->session.threads,
+                   "lock-step threads (0: all cores; the results are bit-identical for any number)")
       ->check(CLI::Range(0, 256));
   command->add_option("--mode", args->mode, "lockstep or live (pair threads in real time)")
       ->check(CLI::IsMember({"lockstep", "live"}));
   command
-      ->add_option("--react", args->react,
-                   "on: mechanisms with a reaction move away (closed loop); off: they follow their motion")
+      ->add_option(
+          "--react", args->react,
+          "on: mechanisms with a reaction react (closed loop); off: they follow their planned motion")
       ->check(CLI::IsMember({"on", "off"}));
-  command->add_option("--gain", args->gain,
-                      "what if the laws pushed with this share of their forces (0 to 100)");
+  command->add_option("--gain", args->gain, "factor on the reaction forces, for what-if runs (0 to 100)");
   command->add_option("--person-speed", args->person_speed,
-                      "what if people moved this much faster than recorded (0.01 to 100)");
-  command->add_option(
-      "--rest", args->rest,
-      "share of its clearance (0 to 1) within which a pair rests (default: the scene's, else 0)");
+                      "factor on the speed of the recordings, for what-if runs (0.01 to 100)");
+  command->add_option("--rest", args->rest,
+                      "temporal culling: share of its clearance (0 to 1) that a pair may use up before it is "
+                      "queried again (default: the scene's, else 0)");
   command->add_option("--horizon", args->horizon,
                       "m between bounding spheres beyond which a pair is not queried (lockstep)");
   command->add_option(
       "--budget", args->budget,
-      "s of a cycle after which no more is queried; what waits has a growing bound (lockstep)");
+      "time budget of a cycle in s; further queries are deferred and their bounds grow (lockstep)");
   addWarmStart(*command, args->warm_start);
-  line.output(command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row a frame and pair"));
-  line.output(command->add_option("--objects-out", args->run.csv.objects, "CSV, one row a frame and object"));
-  line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row a frame"));
+  line.output(command->add_option("--pairs-out", args->run.csv.pairs, "CSV, one row per frame and pair"));
+  line.output(
+      command->add_option("--objects-out", args->run.csv.objects, "CSV, one row per frame and object"));
+  line.output(command->add_option("--joints-out", args->run.csv.joints, "CSV, one row per frame"));
   line.output(command->add_option("--cycles-out", args->run.csv.cycles,
-                                  "CSV, one row a cycle: its working time, and how many pairs collided"));
+                                  "CSV, one row per cycle: processing time and number of colliding pairs"));
   command
       ->add_option("--cycles-every", args->run.csv.cycles_every,
-                   "rows of --cycles-out: the first of so many cycles (default: 1)")
+                   "--cycles-out writes every N-th cycle (default: 1)")
       ->check(CLI::Range(1, 1000000000));
   command->add_flag("--profile", args->run.profile,
                     "processor time of the cycles, and the delays of empty loops of the same length");
   line.output(
       command->add_option("--session", args->run.session_log, "HDF5 log of the run: docs/session-log.md"));
-  command->add_option("--repeat", args->run.repeat, "run it this often, for timings")
+  command->add_option("--repeat", args->run.repeat, "number of repetitions, for timing")
       ->check(CLI::Range(1, 1000000));
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);

@@ -167,31 +167,31 @@ int runServe(const CommandLine& line, const ServeArguments& args) {
 }  // namespace
 
 void addServe(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(
-      root, line, "serve",
-      "the live loop over UDP: joint values and skeletons in; distances, forces, torques, stops out",
-      "abstand serve data/scenes/hug_boxing.yaml --bind 127.0.0.1:4780");
+  auto* command = addCommand(root, line, "serve",
+                             "serves a scene over UDP: receives joint values and skeletons, sends distances, "
+                             "forces, torques and stops",
+                             "abstand serve data/scenes/hug_boxing.yaml --bind 127.0.0.1:4780");
   auto args = std::make_shared<ServeArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--bind", args->bind,
                       "address and port; port 0: the system chooses (default 127.0.0.1:4780)");
   command->add_option("--stale", args->stale,
-                      "s after which input is stale and robots stop (default 0.1, or what --reaction says)");
-  command->add_option(
-      "--resume", args->resume,
-      "s without a cause after which a protective stop ends by itself (default: it waits for a reset)");
+                      "s after which input is stale and robots stop (default 0.1, or as set by --reaction)");
+  command->add_option("--resume", args->resume,
+                      "time in s without a cause after which a protective stop ends automatically (default: "
+                      "it waits for a reset)");
   command->add_option("--reaction", args->reaction,
                       "YAML of a reaction (docs/control.md), of all mechanisms (default: the scene's)");
   command->add_option("--rate", args->rate,
                       "Hz: cycles and answers at this rate instead of one for each packet");
-  command->add_option("--duration", args->duration, "s after which it ends (default: Ctrl-C ends it)");
+  command->add_option("--duration", args->duration, "duration in s (default: until Ctrl-C)");
   command->add_option("--nearest", args->nearest, "nearest pairs that an answer lists (default 8)")
       ->check(CLI::Range(0, 256));
   command->add_option("--threads", args->threads, "threads of a cycle (0: all cores; default 1)")
       ->check(CLI::Range(0, 256));
   command->add_flag("--stdin", args->from_stdin,
-                    "skeletons come as lines of JSON from standard input, too (docs/serve.md)");
-  command->add_flag("--layout", args->layout, "print the offsets of all packets of the scene, and end");
+                    "also read skeletons as JSON lines from standard input (docs/serve.md)");
+  command->add_flag("--layout", args->layout, "print the layout of all packets of the scene and exit");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->callback([&line, args] { line.run = [&line, args] { return runServe(line, *args); }; });

@@ -66,7 +66,7 @@ nlohmann::ordered_json subjectJson(const tracking::SubjectFacts& s) {
 
 std::string subjectText(const tracking::SubjectFacts& s) {
   if (s.empty()) return {};
-  std::string text = "the file says of the person:";
+  std::string text = "subject stated in the file:";
   if (!s.name.empty()) text += " " + s.name + ";";
   if (s.height > 0.0) text += format(" stature %.3f m;", s.height);
   if (s.mass > 0.0) text += format(" %.1f kg;", s.mass);
@@ -123,9 +123,9 @@ nlohmann::ordered_json lengthsJson(const humanmodel::LengthFit& fit) {
 }
 
 std::string lengthsText(const humanmodel::LengthFit& fit) {
-  std::string text =
-      format("stature by the bones: %.3f m, +- %.3f m from bone to bone; %.1f mm RMS off the model\n",
-             fit.stature, fit.stature_spread, 1e3 * fit.rms);
+  std::string text = format(
+      "stature from the bones: %.3f m, +- %.3f m between bones; RMS deviation from the model %.1f mm\n",
+      fit.stature, fit.stature_spread, 1e3 * fit.rms);
   for (const auto& b : fit.bones)
     text += format("  %-14s %6.1f mm (5 %% to 95 %%: %5.1f mm), model %6.1f mm, %+6.1f mm\n",
                    std::string(humanmodel::partName(b.part)).c_str(), 1e3 * b.median, 1e3 * b.spread,
@@ -143,9 +143,9 @@ std::string markersText(const tracking::MarkerReport& m) {
   if (m.reason.empty()) return {};
   if (m.set.empty()) return "marker set: none: " + m.reason + " (--marker-set)\n";
   std::string text = "marker set: " + m.set + ": " + m.reason + " (--marker-set)\n";
-  text += format("markers off the solved body: %.1f mm RMS\n", 1000.0 * m.rms);
+  text += format("RMS marker residual: %.1f mm\n", 1000.0 * m.rms);
   for (const auto& u : m.used) {
-    text += format("  %-16s %-16s %5.1f mm RMS, %5.1f mm from the set's place", u.label.c_str(),
+    text += format("  %-16s %-16s %5.1f mm RMS, %5.1f mm from its nominal position", u.label.c_str(),
                    u.segment.c_str(), 1000.0 * u.rms, 1000.0 * u.shift);
     if (u.misplaced > 0) text += format(", misplaced in %zu of %zu frames", u.misplaced, u.seen);
     text += "\n";
@@ -157,23 +157,23 @@ std::string markersText(const tracking::MarkerReport& m) {
 
 std::string reportText(const tracking::Recording& recording, const std::string& file) {
   const tracking::RecordingReport& r = recording.report;
-  const std::string rate = r.rate > 0.0 ? format("at %.6g Hz", r.rate) : "at a rate that is not known";
+  const std::string rate = r.rate > 0.0 ? format("at %.6g Hz", r.rate) : "at an unknown rate";
   std::string text = format("%s: %s, %zu frames %s, %.2f s\n", file.c_str(), r.format.c_str(),
                             recording.frames.size(), rate.c_str(), r.duration);
   text += "time: " + r.rate_reason + " (--rate)\n";
-  text += format("units: %s (%.6g m a unit): %s (--units)\n", r.units.name.c_str(), r.scale,
+  text += format("units: %s (%.6g m per unit): %s (--units)\n", r.units.name.c_str(), r.scale,
                  r.units.reason.c_str());
   text += format("up: %s: %s (--up)\n", r.up.axis.c_str(), r.up.reason.c_str());
   text += format("left and right: %s: %s (--mirror)\n", r.sides.found.c_str(), r.sides.reason.c_str());
   text += r.stature > 0.0 ? format("stature: %.3f m: %s\n", r.stature, r.person.stature_reason.c_str())
-                          : "stature: not known\n";
+                          : "stature: unknown\n";
   text += subjectText(r.person.subject);
   text += "joint map: " + (r.joint_map.empty() ? "none" : r.joint_map) +
           (r.map_use.reason.empty() ? "" : ": " + r.map_use.reason) + " (--joint-map)\n";
   text += markersText(r.markers);
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
-  if (!r.missing_parts.empty()) text += "nothing moves: " + join(r.missing_parts) + "\n";
+  if (!r.missing_parts.empty()) text += "parts without motion: " + join(r.missing_parts) + "\n";
   if (r.gaps > 0) text += format("frames with gaps: %zu\n", r.gaps);
   for (const auto& n : r.notes) text += "note: " + n + "\n";
   for (const auto& w : r.warnings) text += "warning: " + w + "\n";
@@ -197,7 +197,7 @@ int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
   if (args.fit_lengths) {
     const auto fit = humanmodel::fitLengths({}, recording.frames);
     json["lengths"] = fit ? lengthsJson(*fit) : nlohmann::ordered_json();
-    text += fit ? lengthsText(*fit) : "stature by the bones: not known, no bone has both ends\n";
+    text += fit ? lengthsText(*fit) : "stature from the bones: unknown, no bone has both ends\n";
   }
   if (args.predict) {
     constexpr double kAhead[] = {0.05, 0.1, 0.2, 0.5};
@@ -207,7 +207,7 @@ int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
   }
   if (args.fill > 0.0) {
     const tracking::GapFill fill = tracking::fillGaps(recording.frames, args.fill);
-    text += format("filled: %zu places, %zu left\n", fill.filled, fill.left);
+    text += format("gap filling: %zu positions filled, %zu left\n", fill.filled, fill.left);
     json["filled"] = fill.filled;
   }
   if (!args.filter.empty()) {
@@ -225,47 +225,46 @@ int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
 }  // namespace
 
 void addSkeleton(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "skeleton", "reads a recording of a person, reports and converts it",
+  auto* command = addCommand(root, line, "skeleton", "reads, reports and converts a recording of a person",
                              "abstand skeleton boxing.bvh --out boxing.csv");
   auto args = std::make_shared<SkeletonArguments>();
   command->add_option("FILE", args->file, "the recording")->required();
   command->add_option("--format", args->options.format, "auto, or " + join(tracking::recordingFormats()));
-  command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres a unit");
+  command->add_option("--units", args->options.units, "auto, m, cm, mm, inches, cmu, or metres per unit");
   command->add_option("--up", args->options.up, "auto, x, y, z, -x, -y, -z");
-  command->add_option("--rate", args->options.rate, "Hz: frame i lies at t = i / rate")
+  command->add_option("--rate", args->options.rate, "Hz: frame i is at t = i / rate")
       ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--mirror", args->options.mirror,
                       "none, axes (of the file are left-handed) or sides (names are exchanged)");
-  command->add_option("--joint-map", args->options.joint_map, "a joint map of your own");
+  command->add_option("--joint-map", args->options.joint_map, "joint map file");
   command->add_option("--marker-set", args->options.marker_set,
-                      "auto, none (joints are middles of markers) or a marker set of your own");
+                      "auto, none (joints are marker midpoints) or a marker set file");
   command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
   line.output(command->add_option("--out", args->out, "CSV of the canonical joints (m, z up)"));
+  line.output(command->add_option("--write", args->compact, "the same in Abstand's compact format"));
   line.output(
-      command->add_option("--write", args->compact, "the same as a compact recording of Abstand's own"));
-  line.output(command->add_option(
-      "--write-map", args->map,
-      "the joint map that was used, in the form that --joint-map reads; if no part moves, one to fill in"));
+      command->add_option("--write-map", args->map,
+                          "writes the joint map used, as read by --joint-map; a template if no part moves"));
   command->add_flag_callback(
       "--no-repair", [args] { args->options.repair = false; },
-      "bones that a conversion to BVH has lost are not put in");
+      "do not restore bones that a conversion to BVH has dropped");
   command->add_flag("--doctor", args->doctor,
-                    "bones, gaps, jitter, jumps and swaps, and what filters would do");
+                    "reports bone lengths, gaps, jitter, jumps and swaps, and the effect of filters");
   command->add_flag("--predict", args->predict,
-                    "how far ahead joints can be guessed, and whether bounds on their speed hold");
+                    "reports how far ahead joints can be predicted, and whether speed bounds hold");
   command->add_option("--person-speed", args->bounds.speed, "m/s, the bound that --predict tries (2)")
       ->check(CLI::Range(0.0, 100.0));
   command
       ->add_option("--person-acceleration", args->bounds.acceleration,
-                   "m/s^2, likewise (none: the speed alone bounds)")
+                   "acceleration bound in m/s^2 that --predict tries (default: none)")
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--fit-lengths", args->fit_lengths,
-                    "stature and every bone beside those of the model, with residuals");
-  command->add_option("--fill", args->fill, "s: fills gaps up to this length in what is written")
+                    "compares stature and bone lengths with those of the model");
+  command->add_option("--fill", args->fill, "fills gaps of up to this length in s in the output")
       ->check(CLI::Range(0.0, 3600.0));
   command
       ->add_option("--filter", args->filter,
-                   "of what is written: one-euro, butterworth or butterworth-both-ways")
+                   "filter of the output: one-euro, butterworth or butterworth-both-ways")
       ->check(CLI::IsMember({"one-euro", "butterworth", "butterworth-both-ways"}));
   command->callback([&line, args] { line.run = [&line, args] { return runSkeleton(line, *args); }; });
 }

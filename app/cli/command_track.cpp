@@ -44,8 +44,8 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
          const tracking::ClipTrackerOptions& options) {
   if (!args.scene.empty())
     throw UsageError(
-        "--scene: found with a camera that looks now, expected a recording, whose robots move "
-        "as the scene says");
+        "--scene: found with a live camera, expected a recording, whose robots move "
+        "as in the scene");
   if (args.send.empty() && !args.names.empty())
     throw UsageError("--as: found without --send, expected them together");
   LiveTrackArguments own;
@@ -125,10 +125,10 @@ std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
                             facts.format.c_str(), track.images, track.camera.width, track.camera.height);
   text += "time: " + facts.rate_reason + " (--rate)\ncamera: " + facts.camera_reason + " (--camera)\n";
   text += "world: " + track.world + "\n" + cameras.text(track);
-  text += format("people: %zu, of whom this is number %d (--person)\n", track.people.size(), args.person);
+  text += format("people: %zu, number %d selected (--person)\n", track.people.size(), args.person);
   text += format("tracked in %zu images, lost in %zu\n", person.found, track.images - person.found);
   text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
-  text += format("%.1f mm from the body on the mean, %.0f images a second of processor time\n",
+  text += format("mean distance to the body %.1f mm, %.0f images per second of processor time\n",
                  1e3 * person.residual, clip.fps());
   text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
@@ -143,7 +143,7 @@ int trackCameras(const CommandLine& line, const TrackArguments& args, const Trac
   const std::size_t chosen = static_cast<std::size_t>(args.person - 1);
   if (track.interrupted && chosen >= track.people.size()) return endBeforeFound(line, track.images);
   if (track.people.empty())
-    throw ParseError({args.depth.front().string()}, "found nobody in the depth recording, expected a person");
+    throw ParseError({args.depth.front().string()}, "found no person in the depth recording, expected one");
   tracking::Recording recording = tracking::recordingOf(track, cameras.facts(), chosen);
   for (std::string& warning : cameras.warnings(track))
     recording.report.warnings.push_back(std::move(warning));
@@ -176,7 +176,7 @@ int trackRecording(const CommandLine& line, const TrackArguments& args, tracking
   TrackCameras cameras({args.depth, args.camera, args.clock, rateOf(args), args.mirror});
   if (robots && !cameras.facts().pose_known)
     throw UsageError(
-        "--scene: found a recording that does not say how the camera stands, expected a camera file "
+        "--scene: found a recording without a camera pose, expected a camera file "
         "with T_WC (--camera)");
   cameras.compareClocks(options);
   return trackCameras(line, args, cameras, options, pictures);
@@ -203,12 +203,12 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
 }  // namespace
 
 void addTrack(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "track", "finds and follows a person in a depth recording",
+  auto* command = addCommand(root, line, "track", "tracks a person in a depth recording",
                              "abstand track clip --out person.csv");
   auto args = std::make_shared<TrackArguments>();
   command
       ->add_option("DEPTH", args->depth,
-                   "folder or file of depth images, which docs/recordings.md lists; several, of cameras with "
+                   "folder or file of depth images (formats: docs/recordings.md); several, of cameras with "
                    "known poses in one world, are fitted together; or live:kinect")
       ->required()
       ->expected(1, static_cast<int>(tracking::BodyObservation::kMaxViews));
@@ -223,32 +223,32 @@ void addTrack(CLI::App& root, CommandLine& line) {
       ->delimiter(',');
   command->add_option("--height", args->height, "m, of the person; default: measured in the first images");
   line.output(command->add_option("--out", args->out, "CSV of the joints (m, z up)"));
-  line.output(command->add_option("--pictures", args->pictures,
-                                  "folder for a picture of every image with the fitted body"),
-              OutputKind::kFolder);
+  line.output(
+      command->add_option("--pictures", args->pictures, "folder for one PNG per image with the fitted body"),
+      OutputKind::kFolder);
   command->add_option(
       "--scene", args->scene,
-      "its robots and objects are cut out of the images; times and camera are those of the scene");
+      "scene whose robots and objects are removed from the images; times and camera pose refer to the scene");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
-  command->add_option("--person", args->person, "1 is who was found in most images")
+  command->add_option("--person", args->person, "number of the person; 1 is found in most images")
       ->check(CLI::Range(1, 64));
-  command->add_option("--rate", args->rate, "Hz: image i lies at t = i / rate");
-  command->add_flag("--usual-body", args->usual_body,
-                    "lengths and girths usual for the height, instead of fitted to the first seconds");
+  command->add_option("--rate", args->rate, "Hz: image i is at t = i / rate");
+  command->add_flag(
+      "--usual-body", args->usual_body,
+      "use mean lengths and girths for the stature, instead of fitting them to the first seconds");
   command->add_option("--facing", args->facing,
-                      "where the person looks at first: camera, away, or auto: what explains the first "
-                      "seconds better; with --usual-body auto is camera");
-  command->add_flag("--mirror", args->mirror, "the images are those of a mirror");
-  command->add_option("--seed", args->seed, "of the search for limbs");
-  command->add_option("--seconds", args->seconds, "of live:kinect; default: Ctrl-C ends it");
+                      "initial facing: camera, away, or auto: the better fit to the first "
+                      "seconds; with --usual-body auto is camera");
+  command->add_flag("--mirror", args->mirror, "the images are mirrored");
+  command->add_option("--seed", args->seed, "random seed of the limb search");
+  command->add_option("--seconds", args->seconds, "duration in s with live:kinect; default: until Ctrl-C");
   command->add_option("--send", args->send,
                       "HOST:PORT of a running `abstand serve`, or - for standard output: skeletons of "
                       "live:kinect as lines of JSON; needs a camera file with T_WC");
   command
-      ->add_option(
-          "--as", args->names,
-          "names in the scene of the people who are sent, in the order in which they come (operator)")
+      ->add_option("--as", args->names,
+                   "names in the scene of the people sent, in order of appearance (operator)")
       ->delimiter(',');
   command->callback([&line, args] { line.run = [&line, args] { return runTrack(line, *args); }; });
 }

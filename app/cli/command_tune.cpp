@@ -109,7 +109,7 @@ std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
   if (tune::isPlan(args.scene)) {
     if (!args.recordings.empty())
       throw UsageError(
-          "--recordings: found beside a plan, expected one of them: a plan names its recordings");
+          "--recordings: found together with a plan, expected one of them: a plan names its recordings");
     return tune::loadPlan(args.scene);
   }
   std::vector<tune::PlanItem> items;
@@ -175,7 +175,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
 void refreshIndex(const CommandLine& line, const std::filesystem::path& folder) {
   try {
     const results::ResultIndex index = results::resultIndex(folder);
-    if (!index.not_written.empty()) line.warn("the index is not kept: " + index.not_written);
+    if (!index.not_written.empty()) line.warn("the index could not be written: " + index.not_written);
   } catch (const UsageError&) {
     // One of several folders may be empty.
   }
@@ -279,10 +279,10 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
   if (answer.recordings.empty()) {
     if (answer.interrupted) return kInterrupted;
     if (answer.failed.empty()) {
-      line.print({{"recordings", 0}}, "no runs in this part\n");
+      line.print({{"recordings", 0}}, "no runs in this shard\n");
       return kDone;
     }
-    throw ParseError({asked.command}, "found no recording that could be run, expected one");
+    throw ParseError({asked.command}, "found no usable recording, expected at least one");
   }
   tune::answerQuestions(asked.questions, answer);
   bool proven = true;
@@ -329,7 +329,8 @@ int runTune(const CommandLine& line, const TuneArguments& args) {
   if (args.speeds.any()) {
     if (shard.count > 1)
       throw UsageError(
-          "--speed-profile, --speed-scales: found beside a shard of several, expected all runs in one");
+          "--speed-profile, --speed-scales: found together with a shard of several, expected all runs in "
+          "one");
     speeds.emplace(args.speeds, items, [&](const tune::PlanItem& item) {
       scene_file::SceneDescription scene = scene_file::loadScene(item.scene, args.packages);
       item.apply(scene);
@@ -344,7 +345,7 @@ int runTune(const CommandLine& line, const TuneArguments& args) {
   }
   tune::TuneAnswer answer;
   if (args.worst_phase && (!args.out.empty() || args.jobs > 1))
-    throw UsageError("--worst-phase: found beside --out or --jobs, expected one of them");
+    throw UsageError("--worst-phase: found together with --out or --jobs, expected one of them");
   if (!args.out.empty()) {
     answer = tuneInto(args.out, line, args, items, options, shard);
   } else if (args.jobs > 1) {
@@ -374,45 +375,47 @@ int runMerge(const CommandLine& line, const MergeArguments& args) {
 }  // namespace
 
 void addTune(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "tune",
-                             "what safety margins would have done over recordings; which are proposed",
-                             "abstand tune cell.yaml --recordings reach.bvh walk.bvh --margins 0:0.4:0.02");
+  auto* command =
+      addCommand(root, line, "tune", "evaluates safety margins over recordings and proposes margins",
+                 "abstand tune cell.yaml --recordings reach.bvh walk.bvh --margins 0:0.4:0.02");
   auto args = std::make_shared<TuneArguments>();
   command->add_option("SCENE", args->scene, "scene file, or a plan of many runs (docs/margins.md)")
       ->required();
   command->add_option("--recordings", args->recordings,
-                      "recordings of people, each beside the scene's robots");
+                      "recordings of people, each run with the scene's robots");
   args->questions.add(*command, line);
   command->add_option("--limit", args->limit,
-                      "m: clearance that a moving robot must keep (default: 0, no touch)");
+                      "clearance limit in m of a moving robot (default: 0, no contact)");
   command->add_option("--reaction-time", args->reaction_time,
-                      "s, from the frame that breaks a margin until the robot slows down (default: 0.1)");
+                      "reaction time in s: from the first frame inside the margin until the robot "
+                      "decelerates (default: 0.1)");
   command->add_option("--deceleration", args->deceleration,
                       "rad/s^2 or m/s^2, of every joint on its path (default: 5)");
   command->add_option("--restart-time", args->restart_time,
-                      "s, from the end of an intrusion until the robot goes on (default: 0)");
+                      "restart time in s: from the end of an intrusion until the robot resumes (default: 0)");
   command->add_flag("--worst-phase", args->worst_phase,
-                    "the least clearance over all times of the robots' programs, certified");
+                    "smallest certified clearance over all phases of the robots' programs");
   command->add_option(
       "--separation", args->separation,
       "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");
   addSpeedStudy(*command, line, args->speeds);
   command->add_option("--near", args->near, "m: approaches below this clearance are listed (default: 0.2)");
-  command->add_option("--calibration-error", args->calibration_error,
-                      "m: how far recording and robot may be apart, part of every uncertainty (default: 0)");
+  command->add_option(
+      "--calibration-error", args->calibration_error,
+      "calibration error in m between recording and robot, part of every uncertainty (default: 0)");
   command->add_option("--contact-limits", args->contact_limits,
                       "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
   command->add_option("--clamped", args->clamped,
-                      "PART...: parts that may be clamped, whose contacts keep quasi-static limits");
+                      "PART...: parts that may be clamped; quasi-static contact limits apply to them");
   command->add_flag(
       "--cut-things", args->cut_things,
-      "the depth images show the scene's robots and objects where the scene has them: they are cut out");
+      "remove the scene's robots and objects from the depth images, at their poses in the scene");
   command->add_option("--out", args->out,
-                      "folder that keeps a result file for each run; what is there is not run again");
-  command->add_option("--jobs", args->jobs, "runs at once, each in a process of its own (default: 1)")
+                      "folder for one result file per run; existing results are not run again");
+  command->add_option("--jobs", args->jobs, "number of parallel runs, one process each (default: 1)")
       ->check(CLI::Range(1, 256));
   command->add_option("--shard", args->shard,
-                      "I/N: the I-th of N parts of the runs; /N: I from SLURM_ARRAY_TASK_ID or PARALLEL_SEQ");
+                      "I/N: shard I of N of the runs; /N: I from SLURM_ARRAY_TASK_ID or PARALLEL_SEQ");
   addWarmStart(*command, args->warm_start);
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
@@ -420,14 +423,14 @@ void addTune(CLI::App& root, CommandLine& line) {
 }
 
 void addMerge(CLI::App& root, CommandLine& line) {
-  auto* command = addCommand(root, line, "merge",
-                             "the answer of tune from results that were made before, in any number of parts",
-                             "abstand merge results --margins 0:0.4:0.02");
+  auto* command =
+      addCommand(root, line, "merge", "evaluates stored results like tune, from any number of shards",
+                 "abstand merge results --margins 0:0.4:0.02");
   auto args = std::make_shared<MergeArguments>();
   command->add_option("FOLDER", args->folders, "folders of `tune --out`")->required();
   args->questions.add(*command, line);
   command->add_option("--restart-time", args->restart_time,
-                      "s, from the end of an intrusion until the robot goes on (default: 0)");
+                      "restart time in s: from the end of an intrusion until the robot resumes (default: 0)");
   command->callback([&line, args] { line.run = [&line, args] { return runMerge(line, *args); }; });
 }
 

@@ -64,7 +64,7 @@ int runVerify(const CommandLine& line, const VerifyArguments& args) {
     text += format("%-26s %s  %7zu poses, breaches %zu, worst %.3g (limit %.3g)\n", r.name.c_str(),
                    r.passed ? "passed" : "FAILED", r.poses, r.breaches, r.worst, r.limit);
   }
-  text += cut_short ? "interrupted: not all was checked\n" : passed ? "passed\n" : "not passed\n";
+  text += cut_short ? "interrupted: the checks are incomplete\n" : passed ? "passed\n" : "not passed\n";
   if (!args.report.empty() && !cut_short) report::writeReport(results, options, kVersion, args.report);
   line.print(document, text);
   if (cut_short) return kInterrupted;
@@ -76,7 +76,7 @@ int runVerify(const CommandLine& line, const VerifyArguments& args) {
 void addVerify(CLI::App& root, CommandLine& line) {
   auto* command =
       addCommand(root, line, "verify",
-                 "is the engine right on this machine: distances against brute force, forces against "
+                 "verifies the engine on this machine: distances against brute force, forces against "
                  "closed forms",
                  "abstand verify --report verification.html");
   auto args = std::make_shared<VerifyArguments>();
@@ -85,8 +85,8 @@ void addVerify(CLI::App& root, CommandLine& line) {
       ->add_option("--poses", args->poses,
                    "random and adversarial poses against brute force (100000; quick: 3000)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}));
-  command->add_option("--seed", args->seed, "of the random poses");
-  command->add_flag("--quick", args->quick, "fewer poses; the limits stay");
+  command->add_option("--seed", args->seed, "random seed of the poses");
+  command->add_flag("--quick", args->quick, "fewer poses, same limits");
   std::vector<std::string> names;
   for (const verify::CheckFamily& family : verify::checkFamilies()) names.emplace_back(family.name);
   command->add_option("--only", args->only, "one family of checks")->check(CLI::IsMember(names));

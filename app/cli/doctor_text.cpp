@@ -57,18 +57,17 @@ std::string doctorText(const tracking::DoctorReport& r) {
   for (const auto& j : r.joints)
     text += format("  %-16s %9.2f %8zu %8zu %15.0f\n", j.joint.c_str(), j.jitter * kMm, j.missing, j.inferred,
                    j.longest_gap * kMm);
-  text += format("left and right change places: %zu times", r.swaps.size());
+  text += format("left and right swapped: %zu times", r.swaps.size());
   for (std::size_t i = 0; i < r.swaps.size() && i < kMaxLines; ++i)
     text += format("%s%.3f s", i == 0 ? ": " : ", ", r.swaps[i]);
   text += format("\njumps beyond %.0f m/s: %zu\n", tracking::kFastestJoint, r.jumps.size());
   for (std::size_t i = 0; i < r.jumps.size() && i < kMaxLines; ++i)
     text += format("  %-16s at %.3f s: %.1f m/s\n", r.jumps[i].joint.c_str(), r.jumps[i].t, r.jumps[i].speed);
-  text +=
-      "filter                    delay ms (at rest)  jitter mm before  after  99 % moved by less than mm\n";
+  text += "filter                    delay ms (at rest)  jitter mm before  after  99 % displacement mm\n";
   for (const auto& f : r.filters)
     text += format("  %-22s %8.1f (%6.1f) %18.2f %7.2f %10.1f\n", f.name.c_str(), f.delay * kMm,
                    f.delay_at_rest * kMm, f.jitter_before * kMm, f.jitter_after * kMm, f.moved * kMm);
-  return text + format("gaps up to %.0f ms: %zu places can be filled, %zu cannot\n",
+  return text + format("gaps up to %.0f ms: %zu positions can be filled, %zu cannot\n",
                        tracking::kShortGap * kMm, r.fill.filled, r.fill.left);
 }
 
@@ -93,7 +92,7 @@ nlohmann::ordered_json predictionJson(const std::vector<tracking::PredictionTria
 std::string predictionText(const std::vector<tracking::PredictionTrial>& trials,
                            const safety::MotionBounds& bounds) {
   std::string text =
-      "ahead     off where it was   off the guess (mean, 95 %, most)   beyond the bounds   bound needed\n";
+      "ahead     error if held      prediction error (mean, 95 %, max) beyond the bounds   bound needed\n";
   for (const tracking::PredictionTrial& t : trials)
     text += format("%4.0f ms %6.0f %6.0f mm %9.0f %6.0f %6.0f mm %12zu of %zu %10.1f m/s\n", t.ahead * kMm,
                    t.still_mean * kMm, t.still_p95 * kMm, t.guess_mean * kMm, t.guess_p95 * kMm,

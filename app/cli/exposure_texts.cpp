@@ -85,7 +85,7 @@ std::string titleOf(const char* first) {
   std::string text = format("\n%-30s", first);
   for (const double band : margin::kExposureBands)
     text += band > 0.0 ? format("%6.0f mm", 1e3 * band) : std::string("  contact");
-  return text + " weighted not seen  misses  closing  least clearance\n";
+  return text + " weighted not seen  misses  closing    min clearance\n";
 }
 
 std::string phaseName(const tune::ExposureRow& row) { return format("%.2f to %.2f s", row.t0, row.t1); }
@@ -118,7 +118,7 @@ std::string placesText(const tune::ExposureTable& table) {
   const auto body = hottest(table.body_cells);
   const auto floor = hottest(people);
   return format(
-      "\nhighest weighted exposure on the body: %s, %s, %.2f s; in the room: at (%.3f, %.3f) m, %.2f s\n",
+      "\nmaximum weighted exposure on the body: %s, %s, %.2f s; in the room: at (%.3f, %.3f) m, %.2f s\n",
       body->part.c_str(), humanmodel::cellPlace(body->cell).c_str(), body->spent.weighted,
       (floor->x + 0.5) * tune::kFloorCell, (floor->y + 0.5) * tune::kFloorCell, floor->spent.weighted);
 }
@@ -176,7 +176,7 @@ std::string exposureText(const tune::TuneAnswer& answer) {
   for (const auto& row : table.links) text += lineOf(row.link, row);
   text += highestText("pair", table.pairs,
                       [](const tune::ExposureRow& row) { return row.part + " " + row.link; });
-  text += highestText("stretch of the program", table.phases, phaseName);
+  text += highestText("program segment", table.phases, phaseName);
   return text + placesText(table) + missesText(answer);
 }
 

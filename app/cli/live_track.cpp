@@ -93,16 +93,16 @@ std::string liveText(const LiveReport& report, std::size_t chosen) {
   const tracking::DepthFacts& facts = report.camera.facts();
   const auto& [camera, track, person, outcome, sender, ended, warnings] = report;
   std::string text =
-      format("%s: %zu images of %d x %d in %.1f s, %zu dropped for newer ones\n", facts.format.c_str(),
-             track.images, track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
+      format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(), track.images,
+             track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
   text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
   text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
                  track.people.size(), static_cast<int>(chosen) + 1, person.found, 1e3 * person.residual);
   text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
-  text += format("from the driver's image to the skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
+  text += format("latency from driver image to skeleton: median %.1f ms, p99 %.1f, max %.1f\n",
                  1e3 * outcome.latency.median(), 1e3 * outcome.latency.p99(), 1e3 * outcome.latency.max());
   if (sender)
-    text += format("sent: %ld skeletons, %ld refused by the system, %ld of people beyond the names (--as)\n",
+    text += format("sent: %ld skeletons, %ld refused by the system, %ld of unnamed people (--as)\n",
                    sender->sent(), sender->refused(), sender->nameless());
   text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
@@ -120,7 +120,7 @@ void printReport(const CommandLine& line, const LiveReport& report, const LiveTr
 
 /// The reader of standard output may have closed it; tracks are kept.
 void checkOutput(const CommandLine& line, const serve::SkeletonSender& sender) {
-  if (sender.isClosed()) line.warn("nobody reads standard output any more, so tracking ended");
+  if (sender.isClosed()) line.warn("tracking ended: standard output was closed");
   if (sender.outputError() != 0 && !sender.isClosed() && sender.outputError() != EINTR)
     throw WriteError("standard output", sender.outputError());
 }
@@ -137,7 +137,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
   // With a guessed camera pose a skeleton would be at an arbitrary place relative to the robot.
   if (sender && !facts.pose_known)
     throw UsageError(
-        "--send: found a camera that does not say how it stands, expected a camera file with T_WC "
+        "--send: found a camera without a pose, expected a camera file with T_WC "
         "(--camera; abstand calibrate makes one)");
   tracking::LiveTracker tracker(camera.camera(), facts.pose_known,
                                 {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
@@ -150,7 +150,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     if (outcome.interrupted) return endBeforeFound(line, track.images);
     if (!ended.empty()) throw end;
     throw ParseError({args.camera},
-                     "found nobody in " + std::to_string(track.images) + " images, expected a person");
+                     "found no person in " + std::to_string(track.images) + " images, expected a person");
   }
   if (args.chosen >= track.people.size())
     throw UsageError("--person: found " + std::to_string(track.people.size()) + " people, expected " +

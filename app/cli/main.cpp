@@ -82,7 +82,8 @@ int main(int argc, char** argv) {
   keepInputLog();
   cli::CommandLine line;
   CLI::App app(
-      "How close people come to robots, how hard a touch would be, and which safety margin is right.\n"
+      "Analyses how close people come to robots, how severe contacts would be, and which safety margins "
+      "suffice.\n"
       "An analysis tool, not a safety function.",
       "abstand");
   app.set_version_flag("--version", std::string("abstand ") + cli::kVersion);

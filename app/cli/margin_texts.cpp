@@ -57,7 +57,7 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const tune::ClosestApproach& c : answer.closest) {
     nlohmann::ordered_json row{
-        {"part", c.part}, {"verdict", tune::verdictText(c.verdict())}, {"not_seen", c.not_seen}};
+        {"part", c.part}, {"verdict", tune::verdictName(c.verdict())}, {"not_seen", c.not_seen}};
     const bool seen = !c.link.empty();
     row["recording"] = seen ? nlohmann::ordered_json(answer.recordings[c.recording].recording) : nullptr;
     row["t"] = seen ? nlohmann::ordered_json(c.t) : nullptr;
@@ -77,11 +77,11 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
 
 std::string closestText(const tune::TuneAnswer& answer) {
   std::string text =
-      "\nclosest approaches: measured distance, and how much smaller the true one may be (engine + pose + "
-      "calibration + between frames; of the pose, what its age adds):\n";
+      "\nclosest approaches: measured distance and its uncertainty (engine + pose + "
+      "calibration + between frames; age: share of the pose age in the pose term):\n";
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
-      text += format("%-14s never seen\n", c.part.c_str());
+      text += format("%-14s never tracked\n", c.part.c_str());
       continue;
     }
     text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f; age %.1f)  %s, %s at %.3f s\n",
@@ -112,8 +112,7 @@ nlohmann::ordered_json bandsJson(const tune::TuneAnswer& answer) {
 std::string bandsText(const tune::TuneAnswer& answer) {
   if (answer.bands.empty()) return {};
   const auto mm = [](double v) { return std::isinf(v) ? std::string("none") : format("%.0f", 1e3 * v); };
-  std::string text =
-      "\nthe same recording in several runs: margin from, to, and closest clearance from, to (mm)\n";
+  std::string text = "\nvariants of one recording: margin min, max, and smallest clearance min, max (mm)\n";
   for (const tune::VariantBand& b : answer.bands)
     text += format("%-14s %6s %6s  %6s %6s  largest margin: %s\n", b.part.c_str(), mm(b.margin.least).c_str(),
                    mm(b.margin.largest).c_str(), mm(b.clearance.least).c_str(),
@@ -133,10 +132,11 @@ std::string strategiesText(const tune::TuneAnswer& answer) {
 }
 
 std::string groupNeedsText(const tune::TuneAnswer& answer) {
-  std::string text = "\nsmallest margins of links:\n";
+  std::string text = "\nsmallest margins per link:\n";
   for (const tune::GroupNeed& need : answer.links)
-    text += format("%-24s %s\n", need.link.c_str(),
-                   std::isinf(need.margin) ? "none would do" : format("%4.0f mm", 1e3 * need.margin).c_str());
+    text += format(
+        "%-24s %s\n", need.link.c_str(),
+        std::isinf(need.margin) ? "no margin suffices" : format("%4.0f mm", 1e3 * need.margin).c_str());
   std::vector<tune::GroupNeed> pairs;
   for (const tune::GroupNeed& need : answer.pairs)
     if (need.margin > 0.0) pairs.push_back(need);
@@ -144,9 +144,9 @@ std::string groupNeedsText(const tune::TuneAnswer& answer) {
                    [](const auto& a, const auto& b) { return a.margin > b.margin; });
   text += format("\npairs that need a margin: %zu of %zu\n", pairs.size(), answer.pairs.size());
   for (std::size_t i = 0; i < std::min(pairs.size(), kTextPairs); ++i)
-    text += format(
-        "%-14s %-24s %s\n", pairs[i].part.c_str(), pairs[i].link.c_str(),
-        std::isinf(pairs[i].margin) ? "none would do" : format("%4.0f mm", 1e3 * pairs[i].margin).c_str());
+    text += format("%-14s %-24s %s\n", pairs[i].part.c_str(), pairs[i].link.c_str(),
+                   std::isinf(pairs[i].margin) ? "no margin suffices"
+                                               : format("%4.0f mm", 1e3 * pairs[i].margin).c_str());
   return text;
 }
 

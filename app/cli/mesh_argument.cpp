@@ -8,7 +8,7 @@ std::filesystem::path meshArgument(const std::string& text, const robot_file::Pa
   robot_file::MeshFinder finder(std::filesystem::current_path(ec) / "arguments", packages);
   if (const auto file = finder.find(text)) return *file;
   throw ParseError({text}, "found no such file, expected it in a package",
-                   "say where packages are with --package-path FOLDER, the folder that holds the package's");
+                   "give the folder that contains the package with --package-path FOLDER");
 }
 
 }  // namespace abstand::cli

@@ -74,12 +74,12 @@ void checkOutputs(const CLI::App& root, const CommandLine& line) {
     checkPlace(output, kind, line.json);
     for (const Named& input : inputs)
       if (replaces(output, kind, input.value))
-        throw UsageError(output.option + ": found " + output.value + ", which is an input too (" +
-                         input.option + "), expected an output of its own");
+        throw UsageError(output.option + ": found " + output.value + ", which is also an input (" +
+                         input.option + "), expected a different file");
     for (std::size_t k = 0; k < i; ++k)
       if (isOneName(outputs[k].first.value, outputs[k].second, output.value, kind))
         throw UsageError(output.option + ": found " + output.value + ", which " + outputs[k].first.option +
-                         " writes too, expected two names");
+                         " also writes, expected different names");
   }
 }
 

@@ -12,13 +12,15 @@ namespace abstand::cli {
 void QuestionArguments::add(CLI::App& command, CommandLine& line) {
   command.add_option("--margins", margins, "FROM:TO:STEP in metres (default: 0:0.5:0.05)");
   command.add_option("--margin-set", margin_sets,
-                     "files of margins by part, link and pair, judged too (docs/margins.md)");
-  line.output(command.add_option("--margins-out", margins_out, "the smallest safe margins as such a file"));
-  command.add_option("--by", by, "of --margins-out: part, link or pair (default: part)")
+                     "margins files by part, link and pair to evaluate as well (docs/margins.md)");
+  line.output(
+      command.add_option("--margins-out", margins_out, "writes the smallest safe margins as a margins file"));
+  command.add_option("--by", by, "resolution of --margins-out: part, link or pair (default: part)")
       ->check(CLI::IsMember({"part", "link", "pair"}));
-  command.add_option("--segment", segment, "s: stretches of the program that get a speed each (default: 1)");
+  command.add_option("--segment", segment,
+                     "length in s of the program segments that get one speed each (default: 1)");
   addSpeedRule(command, speed_rule);
-  line.output(command.add_option("--report", report, "HTML page for people, to be signed"));
+  line.output(command.add_option("--report", report, "HTML report for signature"));
 }
 
 tune::TuneQuestions QuestionArguments::questions() const {
@@ -32,7 +34,7 @@ void QuestionArguments::writeMargins(const tune::TuneAnswer& answer) const {
   const auto set = std::find_if(answer.strategies.begin(), answer.strategies.end(),
                                 [&](const tune::StrategyOutcome& s) { return s.rules.name == "per_" + by; });
   if (set == answer.strategies.end())
-    throw UsageError("--margins-out: found a " + by + " for which no margin would do, expected one for each");
+    throw UsageError("--margins-out: found a " + by + " without a sufficient margin, expected one for each");
   writeFile(margins_out, tune::marginRulesText(set->rules));
 }
 

@@ -41,8 +41,9 @@ std::string closestText(const ByClass& least) {
   std::string text;
   for (std::size_t i = 0; i < least.size(); ++i)
     if (const auto& e = least[i])
-      text += format("closest %s: %.1f mm, %s to %s at %.3f s\n", run::pairClassText(run::kPairClasses[i]),
-                     1e3 * e->value, e->a.c_str(), e->b.c_str(), e->t);
+      text +=
+          format("minimum distance %s: %.1f mm, %s to %s at %.3f s\n",
+                 run::pairClassText(run::kPairClasses[i]), 1e3 * e->value, e->a.c_str(), e->b.c_str(), e->t);
   return text;
 }
 

@@ -47,14 +47,15 @@ nlohmann::ordered_json robotJson(const loop::ReactionReport& r) {
 std::string robotText(const loop::ReactionReport& r) {
   std::string text = r.name + ": ";
   if (r.nearest_person)
-    text += format("closest to a person %.1f mm, %s to %s at %.3f s; deepest inside %.1f mm\n",
+    text += format("minimum distance to a person %.1f mm, %s to %s at %.3f s; maximum penetration %.1f mm\n",
                    1e3 * r.nearest_person->value, r.nearest_person->a.c_str(), r.nearest_person->b.c_str(),
                    r.nearest_person->t, 1e3 * depthOf(r.nearest_person));
   else if (r.nearest)
-    text += format("closest %.1f mm, %s to %s at %.3f s\n", 1e3 * r.nearest->value, r.nearest->a.c_str(),
-                   r.nearest->b.c_str(), r.nearest->t);
+    text += format("minimum distance %.1f mm, %s to %s at %.3f s\n", 1e3 * r.nearest->value,
+                   r.nearest->a.c_str(), r.nearest->b.c_str(), r.nearest->t);
   text += format(
-      "  off its plan by %.3f at most, torque %.1f at most; slowed %.2f s, stopped %.2f s, %zu changes of "
+      "  maximum deviation from the planned motion %.3f, maximum torque %.1f; slowed %.2f s, stopped %.2f s, "
+      "%zu changes of "
       "state\n",
       r.record.max_off_plan, r.record.max_torque, r.record.slowed, r.record.stopped, r.stop_count);
   if (!r.remark.empty()) text += "  " + r.remark + "\n";
@@ -84,7 +85,7 @@ nlohmann::ordered_json jointLimitsJson(const std::vector<run::JointLimitReport>&
 
 std::string jointLimitsText(const std::vector<run::JointLimitReport>& reports) {
   std::string text;
-  for (const run::JointLimitReport& r : reports) text += "beyond a joint limit: " + run::describe(r) + "\n";
+  for (const run::JointLimitReport& r : reports) text += "joint limit exceeded: " + run::describe(r) + "\n";
   return text;
 }
 

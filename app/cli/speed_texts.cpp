@@ -89,7 +89,7 @@ std::string tradeText(const std::vector<tune::TradePoint>& trade) {
   for (const tune::TradePoint& p : trade) {
     text += format("%-14s %6.0f %% %10.1f s ", "", 100.0 * p.speed_scale, p.cycle_time);
     text += std::isfinite(p.margin) ? format("%7.0f mm %7.1f %%\n", 1e3 * p.margin, 100.0 * p.stopped_share)
-                                    : std::string("none would do\n");
+                                    : std::string("no margin suffices\n");
   }
   return text;
 }
@@ -110,7 +110,7 @@ std::string tableText(const tune::TuneAnswer& answer) {
              "\npermitted speeds (ISO/TS 15066:2016): %s kept with %zu of %zu segments slowed down, to %.0f "
              "%% at least; ",
              rule, slowed, answer.speeds.size(), 100.0 * scale) +
-         (std::isinf(permitted) ? "somewhere the robot would have had to stand\n"
+         (std::isinf(permitted) ? "in some segment the robot would have to stand still\n"
                                 : format("the program would take %.1f s instead of %.1f s\n", permitted,
                                          answer.speeds.back().t1 - answer.speeds.front().t0));
 }
@@ -146,7 +146,7 @@ std::string proofLine(const tune::TuneAnswer& answer) {
   const tune::SpeedProof& proof = *answer.proof;
   const std::string head = "speed profile (" + std::string(ruleName(answer.speed_rule)) + "): ";
   if (proof.proven)
-    return head + format("proven in replay %d: nothing was broken, the program takes %.1f s",
+    return head + format("proven in replay %d: no limit was violated, the program takes %.1f s",
                          proof.iterations, proof.pace->cycleTime());
   if (const auto& s = proof.stands)
     return head + format(
@@ -159,7 +159,7 @@ std::string proofLine(const tune::TuneAnswer& answer) {
     return head + "not proven, a replay failed (" + proof.failed.front().recording + ": " +
            proof.failed.front().error + "); nothing was written";
   return head + format(
-                    "not proven after %d replays: the protective distance was broken for %.2f s, limits "
+                    "not proven after %d replays: the protective distance was violated for %.2f s, limits "
                     "of contacts %ld times; nothing was written",
                     proof.iterations, proof.broken_time_separation, proof.broken_contacts);
 }

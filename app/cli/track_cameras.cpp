@@ -13,7 +13,7 @@ constexpr double kManyWithout = 0.1;
 constexpr double kFarthestClock = 1e6;  // s
 
 std::string metresApart(const tracking::ClockOffset& offset) {
-  return format("the person's joints lie %.0f mm apart over %.1f s", 1e3 * offset.apart, offset.overlap);
+  return format("RMS joint deviation %.0f mm over %.1f s", 1e3 * offset.apart, offset.overlap);
 }
 
 }  // namespace
@@ -38,10 +38,9 @@ TrackCameras::TrackCameras(const Arguments& arguments) {
     options.mirror = arguments.mirror;
     streams_.push_back(tracking::openDepthStream(arguments.depth[i], options));
     if (count > 1 && !streams_.back()->facts().pose_known)
-      throw UsageError(
-          names_[i].string() +
-          ": found a recording that does not say how its camera stands, expected T_WC in a camera "
-          "file for each of several (--camera)");
+      throw UsageError(names_[i].string() +
+                       ": found a recording without a camera pose, expected T_WC in a camera "
+                       "file for each of several (--camera)");
     double offset = 0.0;
     if (i > 0) {
       clock_known_[i] = is_given;
@@ -62,8 +61,8 @@ void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
     if (found.decided) cameras_[i].offset = found.offset;
     clock_reasons_[i] =
         found.overlap > 0.0
-            ? (found.decided ? "from the movements: " : "movements do not decide it: ") + metresApart(found)
-            : "the recordings share no movement";
+            ? (found.decided ? "from the motion: " : "not determined by the motion: ") + metresApart(found)
+            : "the recordings have no motion in common";
   }
 }
 
@@ -88,12 +87,12 @@ std::string TrackCameras::text(const tracking::ClipTrack& track) const {
   std::string text;
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     const tracking::CameraShare& share = track.cameras.at(i);
-    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu moments\n", i + 1,
+    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu times\n", i + 1,
                    names_[i].string().c_str(), share.images, share.people, share.without, track.images);
     text += format("camera %zu: clock %+.3f s, %s (--clock)\n", i + 1, cameras_[i].offset,
                    clock_reasons_[i].c_str());
   }
-  text += format("images that were fitted together lie up to %.0f ms apart\n", 1e3 * track.lag);
+  text += format("maximum time difference of images fitted together: %.0f ms\n", 1e3 * track.lag);
   return text;
 }
 
@@ -102,14 +101,14 @@ std::vector<std::string> TrackCameras::warnings(const tracking::ClipTrack& track
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     const tracking::CameraShare& share = track.cameras.at(i);
     if (!clock_known_[i])
-      out.push_back(format("camera %zu: its clock is taken to be that of the first, %s (--clock)", i + 1,
+      out.push_back(format("camera %zu: its clock is assumed equal to that of the first, %s (--clock)", i + 1,
                            clock_reasons_[i].c_str()));
     if (static_cast<double>(share.without) > kManyWithout * static_cast<double>(track.images))
       out.push_back(
-          format("camera %zu: no image at %zu of %zu moments: what it alone would have seen is hidden there",
-                 i + 1, share.without, track.images));
+          format("camera %zu: no image at %zu of %zu times: parts visible to it alone are hidden then", i + 1,
+                 share.without, track.images));
     if (share.images > 0 && share.people == 0)
-      out.push_back(format("camera %zu: found nobody in %zu images", i + 1, share.images));
+      out.push_back(format("camera %zu: found no person in %zu images", i + 1, share.images));
   }
   return out;
 }

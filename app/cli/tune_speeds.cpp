@@ -28,10 +28,10 @@ std::string fileOf(const tune::ProgramMotion& motion) { return motion.mechanism 
 void checkFile(const std::string& folder, const tune::ProgramMotion& motion) {
   if (motion.mechanism.find('/') != std::string::npos)
     throw UsageError("--speed-profile: found the mechanism `" + motion.mechanism +
-                     "`, expected a name that can be one of a file");
+                     "`, expected a valid file name");
   if (isInput(std::filesystem::path(folder) / fileOf(motion)))
     throw UsageError("--speed-profile: found " + (std::filesystem::path(folder) / fileOf(motion)).string() +
-                     ", which is an input too, expected a folder of its own");
+                     ", which is also an input, expected a different folder");
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ void checkFile(const std::string& folder, const tune::ProgramMotion& motion) {
 void addSpeedRule(CLI::App& command, std::string& rule) {
   command
       .add_option("--speed-rule", rule,
-                  "what permitted speeds keep: separation and contact limits, or one of them (default: both)")
+                  "limits that permitted speeds respect: separation, contact or both (default: both)")
       ->check(CLI::IsMember({"both", "separation", "contact"}));
 }
 
@@ -49,16 +49,19 @@ tune::SpeedRule speedRule(const std::string& name) {
 }
 
 void addSpeedStudy(CLI::App& command, CommandLine& line, SpeedArguments& args) {
-  line.output(command.add_option("--speed-profile", args.profile,
-                                 "folder for the robots' motions at their permitted speeds, replayed beside "
-                                 "the recordings; written where nothing is broken"),
-              OutputKind::kFolder);
+  line.output(
+      command.add_option("--speed-profile", args.profile,
+                         "folder for the robots' motions at permitted speeds, verified by replay with "
+                         "the recordings; written only if no limit is violated"),
+      OutputKind::kFolder);
   command
       .add_option("--max-iterations", args.max_iterations,
-                  "replays of --speed-profile, each slower where the one before was broken (default: 10)")
+                  "maximum number of replays for --speed-profile, each slower where the last one violated a "
+                  "limit (default: 10)")
       ->check(CLI::Range(1, 1000));
-  command.add_option("--speed-scales", args.scales,
-                     "0.5,0.75,1...: margin, cycle time and stops of the program slowed down to each");
+  command.add_option(
+      "--speed-scales", args.scales,
+      "0.5,0.75,1...: reports margin, cycle time and stops of the program at each speed scale");
 }
 
 SpeedStudy::SpeedStudy(const SpeedArguments& args, std::vector<tune::PlanItem> items, const Load& load)

@@ -73,7 +73,7 @@ std::string approachesText(const tune::TuneAnswer& answer) {
     if (!a.contact.region.empty()) {
       text += format("; hardest contact before, at %.2f m/s: ", a.contact.closing);
       text += a.contact.excluded
-                  ? "excluded there"
+                  ? "contact excluded for this region"
                   : format("%.0f N, %.0f %% of the %s limit (%s)", a.contact.force, 100.0 * a.contact.share,
                            std::string(contact::kindText(a.contact.kind)).c_str(), a.contact.region.c_str());
     }
@@ -159,11 +159,11 @@ std::size_t framesOf(const tune::TuneAnswer& answer) {
 }
 
 std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
-  if (std::isinf(p.margin)) return format("%-14s none would do\n", p.part.c_str());
-  if (!p.decided_by) return format("%-14s      0 mm  no stop was ever needed\n", p.part.c_str());
+  if (std::isinf(p.margin)) return format("%-14s no margin suffices\n", p.part.c_str());
+  if (!p.decided_by) return format("%-14s      0 mm  no stop needed\n", p.part.c_str());
   const auto& d = *p.decided_by;
   return format(
-      "%-14s %6.0f mm  decided by %s at %.3f s, %s; of it bound %.1f, pose %.1f, one frame %.1f mm\n",
+      "%-14s %6.0f mm  determined by %s at %.3f s, %s; including bound %.1f, pose %.1f, one frame %.1f mm\n",
       p.part.c_str(), 1e3 * p.margin, answer.recordings[d.recording].recording.c_str(), d.t, d.link.c_str(),
       1e3 * d.bound, 1e3 * d.pose, 1e3 * d.sampling);
 }
@@ -247,8 +247,9 @@ std::string tuneText(const tune::TuneAnswer& answer) {
       o.pass.braking.deceleration, 1e3 * o.pass.limit);
   for (const auto& r : answer.recordings)
     if (r.unjudged > 0.0)
-      text += format("%s: begins with the person too near or not seen; the first %.2f s were not judged\n",
-                     r.recording.c_str(), r.unjudged);
+      text +=
+          format("%s: begins with the person too near or not tracked; the first %.2f s were not evaluated\n",
+                 r.recording.c_str(), r.unjudged);
   text += format("%-14s %8s %6s %8s %7s %7s %12s\n", tune::kWholeBody, "margin", "stops", "stopped", "false",
                  "missed", "min distance");
   for (const tune::MarginRow& row : answer.table.rows) {
@@ -257,11 +258,12 @@ std::string tuneText(const tune::TuneAnswer& answer) {
     text += format("%-14s %5.0f mm %6ld %6.1f %% %7ld %7ld %9.1f mm\n", "", 1e3 * row.margin, m.stops,
                    100.0 * m.stoppedShare(), m.false_stops, m.missed_stops, 1e3 * m.min_clearance);
   }
-  text += "\nsmallest margins that would have missed no stop:\n";
+  text += "\nsmallest margins without a missed stop:\n";
   for (const auto& p : answer.table.proposed) text += proposedText(answer, p);
   const auto& p = answer.table.proposed.front();
   text += format(
-      "95 %% confidence: at most %.1f %% of unseen recordings of the same kind break one of these margins\n",
+      "95 %% confidence: at most %.1f %% of further recordings of the same kind violate one of these "
+      "margins\n",
       100.0 * p.unseen_share);
   text += groupNeedsText(answer) + strategiesText(answer) + bandsText(answer) + closestText(answer);
   text += worstPhasesText(answer) + speedsText(answer) + approachesText(answer);

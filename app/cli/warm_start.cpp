@@ -14,12 +14,12 @@ void WarmStartArguments::apply(session::SessionOptions& session) const {
 }
 
 void addWarmStart(CLI::App& command, WarmStartArguments& args) {
-  command.add_flag("--cold", args.cold, "every frame is queried from nothing but its poses: slower");
+  command.add_flag("--cold", args.cold, "cold start: every frame is queried from its poses alone (slower)");
   command.add_flag("--remember", args.warm,
-                   "pairs start from their last answer, whatever the scene says of it (the default)");
+                   "warm start: pairs start from their last result, overriding the scene (default)");
   command.add_option("--tolerance", args.tolerance,
-                     "share (0 to 0.1) by which a distance beyond 0.1 m may exceed the smallest when pairs "
-                     "start from their last answer (default: the scene's, else 0.002)");
+                     "relative tolerance (0 to 0.1) of distances beyond 0.1 m when pairs "
+                     "start warm (default: the scene's, else 0.002)");
 }
 
 nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
@@ -33,7 +33,7 @@ nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
 std::string warmStartText(const run::RunSummary& s) {
   if (!s.warm_start) return {};
   return format(
-      "warm start: beyond %.1f m distances are at most %.3g %% above the smallest%s\n", query::kRelativeFrom,
+      "warm start: distances beyond %.1f m are at most %.3g %% above the minimum%s\n", query::kRelativeFrom,
       100.0 * s.warm_start->far_tolerance,
       s.warm_start->block > 0 ? format("; every %zu frames start cold", s.warm_start->block).c_str() : "");
 }

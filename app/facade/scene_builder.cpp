@@ -73,7 +73,7 @@ SceneBuilder& SceneBuilder::addRobot(const std::string& name, const std::filesys
 SceneBuilder& SceneBuilder::addPerson(const std::string& name, const PersonOptions& options) {
   checkMargin(options.margin);
   if (!options.place.allFinite() || !std::isfinite(options.yaw))
-    throw UsageError("found a place that is not finite for '" + name + "', expected numbers");
+    throw UsageError("found a position that is not finite for '" + name + "', expected numbers");
   scene_file::HumanDescription human;
   human.name = name;
   human.body.height = options.height;

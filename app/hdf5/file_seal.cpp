@@ -44,7 +44,7 @@ std::string brokenSeal(const std::filesystem::path& file) {
     return "found no table file of abstand, expected one that it wrote";
   const std::string hex = checksum(in);
   if (head.compare(magic.size(), hex.size(), hex) != 0)
-    return "found other content than its checksum says, expected an undamaged file";
+    return "found content that does not match its checksum, expected an undamaged file";
   return {};
 }
 

@@ -200,14 +200,14 @@ y left; of a foot x points to the toes.)doc")
       .def("__repr__", [](const hm::HumanPart& p) {
         return "<abstand.HumanPart '" + std::string(hm::partName(p.part)) + "'>";
       });
-  py::class_<HumanPoses>(module, "HumanPoses", "Poses of the fourteen parts at n moments, as arrays.")
+  py::class_<HumanPoses>(module, "HumanPoses", "Poses of the fourteen parts at n times, as arrays.")
       .def_readonly("X", &HumanPoses::X, R"doc((n, 14, 4, 4): takes points of a part into the world.
 
 NaN for a part that was not seen yet. A part that is held stands where it was seen last: look at `states` and `reach`.)doc")
       .def_readonly("states", &HumanPoses::states,
                     "(n, 14) uint8: 0 never seen, 1 held (stale), 2 inferred, 3 tracked. Only 3 is measured.")
       .def_readonly("age", &HumanPoses::age, "(n, 14), s since the part was last seen; inf before that.")
-      .def_readonly("spread", &HumanPoses::spread, "(n, 14), m, standard deviation; 0: not known.")
+      .def_readonly("spread", &HumanPoses::spread, "(n, 14), m, standard deviation; 0: unknown.")
       .def_readonly("reach", &HumanPoses::reach,
                     R"doc((n, 14), m: by how much a part may be elsewhere, by its age at 2 m/s and its spread.
 

@@ -166,7 +166,7 @@ py::list geometryOf(const RobotHandle& robot, const std::string& use,
 
 void bindFacts(py::class_<RobotHandle>& type) {
   type.def_property_readonly(
-          "name", [](const RobotHandle& r) { return r.mechanism().name; }, "As the file says.")
+          "name", [](const RobotHandle& r) { return r.mechanism().name; }, "As stated in the file.")
       .def_property_readonly(
           "dof", [](const RobotHandle& r) { return r.mechanism().dof; }, "Length of q.")
       .def_property_readonly(
@@ -190,16 +190,16 @@ void bindFacts(py::class_<RobotHandle>& type) {
           "Names of the degrees of freedom, in the order of q.")
       .def_property_readonly(
           "lower", [](const RobotHandle& r) { return limitsOf(r, &mech::DofLimits::lower); },
-          "(dof,), rad or m; -inf where nothing is known. fk() does not keep q within.")
+          "(dof,), rad or m; -inf where unknown. fk() does not keep q within.")
       .def_property_readonly(
           "upper", [](const RobotHandle& r) { return limitsOf(r, &mech::DofLimits::upper); },
-          "(dof,), rad or m; inf where nothing is known.")
+          "(dof,), rad or m; inf where unknown.")
       .def_property_readonly(
           "velocity", [](const RobotHandle& r) { return limitsOf(r, &mech::DofLimits::velocity); },
-          "(dof,), rad/s or m/s, largest size; inf where nothing is known.")
+          "(dof,), rad/s or m/s, largest size; inf where unknown.")
       .def_property_readonly(
           "effort", [](const RobotHandle& r) { return limitsOf(r, &mech::DofLimits::effort); },
-          "(dof,), N m or N, largest size; inf where nothing is known.")
+          "(dof,), N m or N, largest size; inf where unknown.")
       .def_property_readonly(
           "warnings", [](const RobotHandle& r) { return r.robot.warnings; },
           "What is odd about the file, a list of lines.")

@@ -156,7 +156,7 @@ void bindQueries(py::module_& module) {
 It belongs to the first pair that it is used with. One thread at a time.)doc")
       .def(py::init<>())
       .def(
-          "clear", [](Memory& m) { m = Memory(); }, "Forgets everything, the pair too.");
+          "clear", [](Memory& m) { m = Memory(); }, "Discards all data, including the pair.");
   using namespace py::literals;
   module.def(
       "distance",

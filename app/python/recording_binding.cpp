@@ -85,7 +85,7 @@ The arrays are read-only views without copies. A joint that is not known in a fr
           [](py::handle self) {
             return columnsOf<double>(self, &Frame::p, {kJoints, 3}, {sizeof(Vector3d), sizeof(double)});
           },
-          "(n, 22, 3), m, in the order of abstand.JOINTS; NaN where a joint is not known.")
+          "(n, 22, 3), m, in the order of abstand.JOINTS; NaN where a joint is unknown.")
       .def_property_readonly(
           "states",
           [](py::handle self) { return columnsOf<std::uint8_t>(self, &Frame::state, {kJoints}, {1}); },
@@ -95,7 +95,7 @@ The arrays are read-only views without copies. A joint that is not known in a fr
           [](py::handle self) {
             return columnsOf<double>(self, &Frame::spread, {kJoints}, {sizeof(double)});
           },
-          "(n, 22), m, standard deviation along the worst axis; 0: not known.")
+          "(n, 22), m, standard deviation along the worst axis; 0: unknown.")
       .def_property_readonly(
           "names", [](const Recording&) { return jointNames(); }, "Names of the joints, as abstand.JOINTS.")
       .def_property_readonly(

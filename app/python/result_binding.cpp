@@ -110,11 +110,11 @@ void bindResults(py::module_& module) {
   table("uncertainty", &StoredPairs::uncertainty,
         "(frames, pairs), m, of the person's pose; infinite: the part was not seen.");
   table("clearance", &StoredPairs::clearance,
-        "(frames, pairs), m, certified: distance - bound - uncertainty; -inf: not known.");
+        "(frames, pairs), m, certified: distance - bound - uncertainty; -inf: unknown.");
   table("robot_speed", &StoredPairs::robot_speed,
-        "(frames, pairs), m/s, of the link's nearest point towards the part; 0: it goes away.");
+        "(frames, pairs), m/s, of the link's nearest point towards the part; 0: moving away.");
   table("person_speed", &StoredPairs::person_speed,
-        "(frames, pairs), m/s, of the part's nearest point towards the link; 0: it goes away.");
+        "(frames, pairs), m/s, of the part's nearest point towards the link; 0: moving away.");
   table("on_part", &StoredPairs::on_part, "(frames, pairs, 3), m, world: nearest points; NaN beyond 0.5 m.",
         3);
   table("on_link", &StoredPairs::on_link, "(frames, pairs, 3), m, world: nearest points; NaN beyond 0.5 m.",
@@ -124,7 +124,7 @@ void bindResults(py::module_& module) {
           "closing_speed",
           [](py::handle self) { return tableOf(self, py::cast<const PairResultFile&>(self).closing_speed); },
           "(frames, pairs), m/s: robot_speed + person_speed, never below the true one.")
-      .def_property_readonly("options", &optionsOf, "What was assumed: limit, reaction_time, clamped, ...")
+      .def_property_readonly("options", &optionsOf, "Assumptions: limit, reaction_time, clamped, ...")
       .def("__len__", &PairResultFile::frames)
       .def("__repr__", [](const PairResultFile& f) {
         return "<abstand.Result of " + std::to_string(f.frames()) + " frames and " +

@@ -30,7 +30,7 @@ class Turn {
  public:
   explicit Turn(SceneHandle& scene) : scene_(scene) {
     if (scene.busy.exchange(true))
-      throw std::runtime_error("another thread is at work on this Scene; give each thread one of its own");
+      throw std::runtime_error("another thread is using this Scene; use one Scene per thread");
   }
   ~Turn() { scene_.busy = false; }
   Turn(const Turn&) = delete;
@@ -230,7 +230,7 @@ void bindFacts(py::class_<SceneHandle>& type) {
           "(n,), s: the frames of the scene's recording or motion.")
       .def_property_readonly(
           "remarks", [](const SceneHandle& s) { return s.session->remarks(); },
-          "What a user should know of meshes, guesses and gaps; a list of lines.")
+          "Remarks on meshes, guesses and gaps; a list of lines.")
       .def_property_readonly(
           "reservations",
           [](const SceneHandle& s) { return reservationList(run::reservationsOf(*s.session)); },

@@ -68,7 +68,7 @@ void bindProperties(py::class_<Structure>& type) {
             const shell::Pointshell& shell = s.haptic->shell;
             return interleaved(s.points, shell.x, shell.y, shell.z);
           },
-          "(n, 3) float32, m, read-only: the pointshell in the body's frame. Put together once, then shared.")
+          "(n, 3) float32, m, read-only: the pointshell in the body's frame. Assembled once, then shared.")
       .def_property_readonly(
           "normals",
           [](Structure& s) {
@@ -103,7 +103,7 @@ void bindProperties(py::class_<Structure>& type) {
           "watertight", [](const Structure& s) { return s.haptic->surface->watertight(); },
           "Closed and consistently oriented, so that inside and outside are certain.")
       .def_property_readonly(
-          "build_ms", [](const Structure& s) { return s.haptic->build_ms; }, "What building it took, ms.");
+          "build_ms", [](const Structure& s) { return s.haptic->build_ms; }, "Build time, ms.");
 }
 
 constexpr const char* kStructureDoc =
@@ -147,7 +147,7 @@ void bindStructures(py::module_& module) {
             store::saveStructure(*s.haptic, path);
           },
           py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-          R"doc(Writes the structure with its surface to a file, whole or not at all. UsageError, WriteError.)doc")
+          R"doc(Writes the structure with its surface to a file, completely or not at all. UsageError, WriteError.)doc")
       .def_static(
           "load",
           [](const std::filesystem::path& path, bool trusted) {

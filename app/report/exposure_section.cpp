@@ -29,7 +29,7 @@ Cells header(const Cells& names, bool several) {
   Cells cells = names;
   for (const double band : margin::kExposureBands) cells.push_back(bandName(band));
   for (const char* more :
-       {"weighted", "not seen", "near misses", "closing m/s", "least mm", "part", "link", "at s"})
+       {"weighted", "not seen", "near misses", "closing m/s", "min mm", "part", "link", "at s"})
     cells.emplace_back(more);
   if (several) cells.emplace_back("recording");
   // The nearest pair is not repeated if it is the row's name.
@@ -106,16 +106,16 @@ std::string figure(const std::string& svg, const std::string& caption) {
 
 std::string pictures(const tune::ExposureTable& table) {
   if (table.body_cells.empty())
-    return "<p>Nothing that was seen came nearer than " +
-           decimals("%.0f mm", 1e3 * margin::kExposureBands.back()) + ".</p>\n";
+    return "<p>No tracked part came nearer than " + decimals("%.0f mm", 1e3 * margin::kExposureBands.back()) +
+           ".</p>\n";
   return figure(bodyHeatPicture(table),
                 "Where on the body: weighted exposure of each cell of the surface, in seconds. Each frame "
                 "counts for the cell that holds a part's nearest point to the robots. Drawn on a person of "
-                "usual stature; a dashed outline: the part was not seen for some of the time.") +
+                "mean stature; dashed outline: the part was not tracked for some of the time.") +
          figure(roomHeatPicture(table),
                 "Where in the room, from above: weighted exposure of each cell of " +
                     decimals("%.0f mm", 1e3 * tune::kFloorCell) +
-                    " of the floor, in seconds. Robots (blue) as they stand in the first frame.");
+                    " of the floor, in seconds. Robots (blue) at their pose in the first frame.");
 }
 
 /// As shares of the time, so that segments of several recordings and a short last one are comparable.
@@ -151,11 +151,11 @@ std::string exposureSection(const tune::ExposureTable& table) {
       "it "
       "is not excluded). <em>Weighted</em> counts a second at a clearance <i>c</i> as 1 - <i>c</i> / " +
       decimals("%.0f mm", 1e3 * largest) +
-      ", and as 1 in contact: the time below a band, averaged over all bands up to there. What was not seen "
+      ", and as 1 in contact: the time below a band, averaged over all bands up to there. Time not seen "
       "is in no band; the true time below a band is at most the sum of both. Closing: the highest speed of "
       "two "
       "nearest points towards each other while nearer than " +
-      decimals("%.0f mm", 1e3 * table.near) + "; least: the least clearance, and when.</p>\n";
+      decimals("%.0f mm", 1e3 * table.near) + "; min: the smallest clearance and its time.</p>\n";
   html += pictures(table) + "<h3>Body parts</h3>\n";
   std::vector<const tune::ExposureRow*> parts{&table.body};
   for (const tune::ExposureRow& row : table.parts) parts.push_back(&row);
@@ -173,7 +173,7 @@ std::string exposureSection(const tune::ExposureTable& table) {
             });
   const auto phases = highest(table.phases, kPhaseRows);
   if (!phases.empty())
-    html += "<h3>Stretches of the program with the highest weighted exposure</h3>\n" + phasePlot(table) +
+    html += "<h3>Program segments with the highest weighted exposure</h3>\n" + phasePlot(table) +
             tableOf({"from", "to"}, phases, several, [](const tune::ExposureRow& row) {
               return Cells{decimals("%.2f s", row.t0), decimals("%.2f s", row.t1)};
             });

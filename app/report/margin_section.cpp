@@ -19,14 +19,14 @@ std::string secondsText(double t) { return text::rounded(t, 3) + " s"; }
 std::string linkTable(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
   for (const tune::GroupNeed& need : answer.links) {
-    std::vector<std::string> row{need.link,
-                                 std::isinf(need.margin) ? "none would do" : millimetresText(need.margin)};
+    std::vector<std::string> row{
+        need.link, std::isinf(need.margin) ? "no margin suffices" : millimetresText(need.margin)};
     row.push_back(need.recording
                       ? answer.recordings[*need.recording].recording + " at " + secondsText(need.need.t)
-                      : "no stop was ever needed");
+                      : "no stop needed");
     rows.push_back(std::move(row));
   }
-  return htmlTable({"link", "smallest safe margin", "decided by"}, rows);
+  return htmlTable({"link", "smallest safe margin", "determined by"}, rows);
 }
 
 }  // namespace
@@ -40,7 +40,8 @@ std::string closestSection(const tune::TuneAnswer& answer) {
   if (several) header.push_back("recording");
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
-      rows.push_back({c.part, "never seen", "", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
+      rows.push_back(
+          {c.part, "never tracked", "", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
       if (several) rows.back().push_back("");
       continue;
     }
@@ -51,13 +52,14 @@ std::string closestSection(const tune::TuneAnswer& answer) {
                     tune::verdictText(c.verdict()), c.link, text::rounded(c.t, 3)});
     if (several) rows.back().push_back(answer.recordings[c.recording].recording);
   }
-  return "<h2>How near people came</h2>\n<p>Of each body part the moment with the least certified clearance: "
+  return "<h2>Closest approaches</h2>\n<p>For each body part, the time of the minimum certified clearance: "
          "the "
-         "measured distance, and how much smaller the true one may be. The error is the sum of its shares: "
+         "measured distance and its uncertainty, which is the sum of its shares: "
          "the "
-         "engine's bound, what is not known of the person's pose (what the tracker states, and what the age "
+         "engine's bound, the uncertainty of the person's pose (as stated by the tracker, plus the share "
+         "that the age "
          "of the "
-         "pose adds where a part was not seen of late), the calibration between "
+         "pose adds while a part is not tracked), the calibration between "
          "recording "
          "and robot (an assumption, below), and the motion between two frames.</p>\n" +
          htmlTable(header, rows);
@@ -71,14 +73,14 @@ std::string marginSetSection(const tune::TuneAnswer& answer) {
                     std::to_string(o.false_stops), std::to_string(o.missed_stops),
                     millimetresText(o.min_clearance)});
   }
-  return "<h2>One margin, or many</h2>\n<p>The smallest safe margins as one margin for all, by part, by link "
+  return "<h2>Margin sets</h2>\n<p>The smallest safe margins as one margin for all, by part, by link "
          "and by "
-         "pair, judged over all pairs together. A finer set costs fewer false stops as a rule; the counts "
+         "pair, evaluated over all pairs together. A finer set usually causes fewer false stops; the counts "
          "are its outcome on these recordings.</p>\n" +
          htmlTable({"set of margins", "stops", "time stopped", "false", "missed",
-                    "least clearance to a moving robot"},
+                    "smallest clearance to a moving robot"},
                    rows) +
-         "<p>The smallest safe margin of each link, with the nearest part of anyone:</p>\n" +
+         "<p>The smallest safe margin of each link, for the nearest part of any person:</p>\n" +
          linkTable(answer);
 }
 
@@ -90,10 +92,11 @@ std::string bandSection(const tune::TuneAnswer& answer) {
                     answer.recordings[b.margin.of_largest].recording,
                     millimetresText(b.clearance.least) + " to " + millimetresText(b.clearance.largest),
                     answer.recordings[b.clearance.of_least].recording});
-  return "<h2>The same recording as others would have done it</h2>\n<p>Runs of one recording with other "
-         "people, places "
+  return "<h2>Variants of one recording</h2>\n<p>Runs of one recording with other "
+         "people, positions "
          "or speeds: the smallest and the largest value of each part.</p>\n" +
-         htmlTable({"part", "smallest safe margin", "largest for", "closest clearance", "closest for"}, rows);
+         htmlTable({"part", "smallest safe margin", "largest for", "smallest clearance", "minimum for"},
+                   rows);
 }
 
 }  // namespace abstand::report

@@ -72,12 +72,12 @@ std::string slowestTable(const tune::TuneAnswer& answer) {
 std::string proofText(const tune::SpeedProof& proof) {
   if (proof.proven)
     return "<p>Speed profile: <strong>proven</strong> in replay " + std::to_string(proof.iterations) +
-           ". With the slowed program beside the same recordings, nothing was violated; it takes " +
+           ". With the slowed program and the same recordings, no limit was violated; it takes " +
            timeText(proof.pace->cycleTime()) + ".</p>\n";
   const std::string failed = "<p class=\"failed\">Speed profile: ";
   if (const auto& s = proof.stands)
     return failed + "none was found. Between " + text::rounded(s->t0, 3) + " and " + text::rounded(s->t1, 3) +
-           " s of the program the robot would have to stand (" +
+           " s of the program the robot would have to stand still (" +
            text::escapedXml(s->part + ", " + s->recording) + atSeconds(s->t) + ").</p>\n";
   return failed + "not proven after " + std::to_string(proof.iterations) +
          " replays. The protective distance was violated for " +
@@ -122,14 +122,15 @@ std::string tradeSection(const tune::TuneAnswer& answer) {
       stopped.series[0].y.push_back(p.stopped_share);
     }
     rows.push_back({shareText(p.speed_scale), timeText(p.cycle_time),
-                    suffices ? text::rounded(1e3 * p.margin, 0) + " mm" : "none would do",
+                    suffices ? text::rounded(1e3 * p.margin, 0) + " mm" : "no margin suffices",
                     suffices ? shareText(p.stopped_share, 1) : "",
                     p.failed > 0 ? std::to_string(p.failed) : ""});
   }
-  return "<h2>Margin, speed and time</h2>\n<p>The whole program replayed at constant paces beside the same "
-         "recordings: the largest margin that some part needs then, and the share of time for which the "
+  return "<h2>Margin, speed and time</h2>\n<p>The whole program replayed at constant speed scales with the "
+         "same "
+         "recordings: the largest margin needed by any part, and the percentage of time for which the "
          "robot "
-         "would have stood with it. A faster cycle needs a larger margin and stops more often.</p>\n" +
+         "is stopped with it. A faster cycle needs a larger margin and stops more often.</p>\n" +
          svgPlot(margins) + svgPlot(stopped) +
          htmlTable({"speed", "cycle time", "margin", "time stopped", "failed replays"}, rows);
 }

@@ -43,30 +43,30 @@ std::string listed(const std::vector<std::string>& names) {
 std::string proposedSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
   for (const tune::ProposedMargin& p : answer.table.proposed) {
-    std::vector<std::string> row{p.part, std::isinf(p.margin) ? "none would do" : mm(p.margin)};
+    std::vector<std::string> row{p.part, std::isinf(p.margin) ? "no margin suffices" : mm(p.margin)};
     if (const auto& d = p.decided_by)
       row.insert(row.end(), {answer.recordings[d->recording].recording + " at " + seconds(d->t), d->link,
                              shown("%.1f mm", 1e3 * d->bound) + " + " + shown("%.1f mm", 1e3 * d->pose) +
                                  " + " + shown("%.1f mm", 1e3 * d->sampling)});
     else
-      row.insert(row.end(), {"no stop was ever needed", "", ""});
+      row.insert(row.end(), {"no stop needed", "", ""});
     row.push_back(p.fit ? mm(p.fit->quantile(0.99)) : "too few recordings");
     rows.push_back(std::move(row));
   }
   const double share = answer.table.proposed.front().unseen_share;
-  return "<h2>Proposed margins</h2>\n<p>The smallest margin of each part that would have missed no stop in " +
+  return "<h2>Proposed margins</h2>\n<p>The smallest margin of each part without a missed stop in " +
          counted(answer.recordings.size(), "recording") +
-         ". Of each margin, the last but one column says what the engine's bound, the uncertainty "
-         "of the pose and the way within one frame of the sensor take.</p>\n" +
-         htmlTable(
-             {"part", "margin", "decided by", "link", "bound + pose + frame", "99 % of recordings (Gumbel)"},
-             rows) +
-         "<p><strong>Confidence.</strong> If unseen recordings are of the same kind and independent of each "
+         ". The last but one column lists the shares of each margin: the engine's bound, the uncertainty "
+         "of the pose and the displacement within one frame of the sensor.</p>\n" +
+         htmlTable({"part", "margin", "determined by", "link", "bound + pose + frame",
+                    "99 % of recordings (Gumbel)"},
+                   rows) +
+         "<p><strong>Confidence.</strong> If further recordings are of the same kind and independent of each "
          "other, then with "
          "95 % confidence at most " +
          shown("%.1f %%", 100.0 * share) +
          " of them need a larger margin for a part (order statistics; the rule of three). More recordings "
-         "make this share "
+         "make this percentage "
          "smaller; others of another kind (other people, tasks, speeds) are not covered by it at all.</p>\n";
 }
 
@@ -107,12 +107,12 @@ std::string curveSection(const tune::TuneAnswer& answer) {
                     std::isinf(o.min_clearance) ? "none" : mm(o.min_clearance),
                     o.lead_time ? seconds(*o.lead_time) : "no contact"});
   }
-  return "<h2>What margins cost</h2>\n<p>All parts with the same margin, over all recordings. A false stop "
+  return "<h2>Cost of margins</h2>\n<p>All parts with the same margin, over all recordings. A false stop "
          "is one without which "
-         "nothing would have happened; a missed one did not certainly come in time.</p>\n" +
+         "the limit would have been kept; a missed stop is not certainly in time.</p>\n" +
          svgPlot(shareOf(answer)) + svgPlot(curveOf(answer)) +
-         htmlTable({"margin", "stops", "time stopped", "false", "missed", "least clearance to a moving robot",
-                    "lead time"},
+         htmlTable({"margin", "stops", "time stopped", "false", "missed",
+                    "smallest clearance to a moving robot", "lead time"},
                    rows);
 }
 
@@ -126,7 +126,7 @@ std::vector<tune::RankedApproach> ranked(const tune::TuneAnswer& answer) {
 std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOptions& options) {
   std::string html =
       "<h2>Nearest approaches</h2>\n<p>Local minima of the certified clearance, nearest first, and the "
-      "contact that the highest closing speed on the way there would have made, as shares of the limits of "
+      "contact at the highest closing speed of the approach, as percentages of the limits of "
       "the body region: transient, or quasi-static where the part may be clamped.</p>\n";
   std::vector<std::vector<std::string>> rows;
   std::string pictures;
@@ -195,7 +195,8 @@ std::string timeSection(const tune::TuneAnswer& answer) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < std::min<std::size_t>(5, parts.size()); ++i)
     plot.series.push_back(thinned(parts[i].second->track, parts[i].second->part));
-  return "<h2>Clearance over time</h2>\n<p>The five parts that came nearest, in the recording with the "
+  return "<h2>Clearance over time</h2>\n<p>The five parts with the smallest clearances, in the recording "
+         "with the "
          "nearest approach.</p>\n" +
          svgPlot(plot);
 }
@@ -203,30 +204,30 @@ std::string timeSection(const tune::TuneAnswer& answer) {
 std::string assumptions(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;
   std::string html =
-      "<h2>What was assumed</h2>\n" +
+      "<h2>Assumptions</h2>\n" +
       htmlTable(
-          {"quantity", "value", "what a change does"},
+          {"quantity", "value", "effect of a change"},
           {{"reaction time", shown("%.0f ms", 1e3 * o.pass.braking.reaction_time),
             "each 10 ms more need 10 ms times the closing speed more margin: 16 mm at 1.6 m/s"},
            {"deceleration of each joint", shown("%.3g rad/s^2 or m/s^2", o.pass.braking.deceleration),
-            "half of it doubles the braking time, and the person's way in it"},
+            "half of it doubles the braking time and the person's displacement in it"},
            {"limit", mm(o.pass.limit), "margins grow with it one to one"},
            {"calibration error between recording and robot", mm(o.pass.calibration_error),
-            "every clearance is smaller by it, and margins grow with it one to one; 0 says that nobody has "
-            "measured it"},
+            "every clearance is smaller by it, and margins grow with it one to one; 0 means that it was not "
+            "measured"},
            {"parts that may be clamped", listed(tune::clampedParts(answer.recordings)),
-            "their contacts keep the quasi-static limits, which are half of the transient ones as a rule, "
+            "quasi-static limits apply to their contacts, which are usually half of the transient ones, "
             "and no "
             "part of their mass recoils"},
            {"restart time", seconds(o.restart_time), "adds to the time stopped, not to margins"}}) +
-      "<p>Each stop is judged by itself; robot and person are in step with the recording until the margin is "
-      "broken. Distances "
+      "<p>Each stop is evaluated separately; robot and person follow the recording until the margin is "
+      "violated. Distances "
       "and braking are certified between frames too (docs/margins.md).</p>\n<h2>Inputs</h2>\n";
   std::vector<std::vector<std::string>> rows;
   for (const tune::TunedRecording& r : answer.recordings)
     rows.push_back({r.recording, std::to_string(r.frames), seconds(r.seconds()),
                     r.unjudged > 0.0 ? seconds(r.unjudged) : "", r.content});
-  html += htmlTable({"recording", "frames", "length", "not judged", "content (XXH3)"}, rows);
+  html += htmlTable({"recording", "frames", "length", "not evaluated", "content (XXH3)"}, rows);
   for (const auto& f : answer.failed)
     html += "<p class=\"failed\">Not run: " + text::escapedXml(f.recording + ": " + f.error) + "</p>\n";
   const std::string& stamp = answer.recordings.front().contact_limits;
@@ -236,8 +237,8 @@ std::string assumptions(const tune::TuneAnswer& answer) {
     for (const run::Reservation& reservation : r.reservations)
       rows.push_back({r.recording, reservation.kind, reservation.text});
   html += "<h2>Reservations</h2>\n";
-  return html + (rows.empty() ? std::string("<p>None.</p>\n")
-                              : htmlTable({"recording", "kind", "what weakens the numbers"}, rows));
+  return html +
+         (rows.empty() ? std::string("<p>None.</p>\n") : htmlTable({"recording", "kind", "reason"}, rows));
 }
 
 constexpr const char* kSignature = R"(<div class="whole"><h2>Signature</h2>
@@ -258,9 +259,7 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
   out.stream() << pageBegin("Abstand: safety margins")
                << "<h1>Safety margins: " << text::escapedXml(options.command) << "</h1>\n<p>"
                << counted(answer.recordings.size(), "recording") << ", " << shown("%.1f minutes", time / 60.0)
-               << (answer.interrupted
-                       ? ", <span class=\"failed\">interrupted: not all that was asked for</span>"
-                       : "")
+               << (answer.interrupted ? ", <span class=\"failed\">interrupted: incomplete</span>" : "")
                << ".</p>\n"
                << closestSection(answer) << proposedSection(answer) << marginSetSection(answer)
                << bandSection(answer) << curveSection(answer) << speedSection(answer) << tradeSection(answer)

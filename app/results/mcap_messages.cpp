@@ -10,7 +10,7 @@ namespace abstand::results {
 const char* const kClearanceSchema =
     R"({"$schema":"https://json-schema.org/draft/2020-12/schema","title":"abstand.Clearance","type":"object","properties":{
 "t":{"type":"number","description":"s, of the recording"},
-"seen":{"type":"boolean","description":"false: the part's place is not known, nor is its clearance"},
+"seen":{"type":"boolean","description":"false: the part's position and clearance are unknown"},
 "clearance":{"type":"number","description":"m, certified: distance - bound - uncertainty of the nearest link"},
 "distance":{"type":"number","description":"m, measured"},
 "bound":{"type":"number","description":"m: the true distance is never below distance - bound"},
@@ -28,12 +28,12 @@ const char* const kApproachSchema =
 "closing_speed":{"type":"number","description":"m/s, of both"},
 "robot_speed":{"type":"number","description":"m/s"},
 "person_speed":{"type":"number","description":"m/s"},
-"robot_mass":{"type":"number","description":"kg, effective; left out: not known, or a wall"},
-"region":{"type":"string","description":"of the body, of the hardest contact on the way there; left out: not judged"},
+"robot_mass":{"type":"number","description":"kg, effective; omitted: unknown, or a wall"},
+"region":{"type":"string","description":"of the body, of the hardest contact of the approach; omitted: not evaluated"},
 "kind":{"type":"string","description":"transient, or quasi-static: the part may be clamped"},
 "excluded":{"type":"boolean","description":"contact with this region is excluded"},
 "force":{"type":"number","description":"N"},
-"force_share":{"type":"number","description":"of its limit; left out: excluded"},
+"force_share":{"type":"number","description":"of its limit; omitted: excluded"},
 "pressure":{"type":"number","description":"Pa"},
 "pressure_share":{"type":"number","description":"of its limit"}},
 "required":["t","recording","part","link"]})";
@@ -42,13 +42,13 @@ const char* const kEventSchema =
     R"({"$schema":"https://json-schema.org/draft/2020-12/schema","title":"abstand.Event","type":"object","properties":{
 "t":{"type":"number","description":"s, of the recording: the first frame below the margin"},
 "t1":{"type":"number","description":"s, the end"},
-"t_nearest":{"type":"number","description":"s, of the least clearance"},
+"t_nearest":{"type":"number","description":"s, of the smallest clearance"},
 "recording":{"type":"string"},"part":{"type":"string"},"link":{"type":"string"},
-"kind":{"type":"string","description":"intrusion, or between_frames: nobody told the robot to stop"},
-"min_clearance":{"type":"number","description":"m, certified, without a stop; left out: not known"},
-"braking_clearance":{"type":"number","description":"m, certified, until the robot rests"},
+"kind":{"type":"string","description":"intrusion, or between_frames: no stop was triggered"},
+"min_clearance":{"type":"number","description":"m, certified, without a stop; omitted: unknown"},
+"braking_clearance":{"type":"number","description":"m, certified, until the robot is at standstill"},
 "false_stop":{"type":"boolean"},"missed_stop":{"type":"boolean"},
-"lead_time":{"type":"number","description":"s, until the limit would have been reached; left out: never"}},
+"lead_time":{"type":"number","description":"s, until the limit would have been reached; omitted: never"}},
 "required":["t","t1","t_nearest","recording","part","link","kind","false_stop","missed_stop"]})";
 
 namespace {

@@ -16,9 +16,9 @@ std::string metres(double value) { return formatDouble(value) + " m"; }
 std::string sentence(const Violation& v) {
   std::string text = v.a + " to " + v.b + ": " + metres(v.min_distance) + ", limit " + metres(v.limit);
   if (std::isinf(v.uncertainty))
-    text += ", and one of them was not seen at all";
+    text += "; one of them was never tracked";
   else if (v.uncertainty > 0.0)
-    text += " widened by " + metres(v.uncertainty) + " for what is not known of their places";
+    text += " plus " + metres(v.uncertainty) + " of pose uncertainty";
   text += ", from " + formatDouble(v.start) + " s to " + formatDouble(v.end) + " s";
   return v.recording.empty() ? text : text + ", " + v.recording;
 }
@@ -33,7 +33,7 @@ void reservationTable(std::ostream& out, const std::vector<Reservation>& rows, b
     out << "<p>None.</p>\n";
     return;
   }
-  out << "<table><tr><th>kind</th><th>what is not known</th><th>recording</th></tr>\n";
+  out << "<table><tr><th>kind</th><th>reason</th><th>recording</th></tr>\n";
   for (const Reservation& r : rows)
     out << "<tr><td" << (failing(r, strict) ? " class=\"broken\"" : "") << ">" << text::escapedXml(r.kind)
         << "</td><td>" << text::escapedXml(r.text) << "</td><td>" << text::escapedXml(r.recording)
@@ -87,10 +87,10 @@ void writeHtmlReport(const CheckResult& result, const std::string& scene, double
     << text::escapedXml(scene) << "</h1>\n<p class=\"" << (passed(result, strict) ? "" : "broken") << "\">"
     << (passed(result, strict) ? "Passed" : "Not passed") << ": smallest distance allowed "
     << formatDouble(limit) << " m, " << result.frames << " frames.</p>\n";
-  table(s, "Limit broken", result.violations);
+  table(s, "Limit violated", result.violations);
   reservationTable(s, result.reservations, strict);
   table(s, "Not proven: distance minus its error bound is below the limit", result.unproven);
-  s << "<h2>Stale or refused poses</h2>\n<p>";
+  s << "<h2>Stale or rejected poses</h2>\n<p>";
   for (const auto& name : result.stale) s << text::escapedXml(name) << " ";
   if (result.stale.empty()) s << "None.";
   s << "</p>\n<p>An analysis tool, not a safety function.</p>\n</body></html>\n";

@@ -130,9 +130,10 @@ std::string pairsText(const session::Session& session, const std::vector<Collisi
   std::map<study::PairVerdict, int> count;
   for (const auto& p : pairs) ++count[p.study.verdict];
   std::string text =
-      "# Which pairs can collide, as found by sampling the joint space; `abstand pairs` wrote this.\n"
-      "# adjacent, never, always and user are not checked by a scene that takes this file; sometimes is.\n"
-      "# Nothing is proven by sampling: distance is the smallest that was found, in the posture given.\n"
+      "# Collision pairs found by sampling the joint space. Written by `abstand pairs`.\n"
+      "# A scene that reads this file checks the pairs marked sometimes, and none marked adjacent, never, "
+      "always or user.\n"
+      "# Sampling proves nothing: distance is the minimum found, at the given posture.\n"
       "# samples " +
       std::to_string(options.samples) + ", seed " + std::to_string(options.seed) + ", searches " +
       std::to_string(options.searches) + ", clearance " + formatDouble(options.clearance) + " m\n#";

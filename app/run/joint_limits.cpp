@@ -65,7 +65,7 @@ std::vector<Reservation> reservationsOf(const std::vector<JointLimitReport>& rep
   for (const JointLimitReport& r : reports) {
     Reservation& one = all.emplace_back();
     one.kind = "joint_limit";
-    one.text = "beyond a joint limit: " + describe(r);
+    one.text = "joint limit exceeded: " + describe(r);
     one.t0 = r.worst.since;
     one.fails = scene::Severity::kStrict;
   }
@@ -83,7 +83,7 @@ std::string describe(const JointLimitReport& r) {
           (r.slides ? kSlides : kTurns)[kind] + ", limit " + number(b.limit);
   if (std::isfinite(b.t)) text += ", at " + number(b.t) + " s";
   if (b.count > 1)
-    text += ", beyond it in " + std::to_string(b.count) + " samples since " + number(b.since) + " s";
+    text += ", exceeded in " + std::to_string(b.count) + " samples since " + number(b.since) + " s";
   return text;
 }
 

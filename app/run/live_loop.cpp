@@ -40,7 +40,7 @@ LiveLoop::LiveLoop(session::Session& session, double t, std::vector<std::vector<
     const scene::Pair& pair = scene.pairs()[id.index()];
     throw UsageError("live: found pair `" + scene.object(pair.a).spec.name + "`, `" +
                      scene.object(pair.b).spec.name +
-                     "` of a robot that reacts in no group of `threads`, expected it in one");
+                     "` of a reacting robot outside every group of `threads`, expected it in a group");
   }
 }
 

@@ -108,13 +108,13 @@ void PoseWatch::addBodies(std::vector<Reservation>& out, const char* kind, const
 
 std::vector<Reservation> PoseWatch::reservations() const {
   std::vector<Reservation> out;
-  addBodies(out, "refused_pose", ": the pose was refused (not finite, no rotation, or too far away)",
+  addBodies(out, "refused_pose", ": the pose was rejected (not finite, not a rotation, or too far away)",
             &Body::refused, scene::Severity::kAlways);
   for (const Source& s : sources_)
-    add(out, "no_person", s.name + " was not seen at all", s.absent, scene::Severity::kAlways);
+    add(out, "no_person", s.name + " was never tracked", s.absent, scene::Severity::kAlways);
   for (const Source& s : sources_)
-    add(out, "outside_recording", s.name + " is not recorded then and stands still", s.outside,
-        scene::Severity::kAlways);
+    add(out, "outside_recording", s.name + " is outside the time range of its recording and is held still",
+        s.outside, scene::Severity::kAlways);
   addBodies(out, "stale_pose", ": the pose was stale", &Body::stale, scene::Severity::kAlways);
   addBodies(out, "inferred_pose", ": the pose was inferred, not measured", &Body::inferred,
             scene::Severity::kStrict);

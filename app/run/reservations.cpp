@@ -31,7 +31,7 @@ void addMechanism(const scene_file::MechanismDescription& m, const session::Mech
                   std::vector<Reservation>& out) {
   if (m.no_geometry)
     out.push_back({"bodiless",
-                   m.name + " has no body, as the scene says (geometry: none)",
+                   m.name + " has no geometry, as declared in the scene (geometry: none)",
                    {},
                    {},
                    {},
@@ -40,21 +40,22 @@ void addMechanism(const scene_file::MechanismDescription& m, const session::Mech
   else if (m.links.empty())
     out.push_back({"no_body",
                    m.name +
-                       " has no body: nothing of it is checked; `geometry: none` in the scene says that it "
-                       "has none on purpose",
+                       " has no geometry and is not checked; declare `geometry: none` in the scene if this "
+                       "is intended",
                    {},
                    {},
                    {},
                    scene::Severity::kAlways,
                    {}});
   if (!m.bodiless.empty())
-    out.push_back({"bodiless",
-                   "links of " + m.name + " without a body, as the scene says: " + joined(m.bodiless),
-                   {},
-                   {},
-                   {},
-                   scene::Severity::kNote,
-                   {}});
+    out.push_back(
+        {"bodiless",
+         "links of " + m.name + " without geometry, as declared in the scene: " + joined(m.bodiless),
+         {},
+         {},
+         {},
+         scene::Severity::kNote,
+         {}});
   if (!m.missing.empty())
     out.push_back({"missing_body",
                    scene_file::missingBodiesText(m),
@@ -95,7 +96,8 @@ void addCenters(const scene_file::MechanismDescription& m, const session::Mechan
     if (off <= kCenterDistance) continue;
     out.push_back({"link_center",
                    link.name + ": its centre is " + text::rounded(off, 3) + " m from the one that " +
-                       m.file.filename().string() + " gives (`link` environment), which does not act here" +
+                       m.file.filename().string() +
+                       " states (`link` environment), which is not applied here" +
                        (link.posed ? "" : "; `pose: center` puts the mesh's origin there"),
                    {},
                    {},
@@ -135,7 +137,7 @@ void addRecording(const scene_file::HumanDescription& d, const session::HumanDri
   const std::size_t frames = recording.frames.size();
   if (r.frames_missing > 0)
     out.push_back({"frames_missing",
-                   file + ": the recording is cut: " + std::to_string(r.frames_missing) + " of " +
+                   file + ": the recording is truncated: " + std::to_string(r.frames_missing) + " of " +
                        std::to_string(frames + r.frames_missing) + " frames are missing",
                    recording.frames.back().t,
                    {},
@@ -160,7 +162,7 @@ void addRecording(const scene_file::HumanDescription& d, const session::HumanDri
   }
   if (!r.missing_parts.empty())
     out.push_back({"unmapped_part",
-                   file + ": nothing moves " + joined(r.missing_parts) + " of " + d.name,
+                   file + ": no recorded joints move " + joined(r.missing_parts) + " of " + d.name,
                    {},
                    {},
                    {},
@@ -169,21 +171,21 @@ void addRecording(const scene_file::HumanDescription& d, const session::HumanDri
   if (r.units.guessed)
     out.push_back({"units_guess",
                    file + ": the units are guessed (" + r.units.name + ": " + r.units.reason +
-                       "); say them as `units` in the scene",
+                       "); set `units` in the scene",
                    {},
                    {},
                    {},
                    scene::Severity::kStrict,
                    {}});
   if (r.up.guessed)
-    out.push_back({"up_guess",
-                   file + ": the axis that points up is guessed (" + r.up.axis + ": " + r.up.reason +
-                       "); say it as `up` in the scene",
-                   {},
-                   {},
-                   {},
-                   scene::Severity::kStrict,
-                   {}});
+    out.push_back(
+        {"up_guess",
+         file + ": the up axis is guessed (" + r.up.axis + ": " + r.up.reason + "); set `up` in the scene",
+         {},
+         {},
+         {},
+         scene::Severity::kStrict,
+         {}});
   const double foot = r.lowest_foot + d.recording.place_xyz.z();
   if (std::abs(foot) > kFloorDistance)
     out.push_back({"floor",
@@ -217,8 +219,13 @@ std::vector<Reservation> reservationsOf(const session::Session& session) {
   std::vector<Reservation> out;
   const scene_file::SceneDescription& scene = session.description();
   if (session.scene().pairs().empty())
-    out.push_back(
-        {"no_pairs", "no pair is checked: the scene has none", {}, {}, {}, scene::Severity::kAlways, {}});
+    out.push_back({"no_pairs",
+                   "nothing was checked: the scene has no pairs",
+                   {},
+                   {},
+                   {},
+                   scene::Severity::kAlways,
+                   {}});
   for (std::size_t i = 0; i < scene.mechanisms.size(); ++i) {
     addMechanism(scene.mechanisms[i], *session.mechanisms()[i], out);
     addCenters(scene.mechanisms[i], *session.mechanisms()[i], session.scene(), out);
@@ -237,7 +244,7 @@ Reservation interruptedReservation(std::size_t done, std::size_t all, std::optio
   r.kind = "interrupted";
   r.text = last ? "interrupted at " + text::rounded(*last, 3) + " s: " + std::to_string(done) + " of " +
                       std::to_string(all) + " frames were run"
-                : "interrupted before a frame was run";
+                : "interrupted before the first frame";
   r.t0 = last;
   if (all > 0) r.share = 1.0 - shareOf(done, all);
   r.fails = scene::Severity::kAlways;

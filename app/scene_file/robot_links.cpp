@@ -45,8 +45,8 @@ class LinkChooser {
     for (const robot_file::UnreadGeometry& g : robot_.unread) addUnread(g);
     if (!missing_.empty()) refuse();
     if (!replaced_.empty())
-      out_.remarks.push_back(robot_.file.string() + ": not all visual meshes are there, so the collision " +
-                             "geometry is taken: " + replaced_);
+      out_.remarks.push_back(robot_.file.string() + ": some visual meshes are missing, so the collision " +
+                             "geometry is used: " + replaced_);
     for (const auto& remark : finder_.remarks()) out_.remarks.push_back(robot_.file.string() + ": " + remark);
     return std::move(out_);
   }
@@ -113,11 +113,10 @@ class LinkChooser {
       if (std::find(names.begin(), names.end(), g->mesh) == names.end()) names.push_back(g->mesh);
     std::string list;
     for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw ParseError(
-        missing_.front()->pos,
-        "found no file for " + std::to_string(names.size()) + " collision mesh" +
-            (names.size() == 1 ? "" : "es") + ", expected all of them: " + list,
-        "say where packages are with --package-path FOLDER, the folder that holds the package's");
+    throw ParseError(missing_.front()->pos,
+                     "found no file for " + std::to_string(names.size()) + " collision mesh" +
+                         (names.size() == 1 ? "" : "es") + ", expected all of them: " + list,
+                     "give the folder that contains the package with --package-path FOLDER");
   }
 
   const robot_file::Robot& robot_;

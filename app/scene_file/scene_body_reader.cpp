@@ -21,12 +21,12 @@ std::string SceneBodyReader::newName(const config::YamlFields& fields, std::set<
     throw ParseError(fields.pos(node),
                      "found " + config::yamlFound(node) +
                          " for `name`, expected no comma, no quotation mark and no outer blanks",
-                     "names stand in the headers of CSV files");
+                     "names are used in the headers of CSV files");
   if (!taken.insert(name).second)
     throw ParseError(
         fields.pos(node),
         "found the " + std::string(kind) + " name " + config::yamlFound(node) +
-            " that is taken already, expected a new one",
+            " that is already used, expected a new one",
         name == "objects" && &taken == &groups_ ? "`objects` is the group of all single objects" : "");
   return name;
 }
@@ -66,7 +66,7 @@ void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) 
   const auto* shape_node = fields.find("shape");
   const auto* structure = fields.find("structure");
   if (structure && (mesh || shape_node))
-    throw ParseError(fields.keyPos("structure"), std::string("found `structure` beside `") +
+    throw ParseError(fields.keyPos("structure"), std::string("found `structure` together with `") +
                                                      (mesh ? "mesh" : "shape") +
                                                      "` in one body, expected one of them");
   if (!structure && !mesh == !shape_node)
@@ -81,13 +81,13 @@ void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) 
       if (fields.find(key))
         throw ParseError(
             fields.keyPos(key),
-            "found `" + std::string(key) + "` beside `structure`, expected it beside a mesh or a shape",
-            "the file of a structure says how fine it is");
+            "found `" + std::string(key) + "` together with `structure`, expected it with a mesh or a shape",
+            "the structure file sets its resolution");
   }
   if (!mesh && fields.find("scale"))
     throw ParseError(fields.keyPos("scale"),
-                     std::string("found `scale` beside `") + (structure ? "structure" : "shape") +
-                         "`, expected it beside a mesh only",
+                     std::string("found `scale` together with `") + (structure ? "structure" : "shape") +
+                         "`, expected it with a mesh only",
                      structure ? "" : "the sizes of a shape are in metres");
   body.scale = readScale(fields);
 }
@@ -96,9 +96,9 @@ void SceneBodyReader::meshOrShape(const config::YamlFields& fields, Body& body) 
 void SceneBodyReader::takeBody(const std::string& name, const SourcePos& pos) {
   if (name.find_first_of(",\"") != std::string::npos)
     throw ParseError(pos, "found the link name `" + name + "`, expected no comma and no quotation mark",
-                     "names stand in the headers of CSV files");
+                     "names are used in the headers of CSV files");
   if (!body_names_.insert(name).second)
-    throw ParseError(pos, "found the body name `" + name + "` that is taken already, expected a new one");
+    throw ParseError(pos, "found the body name `" + name + "` that is already used, expected a new one");
   addBody(name, pos);
 }
 template void SceneBodyReader::meshOrShape(const config::YamlFields&, LinkDescription&) const;

@@ -76,7 +76,7 @@ void requireHeld(const config::YamlFields& fields, const MechanismDescription& m
   const LinkDescription* held = nullptr;
   for (const LinkDescription& l : m.links) {
     if (!l.held) continue;
-    if (held) throw ParseError(l.pos, "found a second link with `held: true`, expected one at most");
+    if (held) throw ParseError(l.pos, "found a second link with `held: true`, expected at most one");
     held = &l;
   }
   if (m.reaction && m.reaction->proxy && !held)
@@ -128,9 +128,9 @@ MechanismDescription SceneBodyReader::mechanism(const config::YamlNode& node) {
   m.frames_with_geometry = shown.size();
   if (fields.find("links")) {
     if (geometry)
-      throw ParseError(
-          fields.keyPos("geometry"),
-          "found `geometry` beside `links`, expected one of them: `links` say what each link is");
+      throw ParseError(fields.keyPos("geometry"),
+                       "found `geometry` together with `links`, expected one of them: `links` defines the "
+                       "geometry of each link");
     for (const auto& frame : shown)
       if (std::none_of(m.links.begin(), m.links.end(), [&](const auto& l) { return l.frame == frame; }))
         m.missing.push_back({frame, "not among the scene's `links`"});

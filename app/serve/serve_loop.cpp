@@ -43,7 +43,7 @@ ServeLoop::ServeLoop(ServedScene& scene, UdpSocket& socket, const ServeOptions& 
   const std::size_t bytes = stateBytes(scene.report());
   if (bytes > kMaxPacketBytes)
     throw UsageError("the answer of this scene has " + std::to_string(bytes) + " bytes, expected at most " +
-                     std::to_string(kMaxPacketBytes) + ", what fits into a datagram");
+                     std::to_string(kMaxPacketBytes) + ", the size of a datagram");
   if (options.lines_from >= 0) lines_.emplace(options.lines_from, kMaxPacketBytes);
   scene_.cycle(now());
 }

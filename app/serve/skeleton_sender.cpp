@@ -16,11 +16,10 @@ SkeletonSender::SkeletonSender(const std::string& to, std::vector<std::string> n
   for (std::string& name : names) {
     if (!isLineName(name))
       throw UsageError(
-          "--as: found a name that cannot be sent, expected 1 to 256 bytes without quotes, "
+          "--as: found an invalid name, expected 1 to 256 bytes without quotes, "
           "backslashes and control characters");
     for (const Name& other : names_)
-      if (other.text == name)
-        throw UsageError("--as: found '" + name + "' twice, expected names that differ");
+      if (other.text == name) throw UsageError("--as: found '" + name + "' twice, expected distinct names");
     names_.push_back({std::move(name)});
   }
   if (to == "-") return;

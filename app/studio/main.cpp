@@ -96,9 +96,10 @@ void describeOptions(QCommandLineParser& parser) {
        QCoreApplication::translate("main", "folder that holds ROS packages; may be given several times"),
        "FOLDER"});
   parser.addOption({"at", QCoreApplication::translate("main", "start at this time"), "SECONDS"});
-  parser.addOption({"react",
-                    QCoreApplication::translate("main", "off: robots follow their motion whoever is there"),
-                    "on|off", "on"});
+  parser.addOption(
+      {"react",
+       QCoreApplication::translate("main", "off: robots follow their planned motion regardless of people"),
+       "on|off", "on"});
   parser.addOption({"screenshot", QCoreApplication::translate("main", "save a picture of the window and end"),
                     "FILE.png"});
   parser.addOption({"size", QCoreApplication::translate("main", "size of the window"), "WxH"});

@@ -66,7 +66,7 @@ ReportJob::~ReportJob() {
 void ReportJob::start() {
   QString problem;
   if (program_.isEmpty())
-    problem = tr("The program \"abstand\" is neither beside this one nor in PATH.");
+    problem = tr("The program \"abstand\" is neither next to this program nor in PATH.");
   else if (!folder_.isValid())
     problem = folder_.errorString();
   if (problem.isEmpty()) {

@@ -42,6 +42,18 @@ ClosestApproach::Verdict ClosestApproach::verdict() const {
 const char* verdictText(ClosestApproach::Verdict verdict) {
   switch (verdict) {
     case ClosestApproach::Verdict::kApart:
+      return "certified apart";
+    case ClosestApproach::Verdict::kTouchPossible:
+      return "contact possible";
+    case ClosestApproach::Verdict::kNotKnown:
+      return "unknown while not tracked";
+  }
+  return "";
+}
+
+const char* verdictName(ClosestApproach::Verdict verdict) {
+  switch (verdict) {
+    case ClosestApproach::Verdict::kApart:
       return "certainly apart";
     case ClosestApproach::Verdict::kTouchPossible:
       return "touch not excluded";

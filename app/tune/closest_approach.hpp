@@ -33,8 +33,11 @@ struct ClosestApproach {
   Verdict verdict() const;
 };
 
-/// "certainly apart", "touch not excluded", "not known where not seen".
+/// Text for people: "certified apart", "contact possible", "unknown while not tracked".
 const char* verdictText(ClosestApproach::Verdict verdict);
+/// Value of the JSON key `verdict`, which does not change: "certainly apart", "touch not excluded", "not
+/// known where not seen".
+const char* verdictName(ClosestApproach::Verdict verdict);
 
 /// Results for all parts, in the order of the body. `calibration`: m, its share of every uncertainty
 /// (TuneOptions).

@@ -50,7 +50,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   validate(options);
   if (window_.pairs().empty())
     throw UsageError(session.description().file.string() +
-                     ": found no pair of a person and a robot, expected one: margins are for them");
+                     ": found no pair of a person and a robot, expected at least one");
   std::set<humanmodel::BodyPart> there;
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)

@@ -62,7 +62,7 @@ class Row {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw ParseError({file_}, "found an exposure with " + what + ", expected what abstand wrote");
+    throw ParseError({file_}, "found an exposure with " + what + ", expected a file written by abstand");
   }
   const double* next_;
   const std::string& file_;
@@ -158,8 +158,8 @@ PassExposure readExposure(const hdf5::TableReader& in, const NameCounts& names, 
   eachRow(in, "exposure_floor", kFloorColumns, file, [&](Row& row) {
     FloorCell c;
     c.layer = row.whole(0.0, 2.0, "an unknown layer") == 0.0 ? FloorLayer::kPeople : FloorLayer::kRobots;
-    c.x = static_cast<int>(row.whole(-kMaxFloorCell, kMaxFloorCell, "a place that is none"));
-    c.y = static_cast<int>(row.whole(-kMaxFloorCell, kMaxFloorCell, "a place that is none"));
+    c.x = static_cast<int>(row.whole(-kMaxFloorCell, kMaxFloorCell, "an invalid position"));
+    c.y = static_cast<int>(row.whole(-kMaxFloorCell, kMaxFloorCell, "an invalid position"));
     c.spent = row.spent();
     exposure.floor_cells.push_back(c);
   });

@@ -108,15 +108,15 @@ class Pool {
  private:
   void start(Worker& w) {
     int orders[2], answers[2];
-    if (::pipe2(orders, O_CLOEXEC) != 0) throw UsageError("no pipe can be made for a job: " + reason());
+    if (::pipe2(orders, O_CLOEXEC) != 0) throw UsageError("cannot create a pipe for a job: " + reason());
     if (::pipe2(answers, O_CLOEXEC) != 0) {
       close(orders[0]), close(orders[1]);
-      throw UsageError("no pipe can be made for a job: " + reason());
+      throw UsageError("cannot create a pipe for a job: " + reason());
     }
     w.pid = ::fork();
     if (w.pid < 0) {
       for (const int fd : {orders[0], orders[1], answers[0], answers[1]}) close(fd);
-      throw UsageError("no process can be made for a job: " + reason());
+      throw UsageError("cannot create a process for a job: " + reason());
     }
     if (w.pid == 0) {
       close(orders[1]), close(answers[0]);

@@ -57,7 +57,7 @@ std::vector<margin::PairMargin> marginsOf(const TunedRecording& recording, const
     const auto margin = rules.of(part, link);
     if (!margin)
       throw UsageError(rules.name + ": found no margin for " + part + " and " + link +
-                       ", expected one for every pair, or `default`");
+                       ", expected a margin for every pair, or `default`");
     margins.push_back(*margin);
   }
   return margins;

@@ -65,7 +65,7 @@ std::vector<MarginNeed> needsOf(const std::vector<double>& table, std::size_t fi
   for (std::size_t i = first; i < first + count; ++i) {
     const double* v = table.data() + i * kNeedColumns;
     if (std::isnan(v[0]) || v[0] < 0.0)
-      throw ParseError({file}, "found a needed margin that is no length, expected metres");
+      throw ParseError({file}, "found an invalid needed margin, expected metres");
     needs.push_back({v[0], v[1] != 0.0, v[2], v[3], v[4], v[5], v[6]});
   }
   return needs;
@@ -79,7 +79,7 @@ void readPairs(const hdf5::TableReader& in, std::size_t parts, PassResult& pass,
     const double part = pairs[2 * p], link = pairs[2 * p + 1];
     if (!(part >= 0.0 && part < static_cast<double>(parts) && link >= 0.0 &&
           link < static_cast<double>(pass.links.size())))
-      throw ParseError({file}, "found a pair of a part or a link that is not there");
+      throw ParseError({file}, "found a pair of an unknown part or link");
     pass.pairs.push_back({static_cast<std::uint16_t>(part), static_cast<std::uint16_t>(link)});
   }
   const std::vector<double> needs = in.table("needs", pass.links.size() + count, kNeedColumns);
@@ -99,7 +99,7 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
     const double* a = v.data() + i * kApproachColumns;
     if (!(a[0] >= 0.0 && a[0] < static_cast<double>(parts) && a[1] >= 0.0 &&
           a[1] < static_cast<double>(links)))
-      throw ParseError({file}, "found an approach of a part or a link that is not there");
+      throw ParseError({file}, "found an approach of an unknown part or link");
     Approach approach;
     approach.part = static_cast<std::uint16_t>(a[0]);
     approach.link = static_cast<std::uint16_t>(a[1]);

@@ -92,7 +92,7 @@ int openForReader(const std::filesystem::path& path) {
 OutputFile::OutputFile(std::filesystem::path file)
     : name_(std::move(file)), place_(placeOfOutput(name_)), out_(&buffer_) {
   if (isInput(place_.path))
-    throw UsageError(name_.string() + ": found a file that is an input too, expected an output of its own");
+    throw UsageError(name_.string() + ": found a file that is also an input, expected a different output");
   out_.imbue(std::locale::classic());
   if (place_.kind == OutputPlace::Kind::kFile)
     openPart();
@@ -173,7 +173,7 @@ void OutputFile::finish() {
   if (out_.bad()) throw WriteError(shown(name_), 0);
   // Inputs may have been opened after the constructor.
   if (!part_.empty() && isInput(place_.path))
-    throw UsageError(name_.string() + ": found a file that is an input too, expected an output of its own");
+    throw UsageError(name_.string() + ": found a file that is also an input, expected a different output");
   finished_ = true;
 }
 
@@ -197,7 +197,7 @@ void appendToFile(const std::filesystem::path& file, std::string_view text) {
   const OutputPlace place = placeOfOutput(file);
   if (place.kind != OutputPlace::Kind::kFile) return writeFile(file, text);
   if (isInput(place.path))
-    throw UsageError(file.string() + ": found a file that is an input too, expected an output of its own");
+    throw UsageError(file.string() + ": found a file that is also an input, expected a different output");
   const int d = ::open(place.path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
   if (d < 0) failToOpen(file, errno);
   struct stat before {};

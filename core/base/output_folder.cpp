@@ -126,7 +126,7 @@ void OutputFolder::commit() {
       // A file identical to an input is skipped: a clip repeats its camera file, for example.
       if (haveSameContent(from, final.path)) continue;
       throw UsageError((name_ / file).string() +
-                       ": found a file that is an input too, expected an output of its own");
+                       ": found a file that is also an input, expected a different output");
     }
     moves.push_back({from, final.path, nullptr});
     // A link may lead to another file system, where a rename is impossible.

@@ -16,8 +16,7 @@ void needRegularFile(const std::filesystem::path& file) {
   if (fs::is_directory(status)) throw ParseError(pos, "found a directory, expected a file");
   // Reading a pipe would block forever, and a pipe cannot be read twice.
   if (fs::is_fifo(status) || fs::is_socket(status))
-    throw ParseError(pos, "found a pipe, expected a regular file",
-                     "write what comes through it to a file first");
+    throw ParseError(pos, "found a pipe, expected a regular file", "write its content to a file first");
   if (!fs::is_regular_file(status)) throw ParseError(pos, "found a device, expected a regular file");
   noteInput(file);
 }

@@ -12,7 +12,7 @@ class WriteError : public std::runtime_error {
   /// `NAME: cannot be written whole: REASON`, where `error` is an errno value; 0: no reason is known.
   WriteError(const std::string& name, int error);
   WriteError(const std::string& name, const std::string& reason)
-      : std::runtime_error(name + ": cannot be written whole: " + reason) {}
+      : std::runtime_error(name + ": cannot be written completely: " + reason) {}
 };
 
 }  // namespace abstand

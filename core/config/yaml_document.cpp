@@ -45,8 +45,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto it = anchored_.find(anchor);
     if (it == anchored_.end())
-      throw ParseError(posOf(file_, mark),
-                       "found an alias inside what it stands for, expected one of an earlier value");
+      throw ParseError(posOf(file_, mark), "found a recursive alias, expected one of an earlier value");
     if (open_.size() + it->second.depth > kMaxYamlDepth) throw tooDeep(mark);
     count(posOf(file_, mark), it->second.nodes);
     add(it->second.node, 0);
@@ -152,7 +151,7 @@ class TreeBuilder final : public YAML::EventHandler {
     }
     const SourcePos pos{file_, node.line, node.column};
     if (node.kind != YamlNode::Kind::kScalar)
-      throw ParseError(pos, "found a key that is no text, expected a name");
+      throw ParseError(pos, "found a key that is not a scalar, expected a name");
     if (!parent.keys.insert(node.text).second)
       throw ParseError(pos, "found the key `" + node.text + "` a second time, expected it once");
     into.keys.push_back({std::move(node.text), node.line, node.column});
@@ -194,7 +193,7 @@ YamlNode parseYaml(const std::string& text, const std::string& file) {
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& e) {
-    throw ParseError(posOf(file, e.mark), "found broken YAML (" + e.msg + "), expected a YAML text");
+    throw ParseError(posOf(file, e.mark), "found invalid YAML (" + e.msg + "), expected a YAML text");
   }
   if (!builder.root) throw ParseError({file, 1, 1}, "found no YAML value, expected a map");
   return std::move(*builder.root);

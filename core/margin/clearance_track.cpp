@@ -12,7 +12,7 @@ void validate(const ClearanceTrack& track) {
   const std::size_t n = track.frames();
   if (track.clearance.size() != n || track.between.size() != n || track.braking.size() != n)
     throw UsageError(
-        "found a clearance track whose lists have different lengths, expected one entry a frame");
+        "found a clearance track whose lists have different lengths, expected one entry per frame");
   for (std::size_t i = 0; i < n; ++i) {
     if (!std::isfinite(track.t[i]) || (i > 0 && !(track.t[i] > track.t[i - 1])))
       throw UsageError("found frame " + std::to_string(i) +

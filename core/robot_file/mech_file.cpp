@@ -116,7 +116,7 @@ class MechParser : private MechReader {
       const MechNumber id = integer(*line, 1, 0, "the id of a degree of freedom");
       if (mimic && id.value >= static_cast<double>(dof_count_))
         fail(id, "found a mimic of dof " + text::inQuotes(line->words[1].text) +
-                     ", expected one that stands before");
+                     ", expected one that is defined before");
       if (!mimic && id.value != static_cast<double>(dof_count_))
         fail(id, "found dof " + text::inQuotes(line->words[1].text) + ", expected " +
                      std::to_string(dof_count_) + ": ids count 0, 1, 2, ...");
@@ -149,7 +149,7 @@ class MechParser : private MechReader {
           const auto at = index_.find(static_cast<int>(id.value));
           if (at == index_.end())
             fail(id, "found the reference " + text::inQuotes(line->words[1].text) +
-                         ", expected 0 or a frame of a chain that stands before this one");
+                         ", expected 0 or a frame of a chain that is defined before this one");
           parent = at->second;
         }
       } else {
@@ -177,7 +177,7 @@ class MechParser : private MechReader {
     const bool d_varies = line.words[4].text == "d", theta_varies = line.words[5].text == "theta";
     if (d_varies && theta_varies)
       fail(line.line, line.words[5].column,
-           "found d and theta both variable, expected at most one variable a frame");
+           "found d and theta both variable, expected at most one variable per frame");
     f.d = variableOr(line, 4, "d", d_varies);
     f.theta = variableOr(line, 5, "theta", theta_varies);
     f.type = d_varies       ? mechanism::JointType::kPrismatic
@@ -265,7 +265,7 @@ class MechParser : private MechReader {
         fail(raw.frame_id,
              "found frame " + f.name + ", which is constant, expected one with d or theta as its variable");
       if (f.dof >= 0)
-        fail(raw.frame_id, "found frame " + f.name + " a second time, expected one dof a frame");
+        fail(raw.frame_id, "found frame " + f.name + " a second time, expected one dof per frame");
       f.dof = raw.dof;
       f.mimic = raw.mimic;
       m.dof = dof_count_;
@@ -280,7 +280,7 @@ class MechParser : private MechReader {
 
   void placeCenter(const RawLink& link, mechanism::Mechanism& m) const {
     auto& f = m.frames[known(*link.id)];
-    if (f.has_center) fail(*link.id, "found a second link with id " + f.name + ", expected one a frame");
+    if (f.has_center) fail(*link.id, "found a second link with id " + f.name + ", expected one per frame");
     Matrix3d R;
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t column = 0; column < 3; ++column)

@@ -39,7 +39,7 @@ void MechReader::expectValues(const MechLine& line, std::size_t count, const std
 void MechReader::expectAlone(const MechLine& line) const {
   if (line.words.size() > 1)
     fail(line.line, line.words[1].column,
-         "found " + text::inQuotes(line.words[1].text) + ", expected the end of the line behind " +
+         "found " + text::inQuotes(line.words[1].text) + ", expected the end of the line after " +
              text::inQuotes(line.words[0].text));
 }
 

@@ -126,7 +126,7 @@ UrdfModel readUrdf(const UrdfText& text, const std::string& file) {
   try {
     const auto model = urdf::parseURDF(text.document);
     if (!model)
-      throw ParseError({file}, "found a URDF that urdfdom refuses, expected one that it reads", log.first());
+      throw ParseError({file}, "found a URDF that urdfdom rejects, expected one that it reads", log.first());
     UrdfModel out;
     for (const auto& link : text.links) out.links.push_back(linkOf(*model->links_.at(link.name)));
     for (const auto& joint : text.joints) out.joints.push_back(jointOf(*model->joints_.at(joint.name)));
@@ -135,7 +135,7 @@ UrdfModel readUrdf(const UrdfText& text, const std::string& file) {
     throw;
   } catch (const std::exception& e) {
     const std::string what = e.what();
-    throw ParseError({file}, "found a URDF that urdfdom refuses, expected one that it reads",
+    throw ParseError({file}, "found a URDF that urdfdom rejects, expected one that it reads",
                      what.substr(0, what.find('\n')));
   }
 }

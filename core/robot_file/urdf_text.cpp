@@ -100,7 +100,7 @@ class UrdfChecker {
       }
       if (child.name == "collision") {
         if (isPoint(child)) {
-          warn(child, "found a sphere of radius 0 in <collision>, expected a positive one: left out");
+          warn(child, "found a sphere of radius 0 in <collision>, expected a positive one: ignored");
           continue;
         }
         if (const std::string problem = geometryProblem(child); !problem.empty())
@@ -117,7 +117,7 @@ class UrdfChecker {
     const auto *mass = e.child("mass"), *inertia = e.child("inertia");
     if (!mass || !inertia)
       return warn(e, std::string("found <inertial> without <") + (mass ? "inertia" : "mass") +
-                         ">, expected both: taken as unknown");
+                         ">, expected both: treated as unknown");
     const double m = values_.needNumber(*mass, "value");
     Matrix3d I;
     constexpr std::array<const char*, 6> kKeys{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
@@ -185,7 +185,7 @@ class UrdfChecker {
     if (problem.empty())
       body(e);
     else
-      warn(e, problem + ": left out");
+      warn(e, problem + ": ignored");
     return problem;
   }
 
@@ -263,7 +263,7 @@ class UrdfChecker {
         warn(*e, std::string("found a negative ") + key + " in <limit>, expected its size");
     if (lower > upper && type != "continuous")
       warn(*e, "found lower " + formatDouble(lower) + " above upper " + formatDouble(upper) +
-                   ", expected the other way round: taken as no limit");
+                   ", expected the reverse order: treated as no limit");
     out_.document += "<limit" + attribute("lower", lower) + attribute("upper", upper) +
                      attribute("effort", std::abs(*values_.number(*e, "effort"))) +
                      attribute("velocity", std::abs(*values_.number(*e, "velocity"))) + "/>";

@@ -63,7 +63,7 @@ void checkLinks(const UrdfText& urdf, const std::string& file) {
     if (is_child[child])
       throw ParseError(pos,
                        "found the link " + text::inDoubleQuotes(joint.child) +
-                           " as the child of a second joint, expected a tree: one joint a child",
+                           " as the child of a second joint, expected a tree: one joint per child",
                        "a closed kinematic chain cannot be described by a URDF");
     is_child[child] = true;
     parent[child] = links.at(joint.parent);

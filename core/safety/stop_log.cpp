@@ -55,10 +55,10 @@ std::string about(const StopCause& cause, const StopNames& names) {
 /// Text of a change to a lower state or to standstill. The cause's values are those of the time when it
 /// arose.
 std::string relief(const StopEntry& e) {
-  if (e.to == StopState::kWaitingForReset) return "the robot stands and waits for a reset";
-  if (e.from == StopState::kWaitingForReset) return "reset by a person, the robot goes on";
+  if (e.to == StopState::kWaitingForReset) return "the robot is at standstill and waits for a reset";
+  if (e.from == StopState::kWaitingForReset) return "reset by a person, the robot resumes";
   if (e.from == StopState::kSlowing) return "the cause is gone, full speed again";
-  return "the cause is gone, the robot goes on by itself";
+  return "the cause is gone, the robot resumes automatically";
 }
 
 }  // namespace

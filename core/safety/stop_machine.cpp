@@ -22,7 +22,8 @@ constexpr std::array<StopEvent, kStopResponses> kEventOf{StopEvent::kFree, StopE
 }  // namespace
 
 std::string_view refusalName(ResetRefusal refusal) {
-  constexpr std::array<std::string_view, 3> kNames{"", "a cause asks for a stop", "it does not stand yet"};
+  constexpr std::array<std::string_view, 3> kNames{"", "a cause asks for a stop",
+                                                   "the robot is not at standstill yet"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

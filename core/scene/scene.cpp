@@ -28,7 +28,7 @@ ObjectId Scene::addObject(ObjectSpec spec) {
   checkNotNegative("margin", spec.margin);
   const ObjectId id(static_cast<std::uint32_t>(objects_.size()));
   if (!index_of_.emplace(spec.name, id.index()).second)
-    throw UsageError("object name `" + spec.name + "`: taken already, expected a new one");
+    throw UsageError("object name `" + spec.name + "`: already used, expected a new one");
   Object object;
   object.spec = std::move(spec);
   motions_.addObject(object.spec.structure->bounding_sphere);

@@ -19,7 +19,7 @@ std::size_t ArchiveWriter::count(std::size_t elements, std::size_t) {
 }
 
 void ArchiveReader::bytes(void* to, std::size_t count) {
-  if (count > left_) throw ArchiveError("is shorter than it says");
+  if (count > left_) throw ArchiveError("is shorter than stated in it");
   in_.read(static_cast<char*>(to), static_cast<std::streamsize>(count));
   if (!in_) throw ArchiveError("cannot be read to its end");
   left_ -= count;
@@ -29,7 +29,7 @@ void ArchiveReader::bytes(void* to, std::size_t count) {
 std::size_t ArchiveReader::count(std::size_t, std::size_t bytes_each) {
   std::uint64_t stored = 0;
   bytes(&stored, sizeof stored);
-  if (stored > left_ / bytes_each) throw ArchiveError("is shorter than it says");
+  if (stored > left_ / bytes_each) throw ArchiveError("is shorter than stated in it");
   return static_cast<std::size_t>(stored);
 }
 

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little && std::numeric_limits<
               "archives hold numbers as a little-endian machine with IEEE 754 does");
 static_assert(sizeof(std::size_t) == sizeof(std::uint64_t), "sizes are fields of 64 bits");
 
-/// The data read is not a valid archive; the message is a predicate ("is shorter than it says").
+/// The data read is not a valid archive; the message is a predicate ("is shorter than stated in it").
 class ArchiveError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

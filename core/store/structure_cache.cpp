@@ -62,8 +62,9 @@ void readArchive(std::istream& in, std::uintmax_t size, const ContentKey& key, T
   if (!std::equal(kMagic.begin(), kMagic.end(), header.magic)) throw ArchiveError("is no file of the cache");
   if (header.format != kFormat || header.engine != kEngineFingerprint)
     throw ArchiveError("is of another version");
-  if (header.key != key) throw ArchiveError("holds something else than its name says");
-  if (header.payload + sizeof(ContentKey) != reader.left()) throw ArchiveError("is not as long as it says");
+  if (header.key != key) throw ArchiveError("has content that does not match its name");
+  if (header.payload + sizeof(ContentKey) != reader.left())
+    throw ArchiveError("has another length than its header states");
   reader(value);
   const ContentKey checksum = reader.checksum();
   ContentKey stored;

@@ -164,7 +164,7 @@ void readSection(ArchiveReader& reader, const SectionHead& head, Section& sectio
   const std::uint64_t before = reader.left();
   reader(section);
   if (before - reader.left() != head.bytes)
-    throw ArchiveError("holds a section of another length than it says");
+    throw ArchiveError("holds a section whose length differs from the stated one");
 }
 
 void passOver(ArchiveReader& reader, std::uint64_t bytes) {
@@ -195,7 +195,7 @@ Content readContent(std::istream& in, std::uint64_t size, bool with_engine) {
     throw ArchiveError("is of format version " + std::to_string(file.version) + ", expected 1");
   for (SectionHead head;;) {
     reader(head);
-    if (head.bytes > reader.left()) throw ArchiveError("is shorter than it says");
+    if (head.bytes > reader.left()) throw ArchiveError("is shorter than stated in it");
     if (head.tag == kEndTag) break;
     if (head.tag == kBodyTag) {
       readSection(reader, head, content.body.emplace());
@@ -217,7 +217,7 @@ Content readContent(std::istream& in, std::uint64_t size, bool with_engine) {
       if (content.engine.mesh) reader(*content.engine.surface);
       reader(*content.engine.structure);
       if (before - reader.left() != rest)
-        throw ArchiveError("holds a section of another length than it says");
+        throw ArchiveError("holds a section whose length differs from the stated one");
     } else {
       passOver(reader, head.bytes);
     }
@@ -237,7 +237,7 @@ auto readStream(std::istream& in, std::uint64_t size, const std::string& name, b
   try {
     return read(readContent(in, size, with_engine));
   } catch (const ArchiveError& e) {
-    throw ParseError({name}, std::string(e.what()) + ", expected a whole structure file",
+    throw ParseError({name}, std::string(e.what()) + ", expected a complete structure file",
                      "abstand build --out FOLDER writes them");
   } catch (const UsageError& e) {
     throw ParseError({name}, e.what());

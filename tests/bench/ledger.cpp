@@ -19,7 +19,7 @@ const char* workName(Work work) {
     case Work::kContact:
       return "contact depth";
     case Work::kCollide:
-      return "touching or not";
+      return "collision test";
     case Work::kSmallest:
       return "smallest distance";
   }
@@ -144,7 +144,7 @@ void Ledger::printTimes(std::ostream& out) const {
 
 void Ledger::printAccuracy(std::ostream& out) const {
   out << "| scene | engine | distances compared | error below 100 mm: median / p99 / largest [mm] | beyond: "
-         "largest [%] | bounds broken | contacts compared | missed of touching | invented |\n"
+         "largest [%] | bounds violated | contacts compared | missed contacts | false contacts |\n"
          "|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
   for (std::size_t s = 0; s < scenes_.size(); ++s) {
     const Row* distances = find(s, Work::kDistance, Kind::kFcl);

@@ -43,14 +43,14 @@ session::Session& humanoid() {
   return *session;
 }
 
-TEST(HugAvoid, ArmsThatDoNotReactAreHit) {
+TEST(HugAvoid, ArmsWithoutReactionAreHit) {
   const run::RunSummary s = run(hug(), kBegin, kEnd, false);
   EXPECT_EQ(s.pairs, 291u);
   EXPECT_LT(s.min_distance->value, -0.05);
   EXPECT_GT(s.contacts, 0);
 }
 
-TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
+TEST(HugAvoid, ReactingArmsKeepAwayFromBoxer) {
   const run::RunSummary s = run(hug(), kBegin, kEnd, true);
   EXPECT_EQ(s.cycles, 2001);
   ASSERT_EQ(s.robots.size(), 2u);
@@ -65,7 +65,7 @@ TEST(HugAvoid, ArmsThatReactKeepAwayFromTheBoxer) {
   EXPECT_EQ(s.robots[0].stops[0].cause.reason, safety::StopReason::kDistance);
 }
 
-TEST(HugAvoid, JointsKeepTheLimitsOfTheirFileInEveryCycleOfTheCapture) {
+TEST(HugAvoid, JointsKeepLimitsInEveryCycle) {
   // Positions in rad, velocities in rad/s and efforts in N m may be beyond by rounding alone.
   constexpr double kShare = 1e-6;
   const std::vector<double> times = hug().frameTimes();
@@ -98,12 +98,12 @@ TEST(HugAvoid, JointsKeepTheLimitsOfTheirFileInEveryCycleOfTheCapture) {
   EXPECT_TRUE(run::jointLimitsOf(hug(), &loop, times.front(), times.back()).empty()) << "their plans neither";
 }
 
-TEST(HumanoidSelf, ArmsThatDoNotReactGoThroughEachOther) {
+TEST(HumanoidSelf, ArmsWithoutReactionPenetrateEachOther) {
   const run::RunSummary s = run(humanoid(), 0.0, 2.2, false);
   EXPECT_LT(s.min_distance->value, -0.03);
 }
 
-TEST(HumanoidSelf, ArmsThatReactStayApart) {
+TEST(HumanoidSelf, ReactingArmsStayApart) {
   const run::RunSummary s = run(humanoid(), 0.0, 2.2, true);
   ASSERT_EQ(s.robots.size(), 1u);
   EXPECT_GT(s.robots[0].nearest->value, 0.03);

@@ -16,7 +16,7 @@ constexpr double kDt = 0.001;    // s, the thesis's rate
 constexpr int kSteps = 4000;
 constexpr double kRounding = 1e-14;  // of three products of numbers near 1, relative to a reach of 3.3 m
 
-TEST(ExperimentChain, FollowsItsClosedFormInThePlane) {
+TEST(ExperimentChain, MatchesClosedFormInPlane) {
   const mechanism::Mechanism chain =
       robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   ASSERT_EQ(chain.dof, 3);
@@ -51,7 +51,7 @@ TEST(ExperimentChain, FollowsItsClosedFormInThePlane) {
   EXPECT_LT(worst, kRounding * 3.0 * kLength);
 }
 
-TEST(ExperimentChain, SwingsThirtyDegreesAJointAndReturns) {
+TEST(ExperimentChain, SwingsThirtyDegreesPerJointAndReturns) {
   const mechanism::Mechanism chain =
       robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   mechanism::MechanismState state;

@@ -27,7 +27,7 @@ TEST(ThesisHug, FourteenBodiesGiveSeventyNinePairs) {
   for (const scene::Pair& p : session->scene().pairs()) EXPECT_DOUBLE_EQ(p.options.margin, 0.075);
 }
 
-TEST(ThesisHug, LinksOfTheDemoAreClearWithoutTheMargin) {
+TEST(ThesisHug, DemoLinksAreApartWithoutMargin) {
   const auto session = openHug();
   const auto times = session->frameTimes();
   for (std::size_t i = 0; i < times.size(); i += 25) {
@@ -38,7 +38,7 @@ TEST(ThesisHug, LinksOfTheDemoAreClearWithoutTheMargin) {
   }
 }
 
-TEST(ThesisHug, TorquesPointAway) {
+TEST(ThesisHug, TorquesDoWorkAgainstApproach) {
   // The contact forces do work on the arms: positive exactly while the margins part, negative while they
   // close.
   const auto session = openHug();

@@ -43,7 +43,7 @@ double overlapArea(double angle) {
   return depth <= 0 ? 0.0 : depth * depth / (2 * std::sin(angle) * std::cos(angle));
 }
 
-TEST(ThesisRods, NothingHappensApart) {
+TEST(ThesisRods, NoForceWhenApart) {
   Rods rods;
   const query::PairResult& r = rods.turn(0.2, 0.0);
   EXPECT_GT(r.distance, 0.03);
@@ -51,7 +51,7 @@ TEST(ThesisRods, NothingHappensApart) {
   EXPECT_EQ(r.force_a.norm(), 0.0);
 }
 
-TEST(ThesisRods, ForcesPushApartAndTorquesStopTheTurning) {
+TEST(ThesisRods, ForcesPushApartAndTorquesOpposeRotation) {
   Rods rods;
   int touching = 0;
   double t = 0.0;

@@ -20,7 +20,7 @@ std::unique_ptr<session::Session> openSpheres() {
                                             options);
 }
 
-TEST(ThesisSpheres, StructuresAreThoseOfTheThesis) {
+TEST(ThesisSpheres, StructuresMatchThesis) {
   const auto session = openSpheres();
   ASSERT_EQ(session->scene().objectCount(), 3u);
   ASSERT_EQ(session->scene().pairs().size(), 3u);
@@ -30,7 +30,7 @@ TEST(ThesisSpheres, StructuresAreThoseOfTheThesis) {
   }
 }
 
-TEST(ThesisSpheres, TwoMeetInTheFirstLoopAllThreeInTheNext) {
+TEST(ThesisSpheres, TwoCollideInFirstLoopThreeInNext) {
   const auto session = openSpheres();
   // The fast spheres pass the middle at 0.5 s and every second after, the slow one at 1.5 s and every two
   // seconds after: so the meetings in the middle take turns.
@@ -50,7 +50,7 @@ TEST(ThesisSpheres, TwoMeetInTheFirstLoopAllThreeInTheNext) {
   }
 }
 
-TEST(ThesisSpheres, ForcesPointAlongTheLineOfCentres) {
+TEST(ThesisSpheres, ForcesPointAlongLineOfCentres) {
   const auto session = openSpheres();
   int touching = 0;
   for (const double t : session->frameTimes()) {
@@ -68,7 +68,7 @@ TEST(ThesisSpheres, ForcesPointAlongTheLineOfCentres) {
   EXPECT_GT(touching, 10);
 }
 
-TEST(ThesisSpheres, ThreeThreadsAgreeWithLockStep) {
+TEST(ThesisSpheres, ThreeThreadsMatchLockStep) {
   const auto session = openSpheres();
   scene::PairThreads threads(session->scene());
   std::vector<scene::PairThreads::GroupIndex> groups;

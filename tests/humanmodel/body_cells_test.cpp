@@ -11,11 +11,11 @@ namespace body_cells_test {
 
 constexpr double kRounding = 1e-12;
 
-TEST(BodyCells, HoldTheirMiddles) {
+TEST(BodyCells, ContainTheirCentres) {
   for (std::size_t cell = 0; cell < kCellCount; ++cell) EXPECT_EQ(cellOf(cellMiddle(cell)), cell);
 }
 
-TEST(BodyCells, HoldTheDirectionsBetweenTheirCorners) {
+TEST(BodyCells, ContainDirectionsBetweenCorners) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0.01, 1.0);
   for (std::size_t cell = 0; cell < kCellCount; ++cell) {
@@ -28,7 +28,7 @@ TEST(BodyCells, HoldTheDirectionsBetweenTheirCorners) {
   }
 }
 
-TEST(BodyCells, CoverABallFromOutside) {
+TEST(BodyCells, CoverSphereWithOutwardOrientation) {
   // Girard: the solid angles of all cells, two spherical triangles each (van Oosterom and Strackee 1983), sum
   // up to that of the ball; a cell whose corners ran the other way would count negative.
   double sum = 0.0, smallest = kInfinity, largest = 0.0;
@@ -45,7 +45,7 @@ TEST(BodyCells, CoverABallFromOutside) {
   EXPECT_GT(smallest, 0.7 * largest) << "equal angles make cells of about equal size";
 }
 
-TEST(BodyCells, AreOnTheSurface) {
+TEST(BodyCells, LieOnSurface) {
   const geometry::Ellipsoid ellipsoid{{0.1, 0.2, 0.4}};
   const geometry::Cuboid cuboid{{0.1, 0.2, 0.4}};
   for (std::size_t cell = 0; cell < kCellCount; ++cell)
@@ -56,7 +56,7 @@ TEST(BodyCells, AreOnTheSurface) {
     }
 }
 
-TEST(BodyCells, AreCalledAsAPersonWould) {
+TEST(BodyCells, HaveReadableNames) {
   EXPECT_EQ(cellPlace(cellOf({1.0, 0.01, 0.01})), "front");
   EXPECT_EQ(cellPlace(cellOf({-1.0, 0.01, 0.9})), "back, upper end");
   EXPECT_EQ(cellPlace(cellOf({0.01, 1.0, 0.01})), "left");

@@ -25,7 +25,7 @@ EnclosedShare share(const HumanModel& model, std::optional<Sex> sex, BodyPart pa
   return enclosedShare(model, sex)[index(part)];
 }
 
-TEST(EnclosedShare, CalfInClosedForm) {
+TEST(EnclosedShare, CalfMatchesClosedForm) {
   HumanModel m = human(1.8, Sex::kMale);
   for (const double girth : {0.35, 0.40, 0.45}) {
     HumanPart& calf = m.parts[index(BodyPart::kCalfLeft)];
@@ -41,7 +41,7 @@ TEST(EnclosedShare, CalfInClosedForm) {
   }
 }
 
-TEST(EnclosedShare, AllStaturesByChance) {
+TEST(EnclosedShare, AllStaturesMatchMonteCarlo) {
   // The normal model of the formula, people drawn one by one. Four standard errors of a share of 0.5.
   constexpr int kPeople = 200000;
   const double tolerance = 4.0 * 0.5 / std::sqrt(kPeople);
@@ -77,7 +77,7 @@ TEST(EnclosedShare, AllStaturesByChance) {
     }
 }
 
-TEST(EnclosedShare, RoundLimbsOfTheThesisAsCounted) {
+TEST(EnclosedShare, ThesisLimbsMatchCountedShares) {
   // Share of ANSUR II's people whose girth / stature exceeds table B.1, per cent. The people are counted, the
   // model is normal: 2.5 points apart at most.
   constexpr double kSkew = 0.025;
@@ -98,7 +98,7 @@ TEST(EnclosedShare, RoundLimbsOfTheThesisAsCounted) {
   EXPECT_LT(share(m, Sex::kMale, BodyPart::kHandLeft).at_stature, 0.02) << "98 % of men have thicker hands";
 }
 
-TEST(EnclosedShare, MarginalGirthsAreThoseOfTheTable) {
+TEST(EnclosedShare, MarginalGirthsMatchTable) {
   // The 95th percentiles of men's girths, mm, measured. A girth whose share of stature falls with stature is
   // overestimated by the model; the head most.
   struct Row {
@@ -123,7 +123,7 @@ TEST(EnclosedShare, MarginalGirthsAreThoseOfTheTable) {
   }
 }
 
-TEST(EnclosedShare, TheMeanPersonEnclosesHalf) {
+TEST(EnclosedShare, MeanPersonEnclosesHalf) {
   for (const Sex sex : {Sex::kFemale, Sex::kMale}) {
     const HumanModel m = human(1.7, sex);
     const auto shares = enclosedShare(m, sex);
@@ -132,7 +132,7 @@ TEST(EnclosedShare, TheMeanPersonEnclosesHalf) {
   }
 }
 
-TEST(EnclosedShare, OfATrunkTheTightestPlaceCounts) {
+TEST(EnclosedShare, TightestSectionOfTrunkDecides) {
   HumanModel m = human(1.8, Sex::kMale);
   HumanPart& torso = m.parts[index(BodyPart::kTorso)];
   torso.depth *= 10.0;

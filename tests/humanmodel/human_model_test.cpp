@@ -80,7 +80,7 @@ double gapNear(const HumanModel& m, const HumanPart& a, const HumanPart& b, cons
   return nearest;
 }
 
-TEST(HumanModel, ThesisPresetIsTheCorrectedTable) {
+TEST(HumanModel, ThesisPresetMatchesCorrectedTable) {
   struct Row {
     PartKind kind;
     bool cuboid;
@@ -110,7 +110,7 @@ TEST(HumanModel, ThesisPresetIsTheCorrectedTable) {
   }
 }
 
-TEST(HumanModel, NamesAndNeighbours) {
+TEST(HumanModel, NamesAndNeighboursAreConsistent) {
   for (std::size_t i = 0; i < kBodyPartCount; ++i) {
     const auto part = static_cast<BodyPart>(i);
     EXPECT_EQ(parsePart(partName(part)), part);
@@ -129,7 +129,7 @@ TEST(HumanModel, NamesAndNeighbours) {
   EXPECT_FALSE(parentOf(BodyPart::kTorso));
 }
 
-TEST(HumanModel, MassesSumAndInertiaIsOfARealBody) {
+TEST(HumanModel, MassesSumAndInertiaMatchesDeLeva) {
   for (const HumanModel& m : variety()) {
     double sum = 0.0;
     for (const HumanPart& p : m.parts) {
@@ -157,7 +157,7 @@ TEST(HumanModel, MassesSumAndInertiaIsOfARealBody) {
   EXPECT_NEAR(foot.inertia(0, 0), foot.mass * std::pow(.124 * foot.length, 2), kRounding);
 }
 
-TEST(HumanModel, StandsFromTheFloorToItsHeight) {
+TEST(HumanModel, StandsFromFloorToStature) {
   for (const HumanModel& m : variety()) {
     EXPECT_NEAR(m.rest[Joint::kHeadTop].z(), m.height, kRounding);
     EXPECT_EQ(m.rest[Joint::kPelvis].head<2>(), Eigen::Vector2d::Zero());
@@ -181,7 +181,7 @@ TEST(HumanModel, StandsFromTheFloorToItsHeight) {
   }
 }
 
-TEST(HumanModel, JointHeightsAreThoseOfMeasuredPeople) {
+TEST(HumanModel, JointHeightsMatchMeasuredPeople) {
   // Drillis and Contini 1966 in shares of stature; 0.02 is what ANSUR II landmarks differ from them.
   const std::pair<Joint, double> heights[] = {{Joint::kAnkleLeft, .039}, {Joint::kKneeLeft, .285},
                                               {Joint::kHipLeft, .530},   {Joint::kShoulderLeft, .818},
@@ -193,7 +193,7 @@ TEST(HumanModel, JointHeightsAreThoseOfMeasuredPeople) {
   }
 }
 
-TEST(HumanModel, NeighboursMeetAtTheirJoint) {
+TEST(HumanModel, NeighboursMeetAtSharedJoint) {
   constexpr double kLargestGap = 0.02;  // m
   for (const HumanModel& m : variety()) {
     if (m.height > 2.0) continue;  // gaps grow with the body
@@ -219,7 +219,7 @@ TEST(HumanModel, LeftAndRightAreMirrorImages) {
     }
 }
 
-TEST(HumanModel, GrowsWithHeightAndWithMass) {
+TEST(HumanModel, GrowsWithStatureAndMass) {
   for (const HumanPreset preset : {HumanPreset::kThesis, HumanPreset::kAnthropometric})
     for (double h = 0.6; h < 2.5; h += 0.1) {
       const HumanModel small = human(h - 0.1, preset), large = human(h, preset);
@@ -239,7 +239,7 @@ TEST(HumanModel, GrowsWithHeightAndWithMass) {
   }
 }
 
-TEST(HumanModel, SmallWomanAndLargeManMatchThePercentiles) {
+TEST(HumanModel, SmallWomanAndLargeManMatchPercentiles) {
   // ANSUR II, 5th percentile woman and 95th percentile man, mm.
   struct Row {
     BodyPart part;
@@ -278,7 +278,7 @@ TEST(HumanModel, SmallWomanAndLargeManMatchThePercentiles) {
   EXPECT_NEAR(measuresOf(1.870, 110.7, Sex::kMale).waist_girth, 1.131, kPercentile * 1.131);
 }
 
-TEST(HumanModel, WithoutMassTheMeanPersonOfTheTables) {
+TEST(HumanModel, DefaultMassMatchesMeanPersonOfTables) {
   EXPECT_NEAR(human(1.7562, HumanPreset::kAnthropometric, {}, Sex::kMale).mass, 85.5, kTable);
   EXPECT_NEAR(human(1.6285, HumanPreset::kAnthropometric, {}, Sex::kFemale).mass, 67.8, kTable);
   const double men = meanBodyMassIndex(Sex::kMale), women = meanBodyMassIndex(Sex::kFemale);
@@ -288,7 +288,7 @@ TEST(HumanModel, WithoutMassTheMeanPersonOfTheTables) {
   EXPECT_NEAR(measuresOf(1.0, women, Sex::kFemale).thigh_girth, .379, 1e-3);
 }
 
-TEST(HumanModel, RefusesNonsense) {
+TEST(HumanModel, RejectsOutOfRangeValues) {
   for (const double h : {0.0, -1.0, kNaN, 17.0, 0.4, kInfinity, -kInfinity, 2.5001})
     EXPECT_THROW(human(h), UsageError) << h;
   for (const double m : {0.0, -70.0, kNaN, 9.9, 301.0, kInfinity})

@@ -25,7 +25,7 @@ PartOverride wish(std::optional<double> length, std::optional<double> contour,
   return {length, contour, breadth, depth, shape};
 }
 
-TEST(CrossSection, ContourOfCirclesRectanglesAndEllipses) {
+TEST(CrossSection, GirthMatchesClosedForms) {
   EXPECT_NEAR(contourOf(PartShape::kEllipsoid, 2.0, 2.0), 2.0 * kPi, kRounding);
   EXPECT_NEAR(contourOf(PartShape::kCuboid, 2.0, 1.0), 6.0, kRounding);
   // Ellipse with semi-axes 2 and 1: 9.68844822054767619...
@@ -36,7 +36,7 @@ TEST(CrossSection, ContourOfCirclesRectanglesAndEllipses) {
       EXPECT_NEAR(extentFor(shape, contourOf(shape, 0.1, 0.1 * ratio), 0.1), 0.1 * ratio, 1e-9) << ratio;
 }
 
-TEST(Overrides, ContourScalesBreadthAndDepthTogether) {
+TEST(HumanOverrides, GirthScalesBreadthAndDepthTogether) {
   for (const HumanPreset preset : {HumanPreset::kThesis, HumanPreset::kAnthropometric}) {
     const HumanModel usual = with(kHand, {}, preset), changed = with(kHand, wish({}, 0.3), preset);
     const HumanPart &a = usual.part(kHand), &b = changed.part(kHand);
@@ -47,7 +47,7 @@ TEST(Overrides, ContourScalesBreadthAndDepthTogether) {
   }
 }
 
-TEST(Overrides, EachMeasureActsAlone) {
+TEST(HumanOverrides, EachMeasureActsAlone) {
   const HumanPart usual = with(kHand, {}).part(kHand);
   const HumanPart longer = with(kHand, wish(0.25, {})).part(kHand);
   EXPECT_EQ(longer.length, 0.25);
@@ -62,7 +62,7 @@ TEST(Overrides, EachMeasureActsAlone) {
   EXPECT_NEAR(std::get<geometry::Ellipsoid>(both.shape).semi_axes.y(), 0.03, kRounding);
 }
 
-TEST(Overrides, ShapeKeepsLengthAndContour) {
+TEST(HumanOverrides, ShapeKeepsLengthAndGirth) {
   const HumanPart usual = with(BodyPart::kTorso, {}, HumanPreset::kThesis).part(BodyPart::kTorso);
   const HumanPart round =
       with(BodyPart::kTorso, wish({}, {}, {}, {}, "ellipsoid"), HumanPreset::kThesis).part(BodyPart::kTorso);
@@ -74,7 +74,7 @@ TEST(Overrides, ShapeKeepsLengthAndContour) {
   EXPECT_NEAR(std::get<geometry::Cuboid>(box.shape).size.z(), box.length, kRounding);
 }
 
-TEST(Overrides, LengthMovesTheJoints) {
+TEST(HumanOverrides, LengthMovesJoints) {
   const HumanModel usual = with(BodyPart::kThighLeft, {});
   HumanOptions options = usual.options;
   for (const BodyPart part : {BodyPart::kThighLeft, BodyPart::kThighRight})
@@ -86,7 +86,7 @@ TEST(Overrides, LengthMovesTheJoints) {
   EXPECT_NEAR(tall.rest[Joint::kAnkleLeft].z(), usual.rest[Joint::kAnkleLeft].z(), kRounding);
 }
 
-TEST(Overrides, RefusesNonsense) {
+TEST(HumanOverrides, RejectsOutOfRangeValues) {
   const PartOverride bad[] = {wish(0.0, {}),
                               wish(-1.0, {}),
                               wish(kNaN, {}),

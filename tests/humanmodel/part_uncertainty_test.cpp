@@ -9,14 +9,14 @@
 namespace abstand::humanmodel {
 namespace part_uncertainty_test {
 
-TEST(PartReach, TheQuantileHoldsNinetyNineInAHundred) {
+TEST(PartUncertainty, QuantileCovers99Percent) {
   // The chi distribution with three degrees of freedom: erf(q / sqrt 2) - sqrt(2 / pi) q exp(-q^2 / 2).
   const double q = kSpreadQuantile;
   const double share = std::erf(q / std::sqrt(2.0)) - std::sqrt(2.0 / kPi) * q * std::exp(-0.5 * q * q);
   EXPECT_NEAR(share, 0.99, 1e-6);  // four decimals of q
 }
 
-TEST(PartReach, AgeAndSpreadAdd) {
+TEST(PartUncertainty, AgeAndSpreadAdd) {
   EXPECT_EQ(partUncertainty(0.0, 0.0), 0.0);
   EXPECT_DOUBLE_EQ(partUncertainty(0.1, 0.0), 0.1 * 2.0);
   EXPECT_DOUBLE_EQ(partUncertainty(0.1, 0.0, 1.6), 0.16);
@@ -24,7 +24,7 @@ TEST(PartReach, AgeAndSpreadAdd) {
   EXPECT_DOUBLE_EQ(partUncertainty(0.5, 0.01, 1.6), 0.5 * 1.6 + 0.033682);
 }
 
-TEST(PartReach, WhatIsNotKnownMayBeAnywhere) {
+TEST(PartUncertainty, UnknownIsInfinite) {
   EXPECT_EQ(partUncertainty(kInfinity, 0.0), kInfinity);
   EXPECT_EQ(partUncertainty(0.0, kInfinity), kInfinity);
   EXPECT_EQ(partUncertainty(kNaN, 0.0), kInfinity);
@@ -33,7 +33,7 @@ TEST(PartReach, WhatIsNotKnownMayBeAnywhere) {
   EXPECT_EQ(partUncertainty(-1.0, -1.0), 0.0);
 }
 
-TEST(PartSpread, GoesOnFromPartToPartAndStaysWhileHeld) {
+TEST(PartSpread, PropagatesAlongPartsAndStaysWhileHeld) {
   const HumanModel model = makeHuman({});
   Poser poser(model);
   SkeletonFrame frame = model.rest;

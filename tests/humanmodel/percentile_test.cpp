@@ -32,7 +32,7 @@ HumanModel meanOf(double height, std::optional<Sex> sex, std::optional<double> m
   return makeHuman(options);
 }
 
-TEST(Percentile, LargeManEncloses) {
+TEST(Percentile, LargeManMatchesClosedForm) {
   const HumanModel large = of(95.0, Sex::kMale), usual = meanOf(1.870, Sex::kMale);
   EXPECT_NEAR(large.height, 1.870, kRounding);
   EXPECT_NEAR(large.mass, 110.7, 1e-9);
@@ -51,7 +51,7 @@ TEST(Percentile, LargeManEncloses) {
   }
 }
 
-TEST(Percentile, EnclosesThatShareOfThePeopleOfItsStature) {
+TEST(Percentile, EnclosesStatedShareAtItsStature) {
   // The torso is the largest of three places in breadth and in depth: there the share may be larger.
   for (const std::optional<Sex> sex : kSexes)
     for (const double percentile : {1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0})
@@ -68,7 +68,7 @@ TEST(Percentile, EnclosesThatShareOfThePeopleOfItsStature) {
       }
 }
 
-TEST(Percentile, GirthsAreMeanAndScoreTimesDeviation) {
+TEST(Percentile, GirthsAreMeanPlusScoreTimesDeviation) {
   const BodySections mean = meanSections(1.8, {}, Sex::kFemale);
   const BodySections large = sectionsOfPercentile(90.0, 1.8, {}, Sex::kFemale);
   const double score = normalScore(0.9);
@@ -87,7 +87,7 @@ TEST(Percentile, GirthsAreMeanAndScoreTimesDeviation) {
   EXPECT_NEAR(wide[GirthPlace::kCalf].girth, heavy[GirthPlace::kCalf].girth + score * 1.8 * .017, kRounding);
 }
 
-TEST(Percentile, GrowsWithThePercentile) {
+TEST(Percentile, GrowsWithPercentile) {
   for (const std::optional<Sex> sex : kSexes)
     for (double p = 1.0; p < 99.0; p += 1.0) {
       const HumanModel small = of(p, sex), large = of(p + 1.0, sex);
@@ -102,7 +102,7 @@ TEST(Percentile, GrowsWithThePercentile) {
     }
 }
 
-TEST(Percentile, FiftyIsTheMeanPerson) {
+TEST(Percentile, FiftyIsMeanPerson) {
   for (const Sex sex : {Sex::kFemale, Sex::kMale}) {
     const HumanModel half = of(50.0, sex), usual = meanOf(half.height, sex);
     for (std::size_t i = 0; i < kBodyPartCount; ++i) {
@@ -121,7 +121,7 @@ TEST(Percentile, FiftyIsTheMeanPerson) {
     EXPECT_NEAR(half.parts[i].contour / usual.parts[i].contour, 1.0, 0.016) << partName(half.parts[i].part);
 }
 
-TEST(Percentile, HeightAndMassOverrideThoseOfThePercentile) {
+TEST(Percentile, StatureAndMassOverridePercentile) {
   const HumanModel m = of(95.0, Sex::kMale, 1.7);
   EXPECT_EQ(m.height, 1.7);
   EXPECT_NEAR(m.mass, 110.7, 1e-9);
@@ -135,7 +135,7 @@ TEST(Percentile, HeightAndMassOverrideThoseOfThePercentile) {
             meanOf(1.870, Sex::kMale, 70.0).part(BodyPart::kThighLeft).contour);
 }
 
-TEST(Percentile, SmallAndLargeStandFromTheFloorToTheirHeight) {
+TEST(Percentile, ExtremesStandFromFloorToStature) {
   for (const std::optional<Sex> sex : kSexes)
     for (const double percentile : {1.0, 99.0}) {
       const HumanModel m = of(percentile, sex);
@@ -150,7 +150,7 @@ TEST(Percentile, SmallAndLargeStandFromTheFloorToTheirHeight) {
     }
 }
 
-TEST(Percentile, RefusesNonsense) {
+TEST(Percentile, RejectsOutOfRangeValues) {
   for (const double p : {0.0, 0.99, 99.01, 100.0, -5.0, kNaN, kInfinity})
     EXPECT_THROW(of(p, Sex::kMale), UsageError) << p;
   EXPECT_THROW(of(95.0, Sex::kMale, 0.9), UsageError) << "110.7 kg at 0.9 m";

@@ -22,7 +22,7 @@ TEST(NormalDistribution, ShareAndScoreAreInverse) {
     EXPECT_NEAR(normalShare(normalScore(share)), share, 1e-15);
 }
 
-TEST(Population, PercentilesAreThoseOfTheTable) {
+TEST(Population, PercentilesMatchTable) {
   struct Row {
     double percentile, man, woman, man_kg, woman_kg;
   };
@@ -44,7 +44,7 @@ TEST(Population, PercentilesAreThoseOfTheTable) {
     }
 }
 
-TEST(Population, GrowsWithThePercentile) {
+TEST(Population, GrowsWithPercentile) {
   for (const std::optional<Sex> sex : {kBoth, {Sex::kFemale}, {Sex::kMale}})
     for (double p = 1.0; p < 99.0; p += 0.5) {
       EXPECT_LT(statureOfPercentile(p, sex), statureOfPercentile(p + 0.5, sex)) << p;
@@ -52,7 +52,7 @@ TEST(Population, GrowsWithThePercentile) {
     }
 }
 
-TEST(Population, WithoutSexItIsHalfWomenAndHalfMen) {
+TEST(Population, UnspecifiedSexIsHalfWomenHalfMen) {
   for (double p = 1.0; p <= 99.0; p += 7.0) {
     const double stature = statureOfPercentile(p, kBoth);
     EXPECT_GE(stature, statureOfPercentile(p, Sex::kFemale));
@@ -69,7 +69,7 @@ TEST(Population, WithoutSexItIsHalfWomenAndHalfMen) {
   }
 }
 
-TEST(Population, SexesShareAStature) {
+TEST(Population, SexSharesAtStatureSumToOne) {
   for (const double h : {0.5, 1.3, 1.6, 1.7, 1.8, 2.0, 2.5})
     EXPECT_NEAR(shareOfSexAt(h, Sex::kFemale) + shareOfSexAt(h, Sex::kMale), 1.0, kRounding);
   EXPECT_GT(shareOfSexAt(1.5, Sex::kFemale), 0.9);

@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-12;
 PartState stateOf(const HumanPose& pose, BodyPart part) { return pose.state[index(part)]; }
 const Transform& poseOf(const HumanPose& pose, BodyPart part) { return pose.X_WP[index(part)]; }
 
-TEST(PoserMissing, BeforeTheFirstFrameThereIsNobody) {
+TEST(PoserMissing, NoPartsBeforeFirstFrame) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -28,7 +28,7 @@ TEST(PoserMissing, BeforeTheFirstFrameThereIsNobody) {
   }
 }
 
-TEST(PoserMissing, AHandContinuesTheForearm) {
+TEST(PoserMissing, HandContinuesForearm) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -42,7 +42,7 @@ TEST(PoserMissing, AHandContinuesTheForearm) {
       kRounding);
 }
 
-TEST(PoserMissing, AFootPointsForwardOfTheBody) {
+TEST(PoserMissing, FootPointsForward) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -57,7 +57,7 @@ TEST(PoserMissing, AFootPointsForwardOfTheBody) {
             kRounding);
 }
 
-TEST(PoserMissing, AHeadContinuesTheTorsoAndTheSpineIsNotNeeded) {
+TEST(PoserMissing, HeadContinuesTorsoWithoutSpine) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -75,7 +75,7 @@ TEST(PoserMissing, AHeadContinuesTheTorsoAndTheSpineIsNotNeeded) {
             kRounding);
 }
 
-TEST(PoserMissing, TheTrunkIsFoundFromWhatIsThere) {
+TEST(PoserMissing, TrunkIsFoundFromRemainingJoints) {
   const HumanModel m = person();
   HumanPose whole, pose;
   Poser(m).pose(m.rest, whole);
@@ -97,7 +97,7 @@ TEST(PoserMissing, TheTrunkIsFoundFromWhatIsThere) {
   }
 }
 
-TEST(PoserMissing, APartIsHeldRelativeToTheOneThatCarriesIt) {
+TEST(PoserMissing, HeldPartFollowsItsParent) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose before, after;
@@ -129,7 +129,7 @@ TEST(PoserMissing, APartIsHeldRelativeToTheOneThatCarriesIt) {
   EXPECT_EQ(after.age[index(BodyPart::kForearmLeft)], 0.0);
 }
 
-TEST(PoserMissing, AForearmThatIsSeenStandsAtItsElbowThoughTheUpperArmIsStale) {
+TEST(PoserMissing, TrackedForearmKeepsElbowWithStaleUpperArm) {
   const HumanModel m = person(1.62);
   Poser poser(m);
   HumanPose pose;
@@ -143,7 +143,7 @@ TEST(PoserMissing, AForearmThatIsSeenStandsAtItsElbowThoughTheUpperArmIsStale) {
   EXPECT_LT((elbow - frame[kElbowLeft]).norm(), kRounding);
 }
 
-TEST(PoserMissing, BrokenFramesChangeNothingButStateAndAge) {
+TEST(PoserMissing, BrokenFramesChangeOnlyStateAndAge) {
   const HumanModel m = person();
   std::vector<SkeletonFrame> broken(4, walking(0.2));
   broken[0].set(kWristLeft, {kNaN, 0.0, 0.0});
@@ -170,7 +170,7 @@ TEST(PoserMissing, BrokenFramesChangeNothingButStateAndAge) {
   EXPECT_EQ(stateOf(pose, BodyPart::kTorso), PartState::kNone);
 }
 
-TEST(PoserMissing, GuessedJointsShow) {
+TEST(PoserMissing, GuessedJointsAreInferred) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -182,7 +182,7 @@ TEST(PoserMissing, GuessedJointsShow) {
   EXPECT_EQ(stateOf(pose, BodyPart::kHandRight), PartState::kTracked);
 }
 
-TEST(PoserMissing, AStepBackInTimeAddsNoAge) {
+TEST(PoserMissing, BackwardTimeStepAddsNoAge) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;

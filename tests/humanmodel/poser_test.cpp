@@ -34,7 +34,7 @@ void expectSame(const HumanPose& a, const HumanPose& b, double tolerance = kRoun
         << partName(static_cast<BodyPart>(i));
 }
 
-TEST(Poser, TheRestFrameGivesTheRestPose) {
+TEST(Poser, RestFrameGivesRestPose) {
   for (const HumanPreset preset : {HumanPreset::kThesis, HumanPreset::kAnthropometric})
     for (const bool follow : {false, true}) {
       const HumanModel m = person(1.75, preset);
@@ -55,7 +55,7 @@ TEST(Poser, TheRestFrameGivesTheRestPose) {
     }
 }
 
-TEST(Poser, NeighboursShareTheirJointAndDirectionsAreTheRecordings) {
+TEST(Poser, KeepsSharedJointsAndRecordedDirections) {
   const HumanModel m = person(1.9);
   Poser poser(m);
   HumanPose pose;
@@ -85,7 +85,7 @@ TEST(Poser, NeighboursShareTheirJointAndDirectionsAreTheRecordings) {
   }
 }
 
-TEST(Poser, ModelsOfAnySizeStandOnTheFloor) {
+TEST(Poser, ModelsOfAnySizeStandOnFloor) {
   for (const double height : {1.4, 1.62, 2.0}) {
     for (const double floor : {0.0, -0.9}) {
       const HumanModel m = person(height);
@@ -105,7 +105,7 @@ TEST(Poser, ModelsOfAnySizeStandOnTheFloor) {
   }
 }
 
-TEST(Poser, CalibrationKeepsNoisyLegsFromMovingTheHips) {
+TEST(Poser, CalibrationDecouplesHipsFromLegNoise) {
   const HumanModel m = person(1.9);
   std::vector<SkeletonFrame> recording(101, person(1.62).rest);
   recording[50].set(Joint::kKneeLeft, recording[0][Joint::kKneeLeft] + Vector3d(0.2, 0.0, 0.0));
@@ -120,7 +120,7 @@ TEST(Poser, CalibrationKeepsNoisyLegsFromMovingTheHips) {
   EXPECT_LT((calm.X_WP[0].translation() - noisy.X_WP[0].translation()).norm(), kRounding);
 }
 
-TEST(Poser, CalibrationPutsTheSolesOnTheFloorWhateverTheRecordedAnkleHeight) {
+TEST(Poser, CalibrationPutsSolesOnFloorForAnyAnkleHeight) {
   const HumanModel m = person(1.9);
   for (const double floor : {0.0, 0.4})
     for (const double ankle : {0.02, 0.07, 0.15}) {
@@ -137,7 +137,7 @@ TEST(Poser, CalibrationPutsTheSolesOnTheFloorWhateverTheRecordedAnkleHeight) {
     }
 }
 
-TEST(Poser, FollowedJointsStandWhereTheyWereRecorded) {
+TEST(Poser, FollowedJointsKeepRecordedPositions) {
   const HumanModel m = person(1.62);  // as tall as the recorded person
   Poser poser(m, true);
   HumanPose pose;
@@ -162,7 +162,7 @@ TEST(Poser, FollowedJointsStandWhereTheyWereRecorded) {
               (onPart(pose, calf.part, calf.p_distal) - frame[calf.distal]).norm(), kRounding);
 }
 
-TEST(Poser, MovingAndTurningTheRecordingMovesThePersonRigidly) {
+TEST(Poser, IsInvariantUnderRigidMotion) {
   const HumanModel m = person(1.9);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Transform X = Transform::Identity();
@@ -206,7 +206,7 @@ TEST(Poser, MirroredInputGivesMirroredOutput) {
   }
 }
 
-TEST(Poser, OneMillimetreOfJitterMovesLittle) {
+TEST(Poser, OneMillimetreJitterMovesPartsLittle) {
   constexpr double kJitter = 1e-3;
   // A bone's end moves by the jitters of the chain below it; the shortest bone, the head's, is 0.2 m long,
   // and a bend of 20 degrees gives the hinge a lever of a third of the forearm.

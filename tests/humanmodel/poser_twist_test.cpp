@@ -30,7 +30,7 @@ double largestStep(const HumanModel& m, int steps, Motion motion) {
   return largest;
 }
 
-TEST(PoserTwist, TheHingeGivesTheTwistOfABentArm) {
+TEST(PoserTwist, HingeDefinesTwistOfBentArm) {
   const HumanModel m = person();
   for (const double yaw : {-1.2, 0.0, 0.7}) {
     SkeletonFrame frame = m.rest;
@@ -46,7 +46,7 @@ TEST(PoserTwist, TheHingeGivesTheTwistOfABentArm) {
   }
 }
 
-TEST(PoserTwist, KneesBendTheOtherWay) {
+TEST(PoserTwist, KneesBendOppositeToElbows) {
   const HumanModel m = person();
   SkeletonFrame frame = m.rest;
   bend(frame, kKneeRight, kY, unit::deg(60), {kAnkleRight, kToeRight});
@@ -57,7 +57,7 @@ TEST(PoserTwist, KneesBendTheOtherWay) {
     EXPECT_LT((pose.X_WP[index(part)].linear().col(1) - kY).norm(), kRounding) << partName(part);
 }
 
-TEST(PoserTwist, NoFlipWhenAnArmSweepsThroughStraight) {
+TEST(PoserTwist, NoFlipWhenArmSweepsThroughStraight) {
   const HumanModel m = person();
   // From 90 degrees of bend through straight to 60 degrees the wrong way, as a noisy tracker may show it,
   // while the arm swings in three directions.
@@ -74,7 +74,7 @@ TEST(PoserTwist, NoFlipWhenAnArmSweepsThroughStraight) {
   }
 }
 
-TEST(PoserTwist, NoFlipWhenTheHingeTurnsWhileStraight) {
+TEST(PoserTwist, NoFlipWhenHingeTurnsWhileStraight) {
   const HumanModel m = person();
   // Straight, then bent sideways: the twist turns from the carried to the new hinge over the bend, not at
   // once.
@@ -86,7 +86,7 @@ TEST(PoserTwist, NoFlipWhenTheHingeTurnsWhileStraight) {
   EXPECT_LT(step, unit::deg(10));
 }
 
-TEST(PoserTwist, NoiseOnAStraightArmDoesNotTwistIt) {
+TEST(PoserTwist, NoiseDoesNotTwistStraightArm) {
   const HumanModel m = person();
   std::uint64_t k = 0;
   const double step = largestStep(m, 500, [&](double) {
@@ -99,7 +99,7 @@ TEST(PoserTwist, NoiseOnAStraightArmDoesNotTwistIt) {
   EXPECT_LT(step, unit::deg(3));
 }
 
-TEST(PoserTwist, AStraightArmTurnsWithTheBody) {
+TEST(PoserTwist, StraightArmTurnsWithBody) {
   const HumanModel m = person();
   Poser poser(m);
   HumanPose pose;
@@ -112,7 +112,7 @@ TEST(PoserTwist, AStraightArmTurnsWithTheBody) {
   }
 }
 
-TEST(SegmentFrame, CarriedAxesStayAtRightAngles) {
+TEST(SegmentFrame, CarriedAxesStayOrthogonal) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Matrix3d R = testing::randomPose(seed).linear();
     const Vector3d b = testing::randomPose(seed + 1000).linear().col(0);
@@ -128,7 +128,7 @@ TEST(SegmentFrame, CarriedAxesStayAtRightAngles) {
   EXPECT_LT((carriedY(I, kZ, kZ) - kY).norm(), kRounding);
 }
 
-TEST(SegmentFrame, HingesBlendFromNoiseToSure) {
+TEST(SegmentFrame, HingeBlendsInWithBend) {
   const auto turned = [](double sine, const Vector3d& axis, bool either) {
     return turnedToHinge(kY, kZ, sine * axis, either);
   };

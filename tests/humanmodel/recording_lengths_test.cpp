@@ -20,7 +20,7 @@ std::vector<SkeletonFrame> standing(double height, std::size_t frames) {
   return all;
 }
 
-TEST(RecordingLengths, TheRecordingsBonesRuleAndGirthsStay) {
+TEST(RecordingLengths, UseRecordedBonesAndKeepGirths) {
   const std::vector<SkeletonFrame> recording = standing(1.95, 1000);
   HumanOptions options;
   options.height = 1.70;
@@ -37,7 +37,7 @@ TEST(RecordingLengths, TheRecordingsBonesRuleAndGirthsStay) {
   }
 }
 
-TEST(RecordingLengths, MediansShrugOffBrokenFrames) {
+TEST(RecordingLengths, MediansIgnoreBrokenFrames) {
   std::vector<SkeletonFrame> recording = standing(1.8, 500);
   for (std::size_t i = 0; i < recording.size(); i += 4) recording[i].set(Joint::kKneeLeft, {50.0, 0.0, 0.0});
   for (std::size_t i = 1; i < recording.size(); i += 4)
@@ -47,7 +47,7 @@ TEST(RecordingLengths, MediansShrugOffBrokenFrames) {
   EXPECT_NEAR(*thigh, (recording[2][Joint::kHipRight] - recording[2][Joint::kKneeRight]).norm(), kRounding);
 }
 
-TEST(RecordingLengths, WhatIsNotRecordedStays) {
+TEST(RecordingLengths, UnrecordedLengthsStay) {
   EXPECT_TRUE(withRecordingLengths({}, {}).overrides.empty());
   std::vector<SkeletonFrame> recording = standing(1.9, 3);
   for (SkeletonFrame& f : recording)
@@ -63,14 +63,14 @@ TEST(RecordingLengths, WhatIsNotRecordedStays) {
             fitted.overrides.at(BodyPart::kForearmRight).length);
 }
 
-TEST(RecordingLengths, WrongUnitsAreRefusedByName) {
+TEST(RecordingLengths, RejectsWrongUnits) {
   std::vector<SkeletonFrame> recording = standing(1.9, 3);
   for (SkeletonFrame& f : recording)
     for (Vector3d& p : f.p) p *= 1000.0;
   EXPECT_THROW(makeHuman(withRecordingLengths({}, recording)), UsageError);
 }
 
-TEST(RecordingLengths, StandingAnkle) {
+TEST(RecordingLengths, StandingAnkleIsRobustMinimum) {
   std::vector<SkeletonFrame> recording = standing(1.8, 100);
   const double ankle = recording[0][Joint::kAnkleLeft].z();
   // Half of the time in the air, and one frame below the ground.
@@ -84,7 +84,7 @@ TEST(RecordingLengths, StandingAnkle) {
   EXPECT_FALSE(standingAnkle({}, 0.0));
 }
 
-TEST(RecordingLengths, AModelsOwnBonesFitExactly) {
+TEST(RecordingLengths, FitIsExactForModelBones) {
   const auto fit = fitLengths({}, standing(1.62, 300));
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->stature, 1.62, kRounding);
@@ -97,7 +97,7 @@ TEST(RecordingLengths, AModelsOwnBonesFitExactly) {
   }
 }
 
-TEST(RecordingLengths, ALongerBoneIsItsOwnResidual) {
+TEST(RecordingLengths, LongerBoneAppearsAsResidual) {
   // One thigh 10 % longer than the rest says: ten bones, so the stature grows by one hundredth, and the thigh
   // keeps 9 % of its length as residual. Its spread: every tenth frame is 30 mm longer still.
   std::vector<SkeletonFrame> recording = standing(1.75, 200);
@@ -121,7 +121,7 @@ TEST(RecordingLengths, ALongerBoneIsItsOwnResidual) {
   EXPECT_FALSE(fitLengths({}, {}).has_value());
 }
 
-TEST(RecordingLengths, LegRatio) {
+TEST(RecordingLengths, LegRatioMatchesStatures) {
   const std::vector<SkeletonFrame> recording = standing(1.6, 10);
   HumanOptions options;
   options.height = 1.8;

@@ -3,6 +3,11 @@ cmake_minimum_required(VERSION 3.21)
 set(retired kMost[A-Z] kLeast[A-Z] "kMost[^A-Za-z]" "kLeast[^A-Za-z]" PairAgenda PairRest LiveRest ObjectReach PairPast takeStock seekRivals
   nastyPose nastyBodies SurfacePool SampleCover SurfaceSpread ShellBalance searchOtherWay setReach partReach Crease kPutOff kRested kAskFirst mostMotion seekLine keepLine bringUp catchUp BalancePoint
   walkWitness hiddenWays lookFromAbove mayRest "[^\"]put_off" "[^a-z_\"]most_[a-z]" "[^a-z_.\"]least_[a-z]")
+# Phrases of messages and help texts that have been reworded.
+list(APPEND retired "found nobody" "found beside" "times that rise" "metres a unit" "not known of their places" "off on the mean square" "RMS off"
+  "judged too" "of your own\"" "taken already" "those found are" "those of a mirror" "closest to a person" "deepest inside" "goes on by itself"
+  "stand yet\"" "is an input too" "than it says" "would have missed no" "broken YAML" "knows the names" "touching or not" "missed of touching"
+  "bounds broken" "whoever is there" "whole frames are")
 string(JOIN "|" pattern ${retired})
 set(read 0)
 foreach(folder core humanmodel tracking ui app tests)

@@ -56,7 +56,7 @@ std::filesystem::path pathOf(const Capture& c) {
 
 class RealRecording : public ::testing::TestWithParam<Capture> {};
 
-TEST_P(RealRecording, IsUnderstood) {
+TEST_P(RealRecording, IsReadAsPerson) {
   const auto file = pathOf(GetParam());
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);
@@ -77,7 +77,7 @@ TEST_P(RealRecording, IsUnderstood) {
   EXPECT_THAT(report.warnings, ::testing::Not(Contains(HasSubstr("swapped"))));
 }
 
-TEST_P(RealRecording, IsABody) {
+TEST_P(RealRecording, HasPlausibleBody) {
   const auto file = pathOf(GetParam());
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);
@@ -101,7 +101,7 @@ TEST_P(RealRecording, IsABody) {
       << "a twisted trunk is an exception";
 }
 
-TEST_P(RealRecording, KeepsItsBoneLengths) {
+TEST_P(RealRecording, KeepsBoneLengths) {
   const auto file = pathOf(GetParam());
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   BvhReader reader(readFile(file), file.string());
@@ -136,14 +136,14 @@ INSTANTIATE_TEST_SUITE_P(Files, RealRecording, ::testing::ValuesIn(kCaptures), [
 });
 
 // Two fixtures are too small to be a person: they open, and it is said what cannot be moved.
-TEST(TinyFixture, SaysWhatIsMissing) {
+TEST(TinyFixture, ReportsMissingParts) {
   for (const char* name : {"full_precision_frame_time.bvh", "rotation_first_root.bvh"}) {
     const auto file = testing::sharedData(std::string("mocap/bvh/") + name);
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
     const Recording r = openRecording(file);
     EXPECT_EQ(r.report.missing_parts.size(), 14u);
-    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("parts that this file cannot move: torso (no neck)")));
-    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("units are not known")));
+    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("parts without motion in this file: torso (no neck)")));
+    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("units are unknown")));
   }
 }
 

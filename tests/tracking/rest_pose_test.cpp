@@ -85,7 +85,7 @@ std::string bvhOf(const std::vector<Bone>& bones) {
   return text + "MOTION\nFrames: 1\nFrame Time: 0.01\n" + numbers + "\n";
 }
 
-TEST(RestPose, TPoseAPoseAndCmuGiveTheSameBody) {
+TEST(RestPose, TPoseAPoseAndCmuGiveSameBody) {
   const Recording t_pose = readBvhRecording(bvhOf(person(90, 0)), "t.bvh", {});
   ASSERT_EQ(t_pose.report.mapped.size(), 14u);
   EXPECT_NEAR(

@@ -24,7 +24,7 @@ void collect(const QMenu* menu, std::set<QAction*>& found) {
   }
 }
 
-TEST(ActionTable, EveryActionHasTextTipAndAUniqueKey) {
+TEST(ActionTable, EveryActionHasTextTipAndUniqueKey) {
   MainWindow window;
   std::map<QString, QString> owner;
   for (const auto& entry : window.actions().all()) {
@@ -50,7 +50,7 @@ TEST(ActionTable, EveryActionIsInAMenuAndEveryMenuEntryIsInTheTable) {
   EXPECT_EQ(in_menus, in_table);
 }
 
-TEST(ActionTable, TheShortcutPageNamesEveryKey) {
+TEST(ActionTable, ShortcutPageListsEveryKey) {
   MainWindow window;
   const QString page = shortcutPage(window.actions());
   for (const auto& entry : window.actions().all()) {
@@ -60,7 +60,7 @@ TEST(ActionTable, TheShortcutPageNamesEveryKey) {
   }
 }
 
-TEST(Accessibility, EverythingThatTakesTheFocusHasAName) {
+TEST(Accessibility, FocusableWidgetsHaveNames) {
   MainWindow window;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_") ||

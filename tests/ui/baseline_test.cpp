@@ -70,14 +70,14 @@ struct BaselineTest : ShownWindow {
   }
 };
 
-TEST_F(BaselineTest, TheWindowInLightAndDark) {
+TEST_F(BaselineTest, WindowMatchesInLightAndDark) {
   compare(QStringLiteral("light"));
   window.actions()[ActionId::kDarkTheme]->setChecked(true);
   QTest::qWait(100);
   compare(QStringLiteral("dark"));
 }
 
-TEST_F(BaselineTest, APictureThatDiffersIsFound) {
+TEST_F(BaselineTest, DetectsDifferentImage) {
   const QImage now = grabWindow(window);
   EXPECT_EQ(difference(now, now), 0.0);
   window.actions()[ActionId::kTop]->trigger();

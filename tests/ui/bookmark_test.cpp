@@ -34,7 +34,7 @@ struct BookmarkTest : ShownWindow {
   const QVector<Bookmark>& marks() const { return window.document().work().bookmarks; }
 };
 
-TEST_F(BookmarkTest, IsVisitedWithItsCameraAndNote) {
+TEST_F(BookmarkTest, VisitRestoresCameraAndNote) {
   window.actions()[ActionId::kTop]->trigger();
   const CameraView top = window.viewport().cameraView();
   add(5.0, "  the hand\nis near ");
@@ -56,7 +56,7 @@ TEST_F(BookmarkTest, IsVisitedWithItsCameraAndNote) {
   EXPECT_NEAR(session.time(), 2.0, 1e-9);
 }
 
-TEST_F(BookmarkTest, OneAFrameIsKeptRemovedAndUndone) {
+TEST_F(BookmarkTest, OnePerFrameIsKeptRemovedAndUndone) {
   add(3.0, "first");
   add(3.0, "second");
   ASSERT_EQ(marks().size(), 1);
@@ -69,7 +69,7 @@ TEST_F(BookmarkTest, OneAFrameIsKeptRemovedAndUndone) {
   EXPECT_TRUE(marks().isEmpty());
 }
 
-TEST_F(BookmarkTest, AreListedEditedAndRemovedInThePanel) {
+TEST_F(BookmarkTest, PanelListsEditsAndRemoves) {
   window.document().edit("bookmarks", [](Work& work) {
     work.bookmarks = {{3.0, "near", {}}, {6.0, "far", {}}};
   });

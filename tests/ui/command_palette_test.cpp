@@ -47,7 +47,7 @@ TEST_F(CommandPaletteTest, FindsByAllWordsAndRunsWithEnter) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return floor->isChecked() != before && !alive; }, kWaitMs));
 }
 
-TEST_F(CommandPaletteTest, TheArrowsMoveInTheList) {
+TEST_F(CommandPaletteTest, ArrowKeysMoveInList) {
   CommandPalette* palette = open();
   ASSERT_TRUE(palette);
   palette->field()->setText(QStringLiteral("camera"));
@@ -57,7 +57,7 @@ TEST_F(CommandPaletteTest, TheArrowsMoveInTheList) {
   EXPECT_EQ(palette->list()->currentRow(), first + 1);
 }
 
-TEST_F(CommandPaletteTest, WhatCannotBeDoneNowIsNotRun) {
+TEST_F(CommandPaletteTest, DisabledCommandIsNotRun) {
   window.setSession(nullptr);
   QAction* play = window.actions()[ActionId::kPlay];
   ASSERT_FALSE(play->isEnabled());

@@ -44,7 +44,7 @@ QString value(const CyclePanel& panel, const char* name) {
   return QStringLiteral("no such row");
 }
 
-TEST(CycleLog, GivesQuantilesTheLongestAndWhatWasLate) {
+TEST(CycleLog, ReportsQuantilesLongestAndLateCycles) {
   CycleLog log;
   log.open(scene());
   EXPECT_FALSE(log.longest());
@@ -58,7 +58,7 @@ TEST(CycleLog, GivesQuantilesTheLongestAndWhatWasLate) {
   EXPECT_DOUBLE_EQ(log.series().at(5.0), 500e-6);
 }
 
-TEST(CycleLog, LeavesOutWhatWasNotPlayed) {
+TEST(CycleLog, IgnoresCyclesNotPlayed) {
   CycleLog log;
   log.open(scene());
   std::vector<view::PlotSample> samples = ramp();
@@ -68,7 +68,7 @@ TEST(CycleLog, LeavesOutWhatWasNotPlayed) {
   EXPECT_FALSE(log.longest());
 }
 
-TEST(CycleLog, KeepsTheLongestCycleOfAFrame) {
+TEST(CycleLog, KeepsLongestCyclePerFrame) {
   CycleLog log;
   log.open(scene());
   std::vector<view::PlotSample> samples(3, ramp()[499]);
@@ -81,7 +81,7 @@ TEST(CycleLog, KeepsTheLongestCycleOfAFrame) {
   EXPECT_EQ(log.late(), 0);
 }
 
-TEST(CyclePanelTest, SaysWhatItCountedAndGoesToTheLongest) {
+TEST(CyclePanelTest, ShowsCountsAndGoesToLongest) {
   CyclePanel panel;
   panel.open(scene());
   EXPECT_EQ(value(panel, "Median, 99 %, 99.9 %"), "nothing was played");

@@ -20,7 +20,7 @@
 namespace abstand::ui {
 namespace habits_test {
 
-struct HabitsTest : ShownWindow {
+struct KeyboardTest : ShownWindow {
   void SetUp() override {
     ShownWindow::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
@@ -33,7 +33,7 @@ struct HabitsTest : ShownWindow {
   }
 };
 
-TEST_F(HabitsTest, ArrowsMoveTheSliderThatHasTheFocus) {
+TEST_F(KeyboardTest, ArrowsMoveFocusedSlider) {
   auto* slider = window.panels().margins->row(session.indexOf("operator/hand_left"))->findChild<QSlider*>();
   ASSERT_TRUE(focus(slider));
   const int before = slider->value();
@@ -48,7 +48,7 @@ TEST_F(HabitsTest, ArrowsMoveTheSliderThatHasTheFocus) {
   EXPECT_TRUE(session.playing()) << "what a slider has no use for stays a shortcut";
 }
 
-TEST_F(HabitsTest, TheTreeFoldsAndTicksByKeys) {
+TEST_F(KeyboardTest, TreeFoldsAndTicksByKeys) {
   auto* tree = window.findChild<SceneTreePanel*>();
   ASSERT_TRUE(focus(tree));
   const QModelIndex arm = tree->model()->index(0, 0);
@@ -63,7 +63,7 @@ TEST_F(HabitsTest, TheTreeFoldsAndTicksByKeys) {
   EXPECT_EQ(session.time(), 0.0);
 }
 
-TEST_F(HabitsTest, TheCameraMovesByKeys) {
+TEST_F(KeyboardTest, CameraMovesByKeys) {
   const auto moves = [&](int key, Qt::KeyboardModifiers modifiers) {
     const CameraView before = window.viewport().cameraView();
     QTest::keyClick(&window, static_cast<Qt::Key>(key), modifiers);
@@ -81,12 +81,12 @@ TEST_F(HabitsTest, TheCameraMovesByKeys) {
   EXPECT_EQ(session.time(), 0.0);
 }
 
-TEST_F(HabitsTest, TheShortcutPageNamesTheMouse) {
+TEST_F(KeyboardTest, ShortcutPageListsMouseActions) {
   EXPECT_FALSE(window.windowIcon().isNull());
   EXPECT_TRUE(shortcutPage(window.actions()).contains("Double click"));
 }
 
-TEST_F(HabitsTest, FitsASmallScreen) {
+TEST_F(KeyboardTest, FitsSmallScreen) {
   const QSize small(1024, 700);
   for (const int round : {0, 1}) {
     window.resize(small);
@@ -105,7 +105,7 @@ TEST_F(HabitsTest, FitsASmallScreen) {
   }
 }
 
-TEST_F(HabitsTest, APanelBehindAnotherComesToTheFrontAndThenHides) {
+TEST_F(KeyboardTest, PanelActionRaisesThenHides) {
   auto* dock = window.findChild<QDockWidget*>(QStringLiteral("cycles"));
   ASSERT_NE(dock, nullptr);
   QAction* action = nullptr;
@@ -125,7 +125,7 @@ TEST_F(HabitsTest, APanelBehindAnotherComesToTheFrontAndThenHides) {
   }
 }
 
-TEST_F(HabitsTest, AnOpeningCanBeCancelled) {
+TEST_F(KeyboardTest, OpeningCanBeCancelled) {
   QSignalSpy cancelled(&window, &MainWindow::cancelRequested);
   auto* cancel = window.findChild<QToolButton*>("cancel_opening");
   ASSERT_TRUE(cancel);

@@ -57,7 +57,7 @@ struct InspectorTest : ShownWindow {
   InspectorPanel* panel{nullptr};
 };
 
-TEST_F(InspectorTest, ShowsTheMomentThatIsDrawn) {
+TEST_F(InspectorTest, ShowsDrawnMoment) {
   window.selection().setObjects({session.indexOf("arm/link3")});
   EXPECT_EQ(panel->title()->text(), "arm/link3");
   QStringList seen;
@@ -76,7 +76,7 @@ TEST_F(InspectorTest, ShowsTheMomentThatIsDrawn) {
   EXPECT_NE(seen[1], seen[2]);
 }
 
-TEST_F(InspectorTest, AHiddenInspectorTakesNoTimeAndCatchesUp) {
+TEST_F(InspectorTest, HiddenInspectorIsIdleAndCatchesUp) {
   window.selection().setObjects({session.indexOf("ball")});
   const long before = panel->shownStep();
   auto* plots = window.findChild<QDockWidget*>(QStringLiteral("plots"));
@@ -89,7 +89,7 @@ TEST_F(InspectorTest, AHiddenInspectorTakesNoTimeAndCatchesUp) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel->shownStep() == window.moment().step; }, kWaitMs));
 }
 
-TEST_F(InspectorTest, EditorsAreThereForRobotsAndPeopleOnly) {
+TEST_F(InspectorTest, ShowsEditorsForRobotsAndPeopleOnly) {
   window.selection().setObjects({session.indexOf("ball")});
   EXPECT_FALSE(panel->joints()->isVisible());
   EXPECT_FALSE(panel->person()->isVisible());
@@ -105,7 +105,7 @@ TEST_F(InspectorTest, EditorsAreThereForRobotsAndPeopleOnly) {
   EXPECT_EQ(panel->subject().kind, SubjectKind::kNone);
 }
 
-TEST_F(InspectorTest, ARobotIsPosedByHandAndGivenBack) {
+TEST_F(InspectorTest, RobotIsPosedByHandAndReleased) {
   session.seek(1.0);
   window.pull();
   window.selection().setObjects(groupOf("arm"));
@@ -141,7 +141,7 @@ TEST_F(InspectorTest, ARobotIsPosedByHandAndGivenBack) {
   EXPECT_NEAR(window.moment().joint_positions[1], -kPi / 6.0, 1e-12);
 }
 
-TEST_F(InspectorTest, ADragOfASliderIsOneStepAndKeepsToTheLimits) {
+TEST_F(InspectorTest, SliderDragIsOneStepWithinLimits) {
   window.selection().setObjects(groupOf("arm"));
   const int steps = window.document().steps().count();
   slider(3)->setSliderDown(true);
@@ -160,7 +160,7 @@ TEST_F(InspectorTest, ADragOfASliderIsOneStepAndKeepsToTheLimits) {
   EXPECT_EQ(session.log.back(), "follow 0");
 }
 
-TEST_F(InspectorTest, AProjectRemembersThePose) {
+TEST_F(InspectorTest, ProjectKeepsPose) {
   window.selection().setObjects(groupOf("arm"));
   box(0)->setValue(12.0);
   const std::string text = projectText(window.document().project(), {});
@@ -176,7 +176,7 @@ TEST_F(InspectorTest, AProjectRemembersThePose) {
   window.setSession(&session);
 }
 
-TEST_F(InspectorTest, APersonIsAskedForWithWhatIsTicked) {
+TEST_F(InspectorTest, RequestsPersonWithTickedOptions) {
   qRegisterMetaType<PersonOptions>("abstand::ui::PersonOptions");
   const QSignalSpy asked(&window, &MainWindow::personRequested);
   window.selection().setObjects({session.indexOf("operator/head")});

@@ -54,7 +54,7 @@ struct Editor {
   KeyEditor* dialog;
 };
 
-TEST_F(KeyEditorTest, EveryCommandHasANameOfItsOwnInAllLanguages) {
+TEST_F(KeyEditorTest, CommandNamesAreUniqueInAllLanguages) {
   MainWindow window;
   std::set<QString> names;
   for (const auto& entry : window.actions().all()) {
@@ -65,7 +65,7 @@ TEST_F(KeyEditorTest, EveryCommandHasANameOfItsOwnInAllLanguages) {
   EXPECT_EQ(window.actions()[ActionId::kSaveAs]->objectName(), "save_project_as");
 }
 
-TEST_F(KeyEditorTest, AKeyIsGivenAndKept) {
+TEST_F(KeyEditorTest, AssignsAndKeepsKey) {
   {
     MainWindow window;
     const Actions& actions = window.actions();
@@ -83,7 +83,7 @@ TEST_F(KeyEditorTest, AKeyIsGivenAndKept) {
   EXPECT_EQ(next.actions()[ActionId::kFit]->shortcuts(), QList<QKeySequence>{kFree});
 }
 
-TEST_F(KeyEditorTest, AKeyOfAnotherCommandIsNamedAndTaken) {
+TEST_F(KeyEditorTest, ReassignsKeyOfOtherCommand) {
   MainWindow window;
   const Actions& actions = window.actions();
   const QAction* play = actions[ActionId::kPlay];
@@ -109,7 +109,7 @@ TEST_F(KeyEditorTest, AKeyOfAnotherCommandIsNamedAndTaken) {
   EXPECT_TRUE(settings.allKeys().isEmpty());
 }
 
-TEST_F(KeyEditorTest, AKeyThatOthersBeginWithIsTheirs) {
+TEST_F(KeyEditorTest, PrefixOfKeySequenceIsTaken) {
   MainWindow window;
   const Actions& actions = window.actions();
   const QAction* propose = actions[ActionId::kProposeMargins];
@@ -118,7 +118,7 @@ TEST_F(KeyEditorTest, AKeyThatOthersBeginWithIsTheirs) {
   EXPECT_EQ(actions.ownerOf(kFree, nullptr), nullptr);
 }
 
-TEST_F(KeyEditorTest, ACommandMayHaveNoKey) {
+TEST_F(KeyEditorTest, CommandMayHaveNoKey) {
   {
     MainWindow window;
     Actions::setKeys(window.actions()[ActionId::kFit], {});
@@ -128,7 +128,7 @@ TEST_F(KeyEditorTest, ACommandMayHaveNoKey) {
   EXPECT_TRUE(next.actions()[ActionId::kFit]->shortcuts().isEmpty());
 }
 
-TEST_F(KeyEditorTest, KeysMayChangePlaces) {
+TEST_F(KeyEditorTest, KeysMayBeSwapped) {
   {
     MainWindow window;
     const Actions& actions = window.actions();
@@ -146,7 +146,7 @@ TEST_F(KeyEditorTest, KeysMayChangePlaces) {
   }
 }
 
-TEST_F(KeyEditorTest, SettingsThatCannotBeChangeNothing) {
+TEST_F(KeyEditorTest, InvalidSettingsChangeNothing) {
   const std::pair<const char*, QVariant> wrong[] = {{"keys/play", "no such key"},
                                                     {"keys/play", QStringList{"Ctrl+Q"}},
                                                     {"keys/play", 12.5},

@@ -84,7 +84,7 @@ bool isNoWord(const QString& text, const FakeSession& session) {
   return false;
 }
 
-TEST_F(GermanWindow, NoTextIsTheSameAsInEnglish) {
+TEST_F(GermanWindow, NoTextEqualsEnglish) {
   std::set<QString> english;
   {
     applyLanguage(*qApp, Language::kEnglish);
@@ -98,7 +98,7 @@ TEST_F(GermanWindow, NoTextIsTheSameAsInEnglish) {
     EXPECT_TRUE(isNoWord(text, session) || english.count(text) == 0) << text.toStdString();
 }
 
-TEST_F(GermanWindow, MenusAndDocksAreInGerman) {
+TEST_F(GermanWindow, MenusAndDocksAreGerman) {
   QStringList menus;
   for (const QAction* top : window.menuBar()->actions()) menus << withoutMnemonic(top->text());
   EXPECT_EQ(menus,
@@ -110,9 +110,9 @@ TEST_F(GermanWindow, MenusAndDocksAreInGerman) {
   EXPECT_EQ(withoutMnemonic(action(ActionId::kQuit)->text()), "Beenden");
 }
 
-TEST_F(GermanWindow, EveryMenuHasEachMnemonicOnce) { expectMnemonicsAreUnique(*window.menuBar()); }
+TEST_F(GermanWindow, MnemonicsAreUniquePerMenu) { expectMnemonicsAreUnique(*window.menuBar()); }
 
-TEST_F(GermanWindow, NumbersHaveACommaButFilesAPoint) {
+TEST_F(GermanWindow, NumbersUseCommaAndFilesPoint) {
   EXPECT_EQ(millimetresWithUnit(1.2345), "1234,5 mm");
   EXPECT_EQ(secondsWithUnit(12.34), "12,340 s");
   ASSERT_TRUE(QTest::qWaitFor(
@@ -130,7 +130,7 @@ TEST_F(GermanWindow, NumbersHaveACommaButFilesAPoint) {
   EXPECT_TRUE(set.contains("margin: 0.05")) << set.toStdString();
 }
 
-TEST_F(GermanWindow, ATypedTimeMayHaveACommaOrAPoint) {
+TEST_F(GermanWindow, TypedTimeAcceptsCommaAndPoint) {
   QLineEdit* go_to = nullptr;
   for (auto* field : window.panels().timeline->findChildren<QLineEdit*>())
     if (field->placeholderText() == "Gehe zu") go_to = field;
@@ -143,7 +143,7 @@ TEST_F(GermanWindow, ATypedTimeMayHaveACommaOrAPoint) {
   }
 }
 
-TEST_F(GermanWindow, AFieldTakesAPointForAComma) {
+TEST_F(GermanWindow, FieldAcceptsPointForComma) {
   NumberBox box;
   box.setRange(0.0, 1000.0);
   box.setDecimals(3);
@@ -159,7 +159,7 @@ TEST_F(GermanWindow, AFieldTakesAPointForAComma) {
   EXPECT_EQ(box.text(), "12,500 mm");
 }
 
-TEST_F(GermanWindow, TheMenuKeepsTheChoiceForTheNextStart) {
+TEST_F(GermanWindow, MenuKeepsChoiceForNextStart) {
   EXPECT_EQ(chosenLanguage(), Language::kSystem);
   EXPECT_TRUE(action(ActionId::kLanguageSystem)->isChecked());
   action(ActionId::kLanguageGerman)->trigger();
@@ -170,14 +170,14 @@ TEST_F(GermanWindow, TheMenuKeepsTheChoiceForTheNextStart) {
   EXPECT_EQ(chosenLanguage(), Language::kSystem);
 }
 
-TEST_F(GermanWindow, FitsASmallScreen) {
+TEST_F(GermanWindow, FitsSmallScreen) {
   window.resize(1024, 700);
   EXPECT_EQ(window.size(), QSize(1024, 700));
   EXPECT_LE(window.minimumSizeHint().width(), 1024);
   EXPECT_LE(window.minimumSizeHint().height(), 700);
 }
 
-TEST(EnglishWords, OneAndManyDiffer) {
+TEST(EnglishWords, SingularAndPluralDiffer) {
   const auto objects = [](int n) {
     return QCoreApplication::translate("abstand::ui::MainWindow", "%n objects", nullptr, n);
   };
@@ -188,7 +188,7 @@ TEST(EnglishWords, OneAndManyDiffer) {
   EXPECT_EQ(objects(2), "2 Objekte");
 }
 
-TEST(EnglishWords, NumbersHaveAPoint) {
+TEST(EnglishWords, NumbersUsePoint) {
   EXPECT_EQ(millimetresWithUnit(1.2345), "1234.5 mm");
   EXPECT_EQ(numberFromText("12,5"), 12.5);
   EXPECT_EQ(numberFromText(" 12.5 "), 12.5);
@@ -196,7 +196,7 @@ TEST(EnglishWords, NumbersHaveAPoint) {
     EXPECT_FALSE(numberFromText(wrong)) << wrong;
 }
 
-TEST(Languages, HaveWordsOfTheirOwn) {
+TEST(Languages, HaveDistinctNames) {
   for (const Language language : {Language::kSystem, Language::kEnglish, Language::kGerman})
     EXPECT_EQ(languageOf(wordOf(language)), language);
   EXPECT_FALSE(languageOf("fr"));
@@ -239,7 +239,7 @@ TEST(TsTranslator, ReadsFormsEntitiesAndDisambiguation) {
     EXPECT_TRUE(words.translate("A", none).isNull()) << none;
 }
 
-TEST(TsTranslator, HasNothingOfAFileThatCannotBeRead) {
+TEST(TsTranslator, IsEmptyForUnreadableFile) {
   for (const char* wrong :
        {"", "text", "<TS><context><name>A</name></context></TS>",
         "<TS><context><name>A</name><message><source>x</source><translation>X</translation>"}) {

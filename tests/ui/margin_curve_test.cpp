@@ -59,7 +59,7 @@ struct MarginCurveTest : ShownWindow {
   QDockWidget* dock{nullptr};
 };
 
-TEST_F(MarginCurveTest, ShowsWhatEachMarginOfThePartCosts) {
+TEST_F(MarginCurveTest, ShowsCostOfEachMargin) {
   EXPECT_TRUE(curve().points().empty());
   EXPECT_TRUE(curve().sentence()->text().contains("After the analysis"));
   analyse();
@@ -78,7 +78,7 @@ TEST_F(MarginCurveTest, ShowsWhatEachMarginOfThePartCosts) {
   EXPECT_EQ(curve().parts()->currentText(), "hand_left");
 }
 
-TEST_F(MarginCurveTest, TheHandleMovesTheMarginInOneStep) {
+TEST_F(MarginCurveTest, HandleMovesMarginInOneStep) {
   analyse();
   QWidget* area = curve().area();
   const int before = steps();
@@ -105,7 +105,7 @@ TEST_F(MarginCurveTest, TheHandleMovesTheMarginInOneStep) {
   EXPECT_NEAR(margin(), 0.04, 1e-12);
 }
 
-TEST_F(MarginCurveTest, TheMarginsOfLinksChangeTheCurve) {
+TEST_F(MarginCurveTest, LinkMarginsChangeCurve) {
   analyse();
   const double before = curve().points().front().outcome.stoppedShare();
   action(ActionId::kMargins100)->trigger();
@@ -114,7 +114,7 @@ TEST_F(MarginCurveTest, TheMarginsOfLinksChangeTheCurve) {
       kWaitMs));
 }
 
-TEST_F(MarginCurveTest, TwoSetsAreComparedUntilTheyAreClosed) {
+TEST_F(MarginCurveTest, ComparesTwoSetsUntilClosed) {
   analyse();
   EXPECT_FALSE(lanes().isVisible());
   action(ActionId::kCompareMargins)->trigger();

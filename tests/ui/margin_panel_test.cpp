@@ -32,7 +32,7 @@ struct MarginPanelTest : ::testing::Test {
   QSignalSpy finished{&panel, &MarginPanel::editFinished};
 };
 
-TEST_F(MarginPanelTest, ValuesThatFollowEachOtherAreSentOnceInMetres) {
+TEST_F(MarginPanelTest, ConsecutiveValuesAreSentOnceInMetres) {
   auto* slider = panel.row(hand)->findChild<QSlider*>();
   for (int mm = 41; mm <= 120; ++mm) slider->setValue(mm);
   EXPECT_EQ(changes.size(), 0);
@@ -45,7 +45,7 @@ TEST_F(MarginPanelTest, ValuesThatFollowEachOtherAreSentOnceInMetres) {
   EXPECT_EQ(panel.row(hand)->findChild<QDoubleSpinBox*>()->value(), 120.0);
 }
 
-TEST_F(MarginPanelTest, ADragIsFinishedWhenTheSliderIsReleased) {
+TEST_F(MarginPanelTest, DragEndsWhenSliderIsReleased) {
   auto* slider = panel.row(hand)->findChild<QSlider*>();
   slider->setSliderDown(true);
   slider->setValue(100);
@@ -61,14 +61,14 @@ TEST_F(MarginPanelTest, ADragIsFinishedWhenTheSliderIsReleased) {
   EXPECT_NEAR(last.value(hand), 0.120, kSame);
 }
 
-TEST_F(MarginPanelTest, TheSpinBoxGoesBeyondTheSlider) {
+TEST_F(MarginPanelTest, SpinBoxExceedsSliderRange) {
   panel.row(hand)->findChild<QDoubleSpinBox*>()->setValue(750.0);
   ASSERT_TRUE(changes.wait(kWaitMs));
   EXPECT_NEAR(sent().value(hand), 0.75, kSame);
   EXPECT_EQ(panel.row(hand)->findChild<QSlider*>()->value(), 300);
 }
 
-TEST_F(MarginPanelTest, AMasterSetsItsGroupOnlyAndAtOnce) {
+TEST_F(MarginPanelTest, GroupRowSetsItsGroupOnly) {
   panel.groupRow("arm")->findChild<QSlider*>()->setValue(77);
   ASSERT_TRUE(changes.wait(kWaitMs));
   ASSERT_EQ(changes.size(), 1);
@@ -77,7 +77,7 @@ TEST_F(MarginPanelTest, AMasterSetsItsGroupOnlyAndAtOnce) {
   EXPECT_NEAR(panel.row(hand)->metres(), 0.04, kSame);
 }
 
-TEST_F(MarginPanelTest, ShowsOtherMarginsWithoutASignal) {
+TEST_F(MarginPanelTest, ShowsOtherMarginsWithoutSignal) {
   margins[static_cast<std::size_t>(hand)] = 0.2;
   panel.show(margins);
   EXPECT_EQ(panel.row(hand)->metres(), 0.2);

@@ -70,7 +70,7 @@ struct MarginWorkbench : ShownWindow {
   int hand{0}, head{0}, link{0}, table{0};
 };
 
-TEST_F(MarginWorkbench, AFileOfMarginsIsOpenedLikeAnyOther) {
+TEST_F(MarginWorkbench, OpensMarginsFile) {
   QSignalSpy scenes(&window, &MainWindow::openSceneRequested);
   folder.write("set.yaml",
                "# of the cell\nabstand_margins: 1\ncombine: sum\ndefault: {margin: 0}\n"
@@ -86,7 +86,7 @@ TEST_F(MarginWorkbench, AFileOfMarginsIsOpenedLikeAnyOther) {
   EXPECT_EQ(scenes.size(), 1);
 }
 
-TEST_F(MarginWorkbench, TheSearchShowsRowsByPartLinkAndGroup) {
+TEST_F(MarginWorkbench, SearchFiltersByPartLinkAndGroup) {
   auto* search = window.findChild<MarginTools*>()->search();
   search->setText("HAND");
   EXPECT_TRUE(panel().row(hand)->isVisibleTo(&panel()));
@@ -105,7 +105,7 @@ TEST_F(MarginWorkbench, TheSearchShowsRowsByPartLinkAndGroup) {
   EXPECT_EQ(window.focusWidget(), search);
 }
 
-TEST_F(MarginWorkbench, ALockedMarginStaysWhateverComes) {
+TEST_F(MarginWorkbench, LockedMarginStaysUnchanged) {
   lock(hand);
   EXPECT_TRUE(work().locked.contains("operator/hand_left"));
   EXPECT_EQ(steps(), 1);
@@ -127,14 +127,14 @@ TEST_F(MarginWorkbench, ALockedMarginStaysWhateverComes) {
   EXPECT_TRUE(panel().row(hand)->findChild<QSlider*>()->isEnabled());
 }
 
-TEST_F(MarginWorkbench, ALockedMarginStaysWhenTheSceneIsReset) {
+TEST_F(MarginWorkbench, LockedMarginStaysWhenSceneIsReset) {
   ASSERT_TRUE(move(panel().row(hand), hand, 150));
   lock(hand);
   action(ActionId::kResetMargins)->trigger();
   EXPECT_NEAR(metres(hand), 0.15, 1e-9);
 }
 
-TEST_F(MarginWorkbench, LocksOfAGroupAreOneStepAndSaved) {
+TEST_F(MarginWorkbench, GroupLocksAreOneStepAndSaved) {
   panel().groupRow("arm")->findChild<QToolButton*>("lock")->click();
   EXPECT_EQ(steps(), 1);
   EXPECT_EQ(work().locked.size(), 5);
@@ -146,7 +146,7 @@ TEST_F(MarginWorkbench, LocksOfAGroupAreOneStepAndSaved) {
   EXPECT_TRUE(panel().row(link)->locked());
 }
 
-TEST_F(MarginWorkbench, APresetIsOneStep) {
+TEST_F(MarginWorkbench, PresetIsOneStep) {
   for (const auto& [id, margin] : {std::pair{ActionId::kNoMargins, 0.0},
                                    {ActionId::kMargins50, 0.05},
                                    {ActionId::kMargins100, 0.1},
@@ -163,7 +163,7 @@ TEST_F(MarginWorkbench, APresetIsOneStep) {
   EXPECT_NEAR(metres(hand), 0.04, 1e-12);
 }
 
-TEST_F(MarginWorkbench, CopyAndPasteGiveTheSameRowsAgain) {
+TEST_F(MarginWorkbench, CopyAndPasteRoundTrip) {
   ASSERT_TRUE(move(panel().row(hand), hand, 123));
   ASSERT_TRUE(move(panel().row(link), link, 31));
   const auto before = work().margins;
@@ -182,7 +182,7 @@ TEST_F(MarginWorkbench, CopyAndPasteGiveTheSameRowsAgain) {
   EXPECT_EQ(QApplication::clipboard()->text(), text);
 }
 
-TEST_F(MarginWorkbench, ASetIsSavedAndOpened) {
+TEST_F(MarginWorkbench, SetIsSavedAndOpened) {
   ASSERT_TRUE(move(panel().row(hand), hand, 123));
   {
     const auto name = ModalAnswer::choose("save_margins", in("m"));
@@ -198,7 +198,7 @@ TEST_F(MarginWorkbench, ASetIsSavedAndOpened) {
   EXPECT_NEAR(metres(link), 0.01, 1e-12);
 }
 
-TEST_F(MarginWorkbench, SetsOfTheCommandLineBecomeRowsWhereTheyCan) {
+TEST_F(MarginWorkbench, CommandLineSetsBecomeRowsIfPossible) {
   QStringList links;
   for (int i = 0; i < 5; ++i)
     links << QString("  - {link: arm/link%1, margin: %2}").arg(i).arg(0.1 + 0.01 * i);
@@ -214,7 +214,7 @@ TEST_F(MarginWorkbench, SetsOfTheCommandLineBecomeRowsWhereTheyCan) {
   EXPECT_NEAR(metres(link), 0.0, 1e-12);
 }
 
-TEST_F(MarginWorkbench, ASetThatRowsCannotShowIsRefusedWithItsReason) {
+TEST_F(MarginWorkbench, RejectsSetsThatRowsCannotShow) {
   const std::pair<const char*, const char*> cases[] = {
       {"abstand_margins: 1\ndefault: {margin: 0.1}\nmargins: [{part: head, link: arm/link1, margin: 0.3}]\n",
        "adds these two"},
@@ -247,7 +247,7 @@ struct MarginProposals : MarginWorkbench {
                         }};
 };
 
-TEST_F(MarginProposals, NothingIsProposedFromAnIncompleteAnalysis) {
+TEST_F(MarginProposals, NeedCompleteAnalysis) {
   analysis.run(200);
   window.review().pull();
   action(ActionId::kProposeMargins)->trigger();
@@ -255,7 +255,7 @@ TEST_F(MarginProposals, NothingIsProposedFromAnIncompleteAnalysis) {
   EXPECT_FALSE(window.findChild<ProposalDialog*>());
 }
 
-TEST_F(MarginProposals, AreAppliedToUnlockedRowsInOneStepAndMissNoStop) {
+TEST_F(MarginProposals, ApplyToUnlockedRowsInOneStepAndMissNoStop) {
   analysis.runAll();
   window.review().pull();
   action(ActionId::kNoMargins)->trigger();

@@ -35,7 +35,7 @@ struct MomentTest : ShownWindow {
   }
 };
 
-TEST_F(MomentTest, AllPartsShowTheMomentThatIsDrawnWheneverOneLooks) {
+TEST_F(MomentTest, AllPanelsShowDrawnMoment) {
   int seen = 0;
   QObject::connect(&window, &MainWindow::momentShown, &window, [&] {
     expectOneMoment();
@@ -54,7 +54,7 @@ TEST_F(MomentTest, AllPartsShowTheMomentThatIsDrawnWheneverOneLooks) {
   window.playback().setPlaying(false);
 }
 
-TEST_F(MomentTest, AHiddenPanelShowsTheMomentWhenItComesBack) {
+TEST_F(MomentTest, ReshownPanelShowsCurrentMoment) {
   QWidget* dock = window.panels().pairs->parentWidget();
   dock->hide();
   session.seek(0.4);
@@ -70,7 +70,7 @@ TEST_F(MomentTest, AHiddenPanelShowsTheMomentWhenItComesBack) {
             millimetres(window.moment().pairs[static_cast<std::size_t>(pair)].result.distance));
 }
 
-TEST_F(MomentTest, OnlyRowsThatCanBeSeenAreAnnounced) {
+TEST_F(MomentTest, SignalsVisibleRowsOnly) {
   int announced = 0;
   QObject::connect(
       window.panels().pairs->table()->model(), &QAbstractItemModel::dataChanged, &window,
@@ -82,7 +82,7 @@ TEST_F(MomentTest, OnlyRowsThatCanBeSeenAreAnnounced) {
   EXPECT_LE(announced, table->viewport()->height() / table->rowHeight(0) + 2);
 }
 
-TEST_F(MomentTest, LabelsAndLinesFollowTheSizeOfTheWindowAtOnce) {
+TEST_F(MomentTest, OverlayFollowsWindowSize) {
   session.seek(0.4);
   window.pull();
   const int hand = session.indexOf("operator/hand_left");
@@ -101,7 +101,7 @@ TEST_F(MomentTest, LabelsAndLinesFollowTheSizeOfTheWindowAtOnce) {
   }
 }
 
-TEST_F(MomentTest, LabelsKeepOffThePointsThatTheySpeakOf) {
+TEST_F(MomentTest, LabelsDoNotCoverTheirPoints) {
   for (const double t : {0.2, 0.4, 0.6, 5.5}) {
     session.seek(t);
     window.pull();
@@ -114,7 +114,7 @@ TEST_F(MomentTest, LabelsKeepOffThePointsThatTheySpeakOf) {
   }
 }
 
-TEST_F(MomentTest, AtRestThePictureIsThatOfFullQuality) {
+TEST_F(MomentTest, RestingPictureHasFullQuality) {
   session.seek(0.4);
   window.pull();
   ASSERT_TRUE(rests());
@@ -144,7 +144,7 @@ double differing(const QImage& a, const QImage& b) {
   return static_cast<double>(n) / (static_cast<double>(a.width()) * a.height());
 }
 
-TEST_F(MomentTest, WhatIsDrawnCheaplyDiffersFromFullQualityAtEdgesOnly) {
+TEST_F(MomentTest, DraftQualityDiffersAtEdgesOnly) {
   constexpr double kEdges = 0.02;
   for (const bool camera : {false, true}) {
     for (const double t : {0.1, 0.2, 0.3, 0.4}) {

@@ -49,7 +49,7 @@ struct PairMatrixTest : ShownWindow {
   PairMatrix* matrix{nullptr};
 };
 
-TEST_F(PairMatrixTest, RowsArePartsAndColumnsAreLinksWithTheirDistances) {
+TEST_F(PairMatrixTest, RowsArePartsAndColumnsAreLinks) {
   const PairMatrixModel* model = matrix->model();
   EXPECT_EQ(model->rowCount(), 14);
   EXPECT_EQ(model->columnCount(), 5);
@@ -74,7 +74,7 @@ TEST_F(PairMatrixTest, RowsArePartsAndColumnsAreLinksWithTheirDistances) {
   window.pull();
 }
 
-TEST_F(PairMatrixTest, WhatIsNotCheckedHasItsReason) {
+TEST_F(PairMatrixTest, UncheckedPairsShowReason) {
   matrix->bodies()->setCurrentIndex(1);
   matrix->refresh(window.moment());
   EXPECT_EQ(tick(cell("arm/link1", "arm/link2")), Qt::Unchecked);
@@ -96,7 +96,7 @@ TEST_F(PairMatrixTest, WhatIsNotCheckedHasItsReason) {
   EXPECT_TRUE(paused.data(Qt::ToolTipRole).toString().contains("not checked now"));
 }
 
-TEST_F(PairMatrixTest, ATickTakesAPairOutAndBringsItBack) {
+TEST_F(PairMatrixTest, TickRemovesAndRestoresPair) {
   const QModelIndex index = cell("operator/hand_left", "arm/link4");
   const QPair<QString, QString> names("arm/link4", "operator/hand_left");
   setTick(index, Qt::Unchecked);
@@ -114,7 +114,7 @@ TEST_F(PairMatrixTest, ATickTakesAPairOutAndBringsItBack) {
   EXPECT_EQ(tick(index), Qt::Unchecked);
 }
 
-TEST_F(PairMatrixTest, APairThatTheSceneLeavesOutIsAdded) {
+TEST_F(PairMatrixTest, AddsPairThatSceneExcludes) {
   matrix->bodies()->setCurrentIndex(1);
   matrix->refresh(window.moment());
   setTick(cell("operator/head", "operator/foot_left"), Qt::Checked);
@@ -124,7 +124,7 @@ TEST_F(PairMatrixTest, APairThatTheSceneLeavesOutIsAdded) {
   EXPECT_TRUE(work().added.isEmpty());
 }
 
-TEST_F(PairMatrixTest, AGroupThatDoesNotRunIsNotStartedByATick) {
+TEST_F(PairMatrixTest, TickDoesNotStartPausedGroup) {
   session.setGroup(0, view::PairGroupState::kPaused);
   window.pull();
   const int steps = window.document().steps().count();
@@ -132,7 +132,7 @@ TEST_F(PairMatrixTest, AGroupThatDoesNotRunIsNotStartedByATick) {
   EXPECT_EQ(window.document().steps().count(), steps);
 }
 
-TEST_F(PairMatrixTest, AClickSelectsThePair) {
+TEST_F(PairMatrixTest, ClickSelectsPair) {
   const QModelIndex index = cell("operator/head", "arm/link3");
   QTest::mouseClick(matrix->table()->viewport(), Qt::LeftButton, {},
                     matrix->table()->visualRect(index).center());

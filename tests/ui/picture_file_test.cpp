@@ -23,7 +23,7 @@ struct PictureFile : ::testing::Test {
   QImage picture{20, 10, QImage::Format_RGB32};
 };
 
-TEST_F(PictureFile, IsWrittenInTheFormatOfItsName) {
+TEST_F(PictureFile, FormatFollowsFileName) {
   savePicture(picture, in("a.png"));
   EXPECT_EQ(QImage(in("a.png"), "png").convertToFormat(QImage::Format_RGB32), picture);
   savePicture(picture, in("b"));
@@ -34,7 +34,7 @@ TEST_F(PictureFile, IsWrittenInTheFormatOfItsName) {
   EXPECT_EQ(files(), 3u);
 }
 
-TEST_F(PictureFile, FollowsALinkAndLeavesADirectory) {
+TEST_F(PictureFile, FollowsLinkAndRejectsDirectory) {
   fs::create_symlink("target.png", folder.path() / "link.png");
   savePicture(picture, in("link.png"));
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link.png"));
@@ -45,7 +45,7 @@ TEST_F(PictureFile, FollowsALinkAndLeavesADirectory) {
   EXPECT_EQ(files(), 3u);
 }
 
-TEST_F(PictureFile, IsWrittenIntoADevice) {
+TEST_F(PictureFile, IsWrittenIntoDevice) {
   fs::create_symlink("/dev/null", folder.path() / "null.png");
   savePicture(picture, in("null.png"));
   EXPECT_TRUE(fs::is_symlink(folder.path() / "null.png"));

@@ -61,7 +61,7 @@ TEST_F(PlotExport, CsvHasEveryKnownValue) {
   EXPECT_EQ(plotsAsCsv({}), "t [s]\n");
 }
 
-TEST_F(PlotExport, SvgIsADrawingWithTheNames) {
+TEST_F(PlotExport, SvgIsDrawingWithNames) {
   savePlots(charts, in("plots.svg"));
   const std::string text = readFile(in("plots.svg").toStdString(), 1 << 26, true);
   QXmlStreamReader xml(QByteArray::fromStdString(text));
@@ -82,7 +82,7 @@ TEST_F(PlotExport, SvgIsADrawingWithTheNames) {
   EXPECT_EQ(images, 0);
 }
 
-TEST_F(PlotExport, PngShowsTheLines) {
+TEST_F(PlotExport, PngShowsLines) {
   savePlots(charts, in("plots.png"));
   const QImage picture(in("plots.png"));
   ASSERT_EQ(picture.width(), 720);
@@ -96,7 +96,7 @@ TEST_F(PlotExport, PngShowsTheLines) {
   EXPECT_GT(blue, 100) << "the line of gravity";
 }
 
-TEST_F(PlotExport, OtherEndingsAndPlacesAreErrors) {
+TEST_F(PlotExport, RejectsOtherFormatsAndMissingFolders) {
   EXPECT_THROW(savePlots(charts, in("plots.gif")), UsageError);
   EXPECT_THROW(savePlots(charts, in("nowhere/plots.csv")), std::exception);
 }

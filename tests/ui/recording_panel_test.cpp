@@ -24,7 +24,7 @@ view::RecordingCard boxer() {
   card.up = {"y", "said in the scene", false};
   card.stature = 1.7352;
   card.stature_reason = "along the bones";
-  card.joint_map = {"guessed by the shape", "no map knows the names", true};
+  card.joint_map = {"guessed from the shape", "no map matches the names", true};
   return card;
 }
 
@@ -36,7 +36,7 @@ QTreeWidgetItem* row(const RecordingPanel& panel, const QString& property) {
   return nullptr;
 }
 
-TEST(RecordingPanelTest, SaysHowTheFileWasReadAndWhy) {
+TEST(RecordingPanelTest, ShowsHowFileWasRead) {
   QAction options(QStringLiteral("Options"));
   RecordingPanel panel(&options);
   panel.open({boxer()});
@@ -55,7 +55,7 @@ TEST(RecordingPanelTest, SaysHowTheFileWasReadAndWhy) {
   EXPECT_FALSE(row(panel, QStringLiteral("Warning")));
 }
 
-TEST(RecordingPanelTest, SaysWhatIsMissing) {
+TEST(RecordingPanelTest, ShowsWhatIsMissing) {
   QAction options(QStringLiteral("Options"));
   RecordingPanel panel(&options);
   view::RecordingCard cut = boxer();

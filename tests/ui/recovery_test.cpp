@@ -40,7 +40,7 @@ struct RecoveryTest : StudioWindow {
   }
 };
 
-TEST_F(RecoveryTest, AKilledProgramsWorkIsOfferedAndRecovered) {
+TEST_F(RecoveryTest, OffersAndRecoversWorkOfKilledProcess) {
   runAndKill();
   if (HasFatalFailure()) return;
   ASSERT_EQ(autosaves().size(), 1);
@@ -62,7 +62,7 @@ TEST_F(RecoveryTest, AKilledProgramsWorkIsOfferedAndRecovered) {
   EXPECT_TRUE(autosaves().isEmpty());
 }
 
-TEST_F(RecoveryTest, WhatIsNotWantedNowIsOfferedAgain) {
+TEST_F(RecoveryTest, PostponedWorkIsOfferedAgain) {
   runAndKill();
   if (HasFatalFailure()) return;
   {
@@ -78,7 +78,7 @@ TEST_F(RecoveryTest, WhatIsNotWantedNowIsOfferedAgain) {
   EXPECT_TRUE(autosaves().isEmpty());
 }
 
-TEST_F(RecoveryTest, AnAutosaveStaysUntilItsWorkIsOpen) {
+TEST_F(RecoveryTest, AutosaveStaysUntilWorkIsOpen) {
   runAndKill();
   if (HasFatalFailure()) return;
   folder.write("scene.yaml", "abstand: 1\nhumans: broken\n");

@@ -19,7 +19,7 @@ namespace stop_picture_test {
 
 using safety::StopState;
 
-struct StopPicture : ShownWindow {
+struct StopDisplay : ShownWindow {
   void SetUp() override {
     ShownWindow::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
@@ -94,7 +94,7 @@ struct StopPicture : ShownWindow {
   int cause{-1};
 };
 
-TEST_F(StopPicture, AStopIsDrawnOnTheRobotWithItsPairAndDistance) {
+TEST_F(StopDisplay, StopIsDrawnWithPairAndDistance) {
   EXPECT_FALSE(label("⚠ arm, "));
   EXPECT_FALSE(showsCause());
   const QImage before = bodies();
@@ -114,7 +114,7 @@ TEST_F(StopPicture, AStopIsDrawnOnTheRobotWithItsPairAndDistance) {
   EXPECT_EQ(changeOf(before, bodies()).pixels, 0);
 }
 
-TEST_F(StopPicture, ARobotThatIsSlowedDownLooksDifferentFromOneThatIsStopped) {
+TEST_F(StopDisplay, SlowedRobotDiffersFromStoppedRobot) {
   stop(StopState::kSlowing);
   const OverlayLabel* slowed = label("▲ arm, slowed down: ");
   ASSERT_TRUE(slowed);
@@ -126,7 +126,7 @@ TEST_F(StopPicture, ARobotThatIsSlowedDownLooksDifferentFromOneThatIsStopped) {
   EXPECT_NE(window.viewport().picture(), picture);
 }
 
-TEST_F(StopPicture, TheRobotsPanelLeadsToThePair) {
+TEST_F(StopDisplay, RobotPanelSelectsPair) {
   window.findChild<QDockWidget*>(QStringLiteral("robots"))->raise();
   auto* select = window.panels().robots->findChild<QToolButton*>(QStringLiteral("select arm"));
   ASSERT_TRUE(select);
@@ -142,7 +142,7 @@ TEST_F(StopPicture, TheRobotsPanelLeadsToThePair) {
             "arm: posed by hand");
 }
 
-TEST_F(StopPicture, APosedRobotSaysSo) {
+TEST_F(StopDisplay, PosedRobotIsLabelled) {
   session.poseJoint(2, 0.7);
   window.pull();
   EXPECT_TRUE(label("arm is posed by hand"));

@@ -60,7 +60,7 @@ struct StudioPerson : StudioWindow {
   ui::CameraView camera;
 };
 
-TEST_F(StudioPerson, AnotherStatureKeepsEverythingElseAndIsUndone) {
+TEST_F(StudioPerson, ChangingStatureKeepsOtherStateAndIsUndone) {
   EXPECT_EQ(stature(), "1.750 m");
   window.actions()[ActionId::kLoop]->setChecked(true);
   window.playback().setPlaying(true);
@@ -79,7 +79,7 @@ TEST_F(StudioPerson, AnotherStatureKeepsEverythingElseAndIsUndone) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return window.moment().playing; }, kLoadMs));
 }
 
-TEST_F(StudioPerson, APausedMomentStays) {
+TEST_F(StudioPerson, PausedMomentIsKept) {
   window.playback().seek(0.7);
   ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(window.moment().t - 0.7) < 0.06; }, kLoadMs));
   const double t = window.playback().time();
@@ -94,7 +94,7 @@ TEST_F(StudioPerson, APausedMomentStays) {
   EXPECT_TRUE(work().people.isEmpty());
 }
 
-TEST_F(StudioPerson, WhatFitsNoPersonChangesNothing) {
+TEST_F(StudioPerson, ImplausiblePersonChangesNothing) {
   tick("stature", 2.4);
   tick("mass", 12.0);
   EXPECT_FALSE(rebuilds());
@@ -104,7 +104,7 @@ TEST_F(StudioPerson, WhatFitsNoPersonChangesNothing) {
   expectTheRest();
 }
 
-TEST_F(StudioPerson, AProjectBuildsThePersonAsItWas) {
+TEST_F(StudioPerson, ProjectRestoresPerson) {
   tick("stature", 1.6);
   tick("mass", 70.0);
   ASSERT_TRUE(rebuilds()) << problem;
@@ -116,7 +116,7 @@ TEST_F(StudioPerson, AProjectBuildsThePersonAsItWas) {
   EXPECT_EQ(work().people.value("anna").mass, 70.0);
 }
 
-TEST_F(StudioPerson, APairThatIsAddedIsCheckedAndUndone) {
+TEST_F(StudioPerson, AddedPairIsCheckedAndUndone) {
   const std::size_t before = window.moment().pairs.size();
   ASSERT_TRUE(opens([&] {
     window.document().edit("add", [](ui::Work& work) {
@@ -130,7 +130,7 @@ TEST_F(StudioPerson, APairThatIsAddedIsCheckedAndUndone) {
   expectTheRest();
 }
 
-TEST(SceneOfWork, PeopleAndReadingReachTheScene) {
+TEST(SceneOfWork, AppliesPeopleAndReadingOptions) {
   scene_file::SceneDescription scene;
   scene.humans.resize(2);
   scene.humans[0].name = "anna";

@@ -71,7 +71,7 @@ struct StudioReport : ::testing::Test {
   std::unique_ptr<Studio> studio;
 };
 
-TEST_F(StudioReport, IsMadeOfTheMarginsOfTheWindow) {
+TEST_F(StudioReport, UsesMarginsOfWindow) {
   qputenv("PATH", QFileInfo(ABSTAND_PROGRAM).absolutePath().toLocal8Bit() + ":" + qgetenv("PATH"));
   window.panels().margins->groupRow(QStringLiteral("person"))->findChild<QSlider*>()->setValue(137);
   ui::ModalAnswer answer(QStringLiteral("report"), [&](QWidget* dialog) {
@@ -89,7 +89,7 @@ TEST_F(StudioReport, IsMadeOfTheMarginsOfTheWindow) {
   EXPECT_EQ(window.findChildren<QProgressDialog*>().size(), 0);
 }
 
-TEST_F(StudioReport, ReadsTheRecordingAsTheWindowDoes) {
+TEST_F(StudioReport, ReadsRecordingLikeWindow) {
   ui::Work work = window.document().work();
   ASSERT_EQ(run(work, request()), QString());
   const std::string as_recorded = written();
@@ -103,7 +103,7 @@ TEST_F(StudioReport, ReadsTheRecordingAsTheWindowDoes) {
   EXPECT_NE(written().find("_as_read.yaml"), std::string::npos);
 }
 
-TEST_F(StudioReport, SaysWhyThereIsNone) {
+TEST_F(StudioReport, ReportsReasonForFailure) {
   ui::ReportRequest wrong = request();
   wrong.file = QString::fromStdString((folder.path() / "nowhere" / "page.html").string());
   EXPECT_TRUE(run(window.document().work(), wrong).contains(QLatin1String("nowhere")));
@@ -142,7 +142,7 @@ TEST_F(StudioReport, ReloadKeepsMarginsAndMoment) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.5) < 0.02; }, kLimitMs));
 }
 
-TEST_F(StudioReport, AnEditedSceneIsNoticed) {
+TEST_F(StudioReport, DetectsEditedScene) {
   QSignalSpy said(window.statusBar(), &QStatusBar::messageChanged);
   writeFile(scene, readFile(scene, 1 << 20) + "# edited\n");
   EXPECT_TRUE(QTest::qWaitFor(

@@ -79,7 +79,7 @@ struct StudioSession : ::testing::Test {
   std::unique_ptr<Studio> studio;
 };
 
-TEST_F(StudioSession, DraggingMarginsGivesTheNumbersOfTune) {
+TEST_F(StudioSession, DraggedMarginsMatchTune) {
   open();
   ASSERT_TRUE(analysed()) << window.review().problem().toStdString();
   const ui::RecordingReview& review = window.review();
@@ -102,7 +102,7 @@ TEST_F(StudioSession, DraggingMarginsGivesTheNumbersOfTune) {
   EXPECT_GT(stops, 0);
 }
 
-TEST_F(StudioSession, ProposedMarginsAreThoseOfTune) {
+TEST_F(StudioSession, ProposedMarginsMatchTune) {
   open();
   ASSERT_TRUE(analysed());
   const auto answer = tune("");
@@ -141,7 +141,7 @@ TEST_F(StudioSession, ProposedMarginsAreThoseOfTune) {
   EXPECT_EQ(window.review().review().outcome.stops, (*set)["stops"].get<long>());
 }
 
-TEST_F(StudioSession, ThePointsOfTheCurveAreRowsOfTune) {
+TEST_F(StudioSession, CurvePointsMatchTune) {
   open();
   ASSERT_TRUE(analysed());
   window.actions()[ui::ActionId::kNoMargins]->trigger();
@@ -162,7 +162,7 @@ TEST_F(StudioSession, ThePointsOfTheCurveAreRowsOfTune) {
   EXPECT_EQ(compared, 14 * 7);
 }
 
-TEST_F(StudioSession, TheCommandLineReadsASetOfTheWindow) {
+TEST_F(StudioSession, CommandLineReadsSetOfWindow) {
   open();
   ASSERT_TRUE(analysed());
   drag("person", 120);
@@ -181,7 +181,7 @@ TEST_F(StudioSession, TheCommandLineReadsASetOfTheWindow) {
   EXPECT_NEAR(outcome.stoppedShare(), set["stopped_share"].get<double>(), 1e-3);
 }
 
-TEST_F(StudioSession, AnotherSceneEndsTheAnalysis) {
+TEST_F(StudioSession, OpeningAnotherSceneEndsAnalysis) {
   open();
   EXPECT_TRUE(window.review().available());
   open();
@@ -196,7 +196,7 @@ TEST_F(StudioSession, AnotherSceneEndsTheAnalysis) {
   EXPECT_FALSE(window.review().available());
 }
 
-TEST_F(StudioSession, ItsEventsAreThereWithoutPlaying) {
+TEST_F(StudioSession, EventsNeedNoPlayback) {
   open();
   ASSERT_TRUE(analysed());
   drag("person", 300);

@@ -39,7 +39,7 @@ struct StudioProgram : ::testing::Test {
   testing::ScratchFolder folder;
 };
 
-TEST_F(StudioProgram, TheProbePrintsItsFigures) {
+TEST_F(StudioProgram, ProbePrintsFigures) {
   const Answer good = run("scene.yaml --size 500x400 --probe 0.5 >probe.json");
   ASSERT_EQ(good.code, 0) << good.err;
   const QJsonObject figures =
@@ -53,7 +53,7 @@ TEST_F(StudioProgram, TheProbePrintsItsFigures) {
   EXPECT_EQ(run("--probe 1").code, 2);
 }
 
-TEST_F(StudioProgram, SpeaksTheLanguageThatItIsAskedFor) {
+TEST_F(StudioProgram, UsesRequestedLanguage) {
   EXPECT_EQ(run("--help --language de >help").code, 0);
   EXPECT_NE(readFile(in("help")).find("Sprache der Texte"), std::string::npos);
   EXPECT_EQ(run("--help --language=en >help").code, 0);
@@ -64,7 +64,7 @@ TEST_F(StudioProgram, SpeaksTheLanguageThatItIsAskedFor) {
       << wrong.err;
 }
 
-TEST_F(StudioProgram, APictureIsAnOutputLikeOthers) {
+TEST_F(StudioProgram, ScreenshotFollowsOutputRules) {
   fs::create_symlink("target.png", in("link.png"));
   const Answer good = run("scene.yaml --size 400x300 --screenshot link.png");
   EXPECT_EQ(good.code, 0) << good.err;
@@ -75,7 +75,7 @@ TEST_F(StudioProgram, APictureIsAnOutputLikeOthers) {
   fs::create_symlink("scene.yaml", in("scene.png"));
   const Answer input = run("scene.yaml --screenshot scene.png");
   EXPECT_EQ(input.code, 2);
-  EXPECT_NE(input.err.find("scene.png: found a file that is an input too"), std::string::npos) << input.err;
+  EXPECT_NE(input.err.find("scene.png: found a file that is also an input"), std::string::npos) << input.err;
   EXPECT_EQ(readFile(in("scene.yaml")), scene);
 
   fs::create_symlink("/dev/full", in("full.png"));
@@ -105,7 +105,7 @@ TEST_F(StudioProgram, FindsRobotsInPackages) {
   EXPECT_TRUE(fs::exists(in("a.png")));
 }
 
-TEST_F(StudioProgram, ARecordingNeedsNoSceneButAPersonInOne) {
+TEST_F(StudioProgram, RecordingAloneOpensAndSceneNeedsPerson) {
   folder.write("p.csv", "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n0,0,0,1,0,0,1.5\n");
   const Answer alone = run("p.csv --screenshot alone.png");
   EXPECT_EQ(alone.code, 0) << alone.err;
@@ -115,7 +115,7 @@ TEST_F(StudioProgram, ARecordingNeedsNoSceneButAPersonInOne) {
   EXPECT_FALSE(fs::exists(in("a.png")));
 }
 
-TEST_F(StudioProgram, AProjectIsOpened) {
+TEST_F(StudioProgram, OpensProject) {
   folder.write("p.abstand", "{\"abstand_project\": 1, \"scene\": \"scene.yaml\"}\n");
   const Answer good = run("p.abstand --screenshot a.png");
   EXPECT_EQ(good.code, 0) << good.err;

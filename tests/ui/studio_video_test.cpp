@@ -53,7 +53,7 @@ struct StudioVideo : ::testing::Test {
   std::unique_ptr<Studio> studio;
 };
 
-TEST_F(StudioVideo, HasTheFramesBetweenInAndOut) {
+TEST_F(StudioVideo, HasFramesBetweenInAndOut) {
   auto answer = ui::ModalAnswer::choose(QStringLiteral("save_video"), file);
   window.actions()[ui::ActionId::kVideo]->trigger();
   EXPECT_TRUE(answer.answered());
@@ -76,7 +76,7 @@ TEST_F(StudioVideo, HasTheFramesBetweenInAndOut) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 3.0) < 1e-6; }, kLimitMs));
 }
 
-TEST_F(StudioVideo, NothingIsLeftWhenCancelled) {
+TEST_F(StudioVideo, LeavesNothingWhenCancelled) {
   window.videos().start(file, {0.0, 4.0});
   ASSERT_TRUE(window.videos().recording());
   auto* wait = window.findChild<QProgressDialog*>(QStringLiteral("video_wait"));
@@ -88,7 +88,7 @@ TEST_F(StudioVideo, NothingIsLeftWhenCancelled) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 3.0) < 1e-6; }, kLimitMs));
 }
 
-TEST_F(StudioVideo, SaysWhyThereIsNone) {
+TEST_F(StudioVideo, ReportsReasonForFailure) {
   QSignalSpy failed(&window.videos(), &ui::VideoRecorder::failed);
   window.videos().start(file.chopped(4) + QStringLiteral(".mp4"), {0.0, 1.0});
   ASSERT_EQ(failed.size(), 1);
@@ -98,7 +98,7 @@ TEST_F(StudioVideo, SaysWhyThereIsNone) {
   EXPECT_FALSE(window.videos().recording());
 }
 
-TEST_F(StudioVideo, ASessionThatGoesEndsIt) {
+TEST_F(StudioVideo, ClosingSessionEndsIt) {
   window.videos().start(file, {0.0, 4.0});
   studio->close();
   EXPECT_FALSE(window.videos().recording());

@@ -44,7 +44,7 @@ struct StudioDocument : StudioWindow {
   ui::CameraView camera;
 };
 
-TEST_F(StudioDocument, AnotherRecordingKeepsTheWorkAndCanBeUndone) {
+TEST_F(StudioDocument, ChangingRecordingKeepsWorkAndCanBeUndone) {
   makeWork();
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
   EXPECT_EQ(work().recording, in("turn.csv"));
@@ -57,7 +57,7 @@ TEST_F(StudioDocument, AnotherRecordingKeepsTheWorkAndCanBeUndone) {
   EXPECT_EQ(work().recording, in("turn.csv"));
 }
 
-TEST_F(StudioDocument, TheSameSceneAgainKeepsTheWorkAndTheTime) {
+TEST_F(StudioDocument, ReopeningSceneKeepsWorkAndTime) {
   makeWork();
   window.playback().seek(0.7);
   ASSERT_TRUE(opens([&] { window.openFile(in("scene.yaml")); })) << problem;
@@ -66,7 +66,7 @@ TEST_F(StudioDocument, TheSameSceneAgainKeepsTheWorkAndTheTime) {
   EXPECT_TRUE(window.document().steps().canUndo());
 }
 
-TEST_F(StudioDocument, OtherReadingOptionsReadTheRecordingAnew) {
+TEST_F(StudioDocument, ReadingOptionsReloadRecording) {
   const double end = window.playback().end();
   ASSERT_TRUE(opens([&] {
     window.document().edit("twice as fast", [](ui::Work& work) { work.reading.speed = 2.0; });
@@ -76,7 +76,7 @@ TEST_F(StudioDocument, OtherReadingOptionsReadTheRecordingAnew) {
   EXPECT_NEAR(window.playback().end(), end, 1e-6);
 }
 
-TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
+TEST_F(StudioDocument, UnreadableRecordingChangesNothing) {
   makeWork();
   folder.write("bad.csv", "t,foo\n0,1\n");
   EXPECT_FALSE(opens([&] { window.openFile(in("bad.csv")); }));
@@ -85,7 +85,7 @@ TEST_F(StudioDocument, ARecordingThatCannotBeReadChangesNothing) {
   expectWork();
 }
 
-TEST_F(StudioDocument, WhatCannotBeShownIsNotMixedUpWithTheDocument) {
+TEST_F(StudioDocument, FailedUndoLeavesDocumentConsistent) {
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
   std::filesystem::rename(folder.path() / "walk.csv", folder.path() / "gone.csv");
   EXPECT_FALSE(opens([&] { window.actions()[ActionId::kUndo]->trigger(); }));
@@ -95,7 +95,7 @@ TEST_F(StudioDocument, WhatCannotBeShownIsNotMixedUpWithTheDocument) {
   EXPECT_TRUE(window.panels().margins->row(0));
 }
 
-TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
+TEST_F(StudioDocument, ProjectIsSavedAndOpened) {
   makeWork();
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
   window.playback().seek(1.1);
@@ -114,7 +114,7 @@ TEST_F(StudioDocument, AProjectIsSavedAndOpened) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(window.playback().time() - 1.1) < 0.05; }, kLoadMs));
 }
 
-TEST_F(StudioDocument, ADepthRecordingSaysHowFarItIsAndCanBeAbandoned) {
+TEST_F(StudioDocument, DepthRecordingShowsProgressAndCanBeCancelled) {
   const auto depth = testing::sharedData("depth/utd_mhad/a18_s1_t1_depth.mat");
   if (!exists(depth)) GTEST_SKIP() << depth;
   makeWork();
@@ -130,7 +130,7 @@ TEST_F(StudioDocument, ADepthRecordingSaysHowFarItIsAndCanBeAbandoned) {
   EXPECT_EQ(ready.size(), 1);
 }
 
-TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
+TEST_F(StudioWindow, OnlyNewestRequestIsShown) {
   const QSignalSpy ready(&studio, &Studio::ready);
   for (int i = 0; i < 5; ++i) studio.openScene(in("none.yaml"), {}, 0.0);
   for (int i = 0; i < 3; ++i) studio.openScene(in("scene.yaml"), {}, 0.0);
@@ -140,7 +140,7 @@ TEST_F(StudioWindow, OnlyTheNewestOfManyRequestsIsShown) {
   EXPECT_FALSE(window.findChild<QMessageBox*>()) << "nobody hears of what was abandoned";
 }
 
-TEST_F(StudioWindow, ACancelledRequestIsNeverShown) {
+TEST_F(StudioWindow, CancelledRequestIsNeverShown) {
   const QSignalSpy ready(&studio, &Studio::ready);
   studio.openScene(in("scene.yaml"), {}, 0.0);
   Q_EMIT window.cancelRequested();
@@ -149,7 +149,7 @@ TEST_F(StudioWindow, ACancelledRequestIsNeverShown) {
   EXPECT_TRUE(work().scene.isEmpty());
 }
 
-TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {
+TEST_F(StudioWindow, RecordingAloneShowsPerson) {
   ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
   EXPECT_TRUE(work().scene.isEmpty());
   EXPECT_EQ(work().recording, in("walk.csv"));
@@ -157,7 +157,7 @@ TEST_F(StudioWindow, ARecordingAloneShowsItsPerson) {
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
 }
 
-TEST_F(StudioWindow, ARobotAloneIsAScene) {
+TEST_F(StudioWindow, RobotAloneIsScene) {
   folder.write("arm.urdf",
                "<robot name='r'><link name='a'><collision><geometry><box size='1 1 1'/></geometry>"
                "</collision></link></robot>");
@@ -165,7 +165,7 @@ TEST_F(StudioWindow, ARobotAloneIsAScene) {
   EXPECT_TRUE(window.panels().margins->groupRow("robot"));
 }
 
-TEST_F(StudioWindow, SceneAndRecordingThatComeTogetherAreOneDocument) {
+TEST_F(StudioWindow, SceneAndRecordingTogetherAreOneDocument) {
   ASSERT_TRUE(opens([&] {
     window.openFile(in("scene.yaml"));
     window.openFile(in("turn.csv"));

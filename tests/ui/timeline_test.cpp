@@ -64,7 +64,7 @@ struct TimelineTest : ::testing::Test {
   MainWindow window;
 };
 
-TEST_F(TimelineTest, ALaneForEachPartThatAClickGoesTo) {
+TEST_F(TimelineTest, ClickOnLaneGoesToMoment) {
   EXPECT_TRUE(lanes().isVisible());
   ASSERT_EQ(lanes().lanes(), 14);
   EXPECT_EQ(lanes().laneAt(0), 0);
@@ -75,7 +75,7 @@ TEST_F(TimelineTest, ALaneForEachPartThatAClickGoesTo) {
   EXPECT_GE(window.selection().pair(), 0);
 }
 
-TEST_F(TimelineTest, DraggingAMarginMovesTheSpansAndTheSentence) {
+TEST_F(TimelineTest, DraggingMarginUpdatesSpansAndSentence) {
   const int hand = session.indexOf("operator/hand_left");
   const auto* sentence = window.panels().timeline->whatIf();
   EXPECT_TRUE(sentence->isVisible());
@@ -101,7 +101,7 @@ TEST_F(TimelineTest, DraggingAMarginMovesTheSpansAndTheSentence) {
   }
 }
 
-TEST_F(TimelineTest, KeysGoToEventsOfTheWholeRecording) {
+TEST_F(TimelineTest, KeysGoToEventsOfWholeRecording) {
   // Nothing has been played.
   const auto first = window.review().nextEvent(0.0);
   ASSERT_TRUE(first);
@@ -115,7 +115,7 @@ TEST_F(TimelineTest, KeysGoToEventsOfTheWholeRecording) {
   EXPECT_EQ(session.time(), *first);
 }
 
-TEST_F(TimelineTest, ARowOfTheEventsGoesToItsMoment) {
+TEST_F(TimelineTest, EventRowGoesToMoment) {
   auto* dock = window.findChild<QDockWidget*>("events");
   ASSERT_TRUE(dock);
   dock->raise();
@@ -134,7 +134,7 @@ TEST_F(TimelineTest, ARowOfTheEventsGoesToItsMoment) {
   EXPECT_LT(table->model()->rowCount(), all);
 }
 
-TEST_F(TimelineTest, InAndOutAreTheRange) {
+TEST_F(TimelineTest, InAndOutSetRange) {
   window.playback().seek(3.0);
   key(Qt::Key_I);
   window.playback().seek(5.0);
@@ -144,7 +144,7 @@ TEST_F(TimelineTest, InAndOutAreTheRange) {
   EXPECT_FALSE(window.timeAxis().range());
 }
 
-TEST_F(TimelineTest, ATypedTimeIsGoneTo) {
+TEST_F(TimelineTest, GoesToTypedTime) {
   QLineEdit* field = window.panels().timeline->timeField();
   key(Qt::Key_G, Qt::ControlModifier);
   EXPECT_TRUE(field->hasFocus());
@@ -159,7 +159,7 @@ TEST_F(TimelineTest, ATypedTimeIsGoneTo) {
   EXPECT_EQ(field->selectedText(), "soon");
 }
 
-TEST_F(TimelineTest, TheWheelZoomsTheLanesOverAWholeStrip) {
+TEST_F(TimelineTest, WheelZoomsLanesNotStrip) {
   const QPoint at(lanes().xOf(6.0), 5);
   QWheelEvent wheel(at, lanes().viewport()->mapToGlobal(at), {}, QPoint(0, 240), Qt::NoButton,
                     Qt::ControlModifier, Qt::NoScrollPhase, false);
@@ -176,7 +176,7 @@ TEST_F(TimelineTest, TheWheelZoomsTheLanesOverAWholeStrip) {
   EXPECT_FALSE(window.timeAxis().zoomed());
 }
 
-TEST_F(TimelineTest, WithoutAnAnalysisThereAreNoLanes) {
+TEST_F(TimelineTest, NoLanesWithoutAnalysis) {
   FakeSession plain;
   window.setSession(&plain);
   EXPECT_FALSE(lanes().isVisible());

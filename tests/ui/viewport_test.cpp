@@ -43,14 +43,14 @@ struct ViewportTest : ShownWindow {
   }
 };
 
-TEST_F(ViewportTest, ThePictureOfTheWindowHasItsSizeAndIsNotBlank) {
+TEST_F(ViewportTest, PictureHasWindowSizeAndIsNotBlank) {
   const QImage picture = grabWindow(window);
   EXPECT_EQ(picture.size(), QSize(1200, 800));
   EXPECT_GT(countColours(picture), kColours);
   EXPECT_GT(countColours(window.viewport().picture()), kColours);
 }
 
-TEST_F(ViewportTest, ContactIsVermillionAndApartIsNot) {
+TEST_F(ViewportTest, OnlyContactIsVermillion) {
   window.actions()[ActionId::kLabels]->setChecked(false);
   window.actions()[ActionId::kClosest]->setChecked(false);
   window.actions()[ActionId::kForces]->setChecked(false);
@@ -91,7 +91,7 @@ TEST_F(ViewportTest, EveryToggleChangesThePicture) {
   }
 }
 
-TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
+TEST_F(ViewportTest, StaleIsHollowAndHiddenIsNotDrawn) {
   const QImage whole = pictureAt(5.5);
   session.setPoseState(session.indexOf("operator/torso"), scene::PoseState::kStale);
   window.pull();
@@ -103,7 +103,7 @@ TEST_F(ViewportTest, AStalePoseIsHollowAndAHiddenObjectGone) {
   EXPECT_NE(window.viewport().picture(), whole);
 }
 
-TEST_F(ViewportTest, WhatIsNotKnownWellHasAMistAsFarAsItsReach) {
+TEST_F(ViewportTest, PoseUncertaintyIsDrawnAsHalo) {
   const QImage sharp = pictureAt(5.5);
   const auto differing = [&](double reach) {
     session.setPoseUncertainty(session.indexOf("operator/torso"), reach);
@@ -121,7 +121,7 @@ TEST_F(ViewportTest, WhatIsNotKnownWellHasAMistAsFarAsItsReach) {
   EXPECT_EQ(differing(0.0), 0);
 }
 
-TEST_F(ViewportTest, AClickChoosesWhatIsUnderThePointer) {
+TEST_F(ViewportTest, ClickSelectsObjectUnderPointer) {
   pictureAt(5.5);
   // The chosen object fills the middle of the view.
   window.selection().setObjects({session.indexOf("table")});
@@ -136,7 +136,7 @@ TEST_F(ViewportTest, AClickChoosesWhatIsUnderThePointer) {
   EXPECT_TRUE(window.selection().objects().empty());
 }
 
-TEST_F(ViewportTest, NothingIsCutOffFromAnySide) {
+TEST_F(ViewportTest, NothingIsClippedFromAnySide) {
   pictureAt(0.4);
   for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso}) {
     SCOPED_TRACE(window.actions()[id]->text().toStdString());
@@ -148,7 +148,7 @@ TEST_F(ViewportTest, NothingIsCutOffFromAnySide) {
   }
 }
 
-TEST_F(ViewportTest, CameraPresetsDifferAndComeBack) {
+TEST_F(ViewportTest, CameraPresetsDifferAndAreRepeatable) {
   pictureAt(5.5);
   std::vector<QImage> seen;
   for (const ActionId id : {ActionId::kFront, ActionId::kSide, ActionId::kTop, ActionId::kIso}) {

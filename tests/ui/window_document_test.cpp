@@ -87,7 +87,7 @@ struct WindowDocumentTest : ShownWindow {
   int hand{-1};
 };
 
-TEST_F(WindowDocumentTest, CtrlZTakesAMarginBack) {
+TEST_F(WindowDocumentTest, UndoRestoresMargin) {
   const double before = shownMargin();
   ASSERT_TRUE(setMargin(123));
   EXPECT_EQ(action(ActionId::kUndo)->text(), "&Undo: margin of operator/hand_left");
@@ -104,7 +104,7 @@ TEST_F(WindowDocumentTest, CtrlZTakesAMarginBack) {
   EXPECT_TRUE(work().margins.isEmpty());
 }
 
-TEST_F(WindowDocumentTest, ADraggedSliderIsOneStep) {
+TEST_F(WindowDocumentTest, SliderDragIsOneStep) {
   auto* slider = window.panels().margins->row(hand)->findChild<QSlider*>();
   for (int drag = 1; drag <= 2; ++drag) {
     slider->setSliderDown(true);
@@ -116,7 +116,7 @@ TEST_F(WindowDocumentTest, ADraggedSliderIsOneStep) {
   EXPECT_NEAR(shownMargin(), 0.120, 1e-9);
 }
 
-TEST_F(WindowDocumentTest, UndoOfAllEditsReturnsToTheStart) {
+TEST_F(WindowDocumentTest, UndoOfAllEditsRestoresStart) {
   const Work start = work();
   const QImage picture = window.viewport().picture();
   ASSERT_TRUE(setMargin(250));
@@ -147,7 +147,7 @@ TEST_F(WindowDocumentTest, UndoOfAllEditsReturnsToTheStart) {
   EXPECT_EQ(window.viewport().picture(), picture);
 }
 
-TEST_F(WindowDocumentTest, AnotherSessionKeepsWhatTheUserMade) {
+TEST_F(WindowDocumentTest, NewSessionKeepsUserWork) {
   ASSERT_TRUE(setMargin(99));
   tick(hand, Qt::Unchecked);
   action(ActionId::kTop)->trigger();
@@ -164,7 +164,7 @@ TEST_F(WindowDocumentTest, AnotherSessionKeepsWhatTheUserMade) {
   window.setSession(nullptr);
 }
 
-TEST_F(WindowDocumentTest, ThePairThatWasSelectedStaysSelected) {
+TEST_F(WindowDocumentTest, SelectedPairStaysSelected) {
   const auto [a, b] = session.outline().pairs[7];
   window.selection().setPair(7, a, b);
   FakeSession next;
@@ -174,7 +174,7 @@ TEST_F(WindowDocumentTest, ThePairThatWasSelectedStaysSelected) {
   window.setSession(nullptr);
 }
 
-TEST_F(WindowDocumentTest, SaveLoadSaveGivesTheSameBytes) {
+TEST_F(WindowDocumentTest, SaveLoadSaveIsByteIdentical) {
   const QString file = writeFiles();
   window.document().open(readProject(file), file, false);
   window.setSession(&session);
@@ -196,7 +196,7 @@ TEST_F(WindowDocumentTest, SaveLoadSaveGivesTheSameBytes) {
   EXPECT_EQ(readFile(file.toStdString()), first);
 }
 
-TEST_F(WindowDocumentTest, ClosingAsksForWorkThatIsNotSaved) {
+TEST_F(WindowDocumentTest, ClosingAsksAboutUnsavedWork) {
   const QString file = writeFiles();
   window.document().open(readProject(file), file, false);
   tick(hand, Qt::Unchecked);
@@ -219,7 +219,7 @@ TEST_F(WindowDocumentTest, ClosingAsksForWorkThatIsNotSaved) {
   EXPECT_TRUE(readProject(file).work.hidden.contains("operator/hand_left"));
 }
 
-TEST_F(WindowDocumentTest, AnEmptyWindowIsNotAskedFor) {
+TEST_F(WindowDocumentTest, EmptyWindowClosesWithoutQuestion) {
   window.setSession(nullptr);
   action(ActionId::kFloor)->trigger();
   EXPECT_TRUE(window.close());
@@ -237,7 +237,7 @@ TEST_F(WindowDocumentTest, SaveAsAddsTheEnding) {
   EXPECT_EQ(readProject(in("new.abstand")).work.scene, in("scene.yaml"));
 }
 
-TEST_F(WindowDocumentTest, AMissingRecordingIsLocatedOrLeftOut) {
+TEST_F(WindowDocumentTest, MissingRecordingIsLocatedOrOmitted) {
   const QString file = writeFiles();
   const QSignalSpy opened(&window, &MainWindow::openProjectRequested);
   std::filesystem::rename(folder.path() / "walk.bvh", folder.path() / "other.bvh");
@@ -267,7 +267,7 @@ TEST_F(WindowDocumentTest, AMissingRecordingIsLocatedOrLeftOut) {
   EXPECT_EQ(opened[1][0].value<Project>().work.recording, in("other.bvh"));
 }
 
-TEST_F(WindowDocumentTest, RecordingOptionsAreAnEdit) {
+TEST_F(WindowDocumentTest, RecordingOptionsAreUndoable) {
   const ModalAnswer accept("recording_options", [](QWidget* dialog) {
     auto* units = dialog->findChild<QComboBox*>("units");
     units->setCurrentIndex(units->findData("cm"));
@@ -285,7 +285,7 @@ TEST_F(WindowDocumentTest, RecordingOptionsAreAnEdit) {
   EXPECT_FALSE(action(ActionId::kUndo)->isEnabled());
 }
 
-TEST_F(WindowDocumentTest, ADamagedProjectIsNamedWithThePlace) {
+TEST_F(WindowDocumentTest, ReportsDamagedProjectWithPosition) {
   folder.write("bad.abstand", "{\n  \"abstand_project\": 1,\n  \"margins\": {\"a\": -5}\n}\n");
   const QSignalSpy opened(&window, &MainWindow::openProjectRequested);
   window.openFile(in("bad.abstand"));
@@ -295,7 +295,7 @@ TEST_F(WindowDocumentTest, ADamagedProjectIsNamedWithThePlace) {
   EXPECT_EQ(opened.size(), 0);
 }
 
-TEST_F(WindowDocumentTest, SettingsForNamesThatTheSceneDoesNotHaveAreNamed) {
+TEST_F(WindowDocumentTest, ReportsSettingsForUnknownNames) {
   Project project;
   project.work.margins["nobody/hand"] = 0.1;
   window.document().open(project, "/p.abstand", false);
@@ -305,7 +305,7 @@ TEST_F(WindowDocumentTest, SettingsForNamesThatTheSceneDoesNotHaveAreNamed) {
   EXPECT_TRUE(box->text().contains("nobody/hand"));
 }
 
-TEST_F(WindowDocumentTest, AFileOfAnUnknownKindIsAnswered) {
+TEST_F(WindowDocumentTest, ReportsUnknownFileType) {
   window.openFile("/somewhere/picture.gif");
   const auto* box = window.findChild<QMessageBox*>();
   ASSERT_TRUE(box);

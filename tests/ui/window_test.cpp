@@ -109,7 +109,7 @@ TEST_F(WindowTest, SpacePlaysAndPauses) {
   EXPECT_FALSE(session.playing());
 }
 
-TEST_F(WindowTest, KeysBelongToATextFieldThatHasTheFocus) {
+TEST_F(WindowTest, FocusedTextFieldReceivesKeys) {
   QLineEdit* box = window.panels().pairs->filterBox();
   QApplication::setActiveWindow(&window);
   box->setFocus();
@@ -119,7 +119,7 @@ TEST_F(WindowTest, KeysBelongToATextFieldThatHasTheFocus) {
   EXPECT_TRUE(session.log.empty());
 }
 
-TEST_F(WindowTest, TheStripFollowsThePointer) {
+TEST_F(WindowTest, StripFollowsPointer) {
   TimeStrip* strip = window.panels().timeline->strip();
   const int y = strip->height() / 2;
   QTest::mousePress(strip, Qt::LeftButton, {}, QPoint(strip->xOf(3.0), y));
@@ -131,14 +131,14 @@ TEST_F(WindowTest, TheStripFollowsThePointer) {
   EXPECT_EQ(window.playback().time(), session.time());
 }
 
-TEST_F(WindowTest, AMarginReachesTheSession) {
+TEST_F(WindowTest, MarginReachesSession) {
   const int hand = session.indexOf("operator/hand_left");
   window.panels().margins->row(hand)->findChild<QSlider*>()->setValue(123);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !session.log.empty(); }, kWaitMs));
   EXPECT_EQ(session.log, std::vector<std::string>{"margin " + std::to_string(hand) + " 0.123"});
 }
 
-TEST_F(WindowTest, DroppedFilesAreAskedForByTheirKind) {
+TEST_F(WindowTest, DroppedFilesOpenByType) {
   QSignalSpy scenes(&window, &MainWindow::openSceneRequested);
   QSignalSpy recordings(&window, &MainWindow::openRecordingRequested);
   drop({"/somewhere/walk.bvh", "/somewhere/cell.yaml"});
@@ -157,14 +157,14 @@ TEST_F(WindowTest, DroppedFilesAreAskedForByTheirKind) {
   EXPECT_EQ(scenes.size(), 1);
 }
 
-TEST_F(WindowTest, RecentScenesAreRememberedNewestFirst) {
+TEST_F(WindowTest, RecentScenesAreNewestFirst) {
   for (int i = 0; i < kRecentFiles + 2; ++i) rememberFile(QStringLiteral("/scenes/%1.yaml").arg(i));
   rememberFile("/scenes/4.yaml");
   EXPECT_EQ(recentFiles(), (QStringList{"/scenes/4.yaml", "/scenes/6.yaml", "/scenes/5.yaml",
                                         "/scenes/3.yaml", "/scenes/2.yaml"}));
 }
 
-TEST_F(WindowTest, LayoutAndViewOutliveTheWindow) {
+TEST_F(WindowTest, LayoutAndViewPersist) {
   auto* plots = window.findChild<QDockWidget*>("plots");
   plots->hide();
   window.actions()[ActionId::kVelocities]->setChecked(true);
@@ -180,7 +180,7 @@ TEST_F(WindowTest, LayoutAndViewOutliveTheWindow) {
   EXPECT_TRUE(next.findChild<QDockWidget*>("plots")->isVisible());
 }
 
-TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
+TEST_F(WindowTest, StatusBarShowsCulledPairs) {
   const auto* label = window.findChild<QLabel*>("left_out");
   ASSERT_TRUE(label);
   const QString pairs = QString::number(session.outline().pairs.size());
@@ -203,7 +203,7 @@ TEST_F(WindowTest, TheStatusBarSaysWhatWasLeftOut) {
   EXPECT_TRUE(label->text().isEmpty());
 }
 
-TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
+TEST_F(WindowTest, RobotPanelShowsStateAndCause) {
   auto* panel = window.panels().robots;
   const auto* head = panel->findChild<QLabel*>("robots_head");
   const auto* state = panel->findChild<QLabel*>("state arm");
@@ -274,7 +274,7 @@ TEST_F(WindowTest, RobotsThatReactSayWhatTheyDoAndWhy) {
   EXPECT_FALSE(panel->findChild<QLabel*>("state arm"));
 }
 
-TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
+TEST_F(WindowTest, RobotLogListsEachBrokenLimitOnce) {
   const auto* log = window.panels().robots->log();
   const auto lines = [&](int count) {
     window.pull();
@@ -304,7 +304,7 @@ TEST_F(WindowTest, TheRobotsLogTellsOfEachBrokenLimitOnce) {
   EXPECT_TRUE(lines(0));
 }
 
-TEST_F(WindowTest, ReservationsOfTheSceneAreListed) {
+TEST_F(WindowTest, ListsReservationsOfScene) {
   NotePanel& panel = *window.panels().notes;
   const auto title = [&] { return window.findChild<QDockWidget*>("notes")->windowTitle(); };
   EXPECT_EQ(panel.topLevelItemCount(), 0);
@@ -329,7 +329,7 @@ TEST_F(WindowTest, ReservationsOfTheSceneAreListed) {
   EXPECT_EQ(title(), "Reservations");
 }
 
-TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
+TEST_F(WindowTest, ReactToggleOutlivesSession) {
   QAction* react = window.actions()[ActionId::kReact];
   EXPECT_TRUE(react->isEnabled());
   EXPECT_TRUE(react->isChecked());
@@ -350,7 +350,7 @@ TEST_F(WindowTest, ReactIsAToggleAndOutlivesTheSession) {
   EXPECT_FALSE(react->isEnabled());
 }
 
-TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
+TEST_F(WindowTest, PairGroupsRunPauseAndStop) {
   auto& panel = *window.panels().groups;
   auto* tree = panel.tree();
   const auto* head = panel.findChild<QLabel*>("groups_head");
@@ -381,7 +381,7 @@ TEST_F(WindowTest, GroupsOfPairsRunPauseAndStop) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return head->text().startsWith("All"); }, kWaitMs));
 }
 
-TEST_F(WindowTest, APairLeavesItsGroupAndComesIntoAnother) {
+TEST_F(WindowTest, PairMovesBetweenGroups) {
   auto& panel = *window.panels().groups;
   auto* tree = panel.tree();
   ASSERT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
@@ -401,7 +401,7 @@ TEST_F(WindowTest, APairLeavesItsGroupAndComesIntoAnother) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return tree->topLevelItemCount() == 2; }, kWaitMs));
 }
 
-TEST_F(WindowTest, ReactionTorquesAreAToggle) {
+TEST_F(WindowTest, ReactionTorquesToggle) {
   QAction* torques = window.actions()[ActionId::kReactionTorques];
   EXPECT_TRUE(torques->isEnabled() && torques->isChecked());
   torques->trigger();
@@ -411,7 +411,7 @@ TEST_F(WindowTest, ReactionTorquesAreAToggle) {
   EXPECT_EQ(next.log, std::vector<std::string>{"torques off"});
 }
 
-TEST_F(WindowTest, TheTorquesOfAJointCanBePlotted) {
+TEST_F(WindowTest, PlotsJointTorques) {
   auto* joint = window.findChild<QComboBox*>("torque_joint");
   ASSERT_TRUE(joint);
   EXPECT_EQ(joint->count(), 1 + static_cast<int>(session.outline().joints.size()));
@@ -429,7 +429,7 @@ TEST_F(WindowTest, TheTorquesOfAJointCanBePlotted) {
       kWaitMs));
 }
 
-TEST_F(WindowTest, WhyNothingReactsIsSaid) {
+TEST_F(WindowTest, ShowsWhyNothingReacts) {
   RobotPanel panel;
   view::SceneOutline outline;
   outline.reacting = {"arm"};
@@ -440,7 +440,7 @@ TEST_F(WindowTest, WhyNothingReactsIsSaid) {
             "Not reacting: s.yaml:3:5: error: found no mass");
 }
 
-TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
+TEST_F(WindowTest, CausesHaveUnits) {
   const view::SceneOutline& outline = session.outline();
   const auto text = [&](const safety::StopCause& cause) {
     return causeText(cause, outline, 0).toStdString();
@@ -458,7 +458,7 @@ TEST_F(WindowTest, CausesAreNamedInTheirUnits) {
             "braking path 12.3 mm, limit 50.0 mm");
 }
 
-TEST_F(WindowTest, OpeningASceneIsShown) {
+TEST_F(WindowTest, ShowsOpeningProgress) {
   const auto* text = window.findChild<QLabel*>("opening");
   const auto* bar = window.findChild<QProgressBar*>();
   ASSERT_TRUE(text && bar);
@@ -478,7 +478,7 @@ TEST_F(WindowTest, OpeningASceneIsShown) {
   EXPECT_FALSE(text->isVisible());
 }
 
-TEST_F(WindowTest, ASessionMayComeAndGo) {
+TEST_F(WindowTest, SessionMayBeReplaced) {
   window.setSession(nullptr);
   window.pull();
   key(Qt::Key_Right);

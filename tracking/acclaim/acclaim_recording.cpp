@@ -34,7 +34,7 @@ std::filesystem::path findAsf(const std::filesystem::path& amc, const std::files
   throw ParseError(
       {amc.string()},
       "found " + (all.empty() ? std::string("no ASF file") : std::to_string(all.size()) + " ASF files") +
-          " beside this AMC and none that begins its name, expected its skeleton",
+          " next to this AMC and none with a matching name, expected its skeleton",
       "name it with --skeleton FILE.asf");
 }
 
@@ -46,8 +46,8 @@ AcclaimPoints::AcclaimPoints(std::string_view asf, std::string asf_file, std::st
   facts_.rate_reason =
       amc.empty() ? "a skeleton without motion" : "no rate in the file: 120 Hz are assumed, as CMU recorded";
   if (std::abs(skeleton_.length - kCmuLength) < 1e-9)
-    facts_.unit =
-        UnitChoice{"cmu", "the ASF says length 0.45, CMU's 1 / 0.45 inch a unit", 0.0254 / kCmuLength, ""};
+    facts_.unit = UnitChoice{"cmu", "the ASF states length 0.45, CMU's 1 / 0.45 inch per unit",
+                             0.0254 / kCmuLength, ""};
 
   std::vector<bool> has_child(skeleton_.bones.size(), false);
   for (const AsfBone& bone : skeleton_.bones) {

@@ -59,7 +59,7 @@ bool AmcReader::readBone(std::vector<double>& values) {
   if (words_.size() != bone.channels.size() + 1)
     throw ParseError(pos, "found " + std::to_string(words_.size() - 1) + " numbers for " +
                               text::inQuotes(words_[0]) + ", expected " +
-                              std::to_string(bone.channels.size()) + " as its dof says");
+                              std::to_string(bone.channels.size()) + " as stated by its dof");
   for (std::size_t k = 0; k < bone.channels.size(); ++k) {
     const auto v = parseDouble(words_[k + 1]);
     if (!v || std::abs(*v) > kLargestCoordinate)
@@ -102,7 +102,7 @@ bool AmcReader::next(std::vector<double>& values) {
   const std::string what = std::to_string(bones) + " of " + std::to_string(moving_) + " bones";
   if (has_words_ || frames_ == 0)
     throw ParseError({file_, start}, "found a frame with " + what + ", expected all that move");
-  warnings_.push_back({start, "the last frame is cut after " + what + ": it is left out", 1});
+  warnings_.push_back({start, "the last frame is truncated after " + what + " and ignored", 1});
   at_end_ = true;
   return false;
 }

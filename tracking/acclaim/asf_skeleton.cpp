@@ -125,8 +125,7 @@ class AsfParser {
     AsfBone& bone = bones_.back();
     if (key == "end") {
       in_bone_ = false;
-      if (bone.name.empty() || bone.name == "root")
-        fail("found a bone without a name of its own, expected one");
+      if (bone.name.empty() || bone.name == "root") fail("found a bone without a unique name, expected one");
       bone.offset *= length_;
       if (!index_.emplace(bone.name, bones_.size() - 1).second)
         fail("found the bone " + text::inQuotes(bone.name) + " a second time, expected it once");
@@ -182,7 +181,7 @@ class AsfParser {
     }
     if (out_.bones.size() != bones_.size())
       fail("found " + std::to_string(bones_.size() - out_.bones.size()) +
-           " bones that do not hang on the root, expected all of them in :hierarchy");
+           " bones not connected to the root, expected all of them in :hierarchy");
     return std::move(out_);
   }
 

@@ -145,8 +145,8 @@ BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warning
     const int line = in.line();
     const std::size_t next = h.joints.size();
     TreeReader(in, h).readRoot();
-    warnings.push_back(
-        {line, "a further ROOT " + text::inQuotes(h.joints[next].name) + ": only the first person is read"});
+    warnings.push_back({line, "a further ROOT " + text::inQuotes(h.joints[next].name) +
+                                  ": only the first skeleton is read"});
   }
   h.joints.resize(of_first_root);
   if (h.channel_count == 0)
@@ -156,7 +156,7 @@ BvhHierarchy parseBvhHierarchy(TextCursor& in, std::vector<FileWarning>& warning
   for (const auto& joint : h.joints)
     if (!joint.name.ends_with("/end") && !names.insert(joint.name).second)
       warnings.push_back(
-          {0, "the name " + text::inQuotes(joint.name) + " stands twice: the first joint is used"});
+          {0, "the name " + text::inQuotes(joint.name) + " occurs twice: the first joint is used"});
   return h;
 }
 
@@ -180,7 +180,7 @@ BvhMotionHead parseBvhMotionHead(TextCursor& in, std::vector<FileWarning>& warni
     head.frame_time = *seconds;
   else
     warnings.push_back(
-        {in.line(), "a frame time of " + formatDouble(*seconds) + " s: 30 frames a second are assumed"});
+        {in.line(), "a frame time of " + formatDouble(*seconds) + " s: 30 frames per second are assumed"});
   return head;
 }
 

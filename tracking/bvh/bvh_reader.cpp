@@ -78,7 +78,7 @@ bool BvhReader::readNumber(double& value) {
   if (r.ec == std::errc{} && whole && std::isfinite(value))
     throw ParseError(here(), "found " + text::inQuotes(word) + ", expected a number below 1e9");
   throw ParseError(here(), "found " + text::inQuotes(word) + ", expected a number",
-                   word.find(',') != std::string_view::npos ? "the decimal point of BVH is a point" : "");
+                   word.find(',') != std::string_view::npos ? "BVH uses a decimal point, not a comma" : "");
 }
 
 /// End of the data, with `partial` values of an incomplete frame. Always false.
@@ -92,14 +92,15 @@ bool BvhReader::finish(std::size_t partial) {
                          std::to_string(values_.size()) +
                          (head_.frames > 0 ? " (" + claimed + " frames are claimed)" : ""));
   if (partial > 0 || cut_)
-    warnings_.push_back({data_line_, "the last frame is cut after " + std::to_string(partial) + " of " +
-                                         std::to_string(values_.size()) + " numbers: it is left out"});
+    warnings_.push_back({data_line_, "the last frame is truncated after " + std::to_string(partial) + " of " +
+                                         std::to_string(values_.size()) + " numbers and ignored"});
   const auto claim = head_.frames > 0 ? static_cast<std::size_t>(head_.frames) : 0;
   if (static_cast<unsigned long long>(head_.frames) != frames_)
-    warnings_.push_back({head_.frames_line,
-                         "claims " + claimed + " frames, found " + std::to_string(frames_) + " whole ones: " +
-                             (beyondClaim() ? "those beyond the claim are left out" : "all of them are kept"),
-                         claim > frames_ ? claim - frames_ : 0});
+    warnings_.push_back(
+        {head_.frames_line,
+         "claims " + claimed + " frames, found " + std::to_string(frames_) + " complete ones: " +
+             (beyondClaim() ? "frames beyond the stated number are ignored" : "all of them are kept"),
+         claim > frames_ ? claim - frames_ : 0});
   return false;
 }
 

@@ -10,12 +10,12 @@ namespace {
 void describeRepairs(const std::vector<LostBone>& repairs, RecordingReport& report) {
   for (const LostBone& bone : repairs) {
     const std::string length = text::rounded(1000.0 * report.scale * bone.length, 1) + " mm";
-    report.repairs.push_back(bone.is_hand ? "the file lacks the bone of the wrist behind " +
-                                                text::inQuotes(bone.joint) + ": " + length +
-                                                ", half a forearm, are put in"
-                                          : "the file lacks a bone behind " + text::inQuotes(bone.joint) +
-                                                ", so neck and arms sit too low: " + length +
-                                                ", as long as its neighbours in the spine, are put in");
+    report.repairs.push_back(bone.is_hand
+                                 ? "the file lacks the wrist bone after " + text::inQuotes(bone.joint) +
+                                       ": " + length + ", half a forearm, are inserted"
+                                 : "the file lacks a bone after " + text::inQuotes(bone.joint) +
+                                       ", which puts neck and arms too low: " + length +
+                                       ", the length of the adjacent spine bones, are inserted");
     report.notes.push_back(report.repairs.back() + " (--no-repair leaves the file as it is)");
   }
 }

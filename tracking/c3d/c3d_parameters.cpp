@@ -55,7 +55,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
   std::vector<std::tuple<int, std::string, std::size_t>> found;  // group, name, offset of the type
   const auto stop = [&](std::size_t at, const std::string& why) {
     warnings.push_back(
-        {0, "at byte " + std::to_string(at) + ": " + why + ": parameters behind it are left out"});
+        {0, "at byte " + std::to_string(at) + ": " + why + ": parameters after it are ignored"});
   };
   std::size_t at = start + kHead;
   while (at + 2 <= bytes.size()) {
@@ -86,7 +86,7 @@ C3dParameters readC3dParameters(const C3dBytes& bytes, std::size_t start,
     try {
       out.emplace((it == groups.end() ? "" : it->second) + ":" + name, readValues(bytes, place));
     } catch (const ParseError& e) {
-      warnings.push_back({0, e.message() + ": the parameter " + text::inQuotes(name) + " is left out"});
+      warnings.push_back({0, e.message() + ": the parameter " + text::inQuotes(name) + " is ignored"});
     }
   }
   return out;

@@ -62,7 +62,7 @@ void C3dReader::readHead() {
   const std::size_t analog = bytes_.u16(4);
   first_frame_ = bytes_.u16(6);
   if (points_ == 0)
-    bytes_.fail(2, "found 0 points, expected markers (a file of analog data alone moves nobody)");
+    bytes_.fail(2, "found 0 points, expected markers (a file with analog data only has no motion)");
   scale_ = static_cast<double>(bytes_.f32(12));
   if (!std::isfinite(scale_) || scale_ == 0.0 || std::abs(scale_) > kLargestCoordinate)
     bytes_.fail(12, "found a scale of " + formatDouble(scale_) + ", expected a number that is not 0");
@@ -71,7 +71,7 @@ void C3dReader::readHead() {
   frame_bytes_ = width * (4 * points_ + analog);
   const std::size_t block = bytes_.u16(16);
   if (block < 2)
-    bytes_.fail(16, "found the data in block " + std::to_string(block) + ", expected one behind the header");
+    bytes_.fail(16, "found the data in block " + std::to_string(block) + ", expected one after the header");
   data_ = (block - 1) * kBlock;
 
   const auto rate = static_cast<double>(bytes_.f32(20));
@@ -84,12 +84,12 @@ void C3dReader::readHead() {
   const std::size_t claimed = claimedFrames();
   const std::size_t held = data_ < bytes_.size() ? (bytes_.size() - data_) / frame_bytes_ : 0;
   if (held == 0)
-    bytes_.fail(data_, "found no whole frame, expected one of " + std::to_string(frame_bytes_) + " bytes");
+    bytes_.fail(data_, "found no complete frame, expected one of " + std::to_string(frame_bytes_) + " bytes");
   frames_ = std::min(claimed, held);
   if (claimed > held)
     warnings_.push_back({0,
                          "claims " + std::to_string(claimed) + " frames, found " + std::to_string(held) +
-                             " whole ones: those are read",
+                             " complete ones, which are read",
                          claimed - held});
 }
 
@@ -99,7 +99,7 @@ std::size_t C3dReader::claimedFrames() const {
   const int first = bytes_.u16(6), last = bytes_.u16(8);
   if (last < first)
     bytes_.fail(8, "found the last frame " + std::to_string(last) + " before the first, " +
-                       std::to_string(first) + ", expected it behind");
+                       std::to_string(first) + ", expected it after the first");
   double claimed = last - first + 1;
   const double start = numberOf("TRIAL:ACTUAL_START_FIELD") +
                        65536.0 * std::max(numberOf("TRIAL:ACTUAL_START_FIELD", 1), 0.0),
@@ -148,10 +148,9 @@ void C3dReader::checkResiduals() {
     for (std::size_t i = 0; i < points_; ++i)
       if (point(f, i).is_measured) return;
   trust_residuals_ = false;
-  warnings_.push_back(
-      {0,
-       "every residual is negative, which means 'not measured': they are not believed, and only "
-       "points in the origin are gaps"});
+  warnings_.push_back({0,
+                       "every residual is negative ('not measured'): residuals are ignored, and only "
+                       "points at the origin are gaps"});
 }
 
 void C3dReader::describe() {
@@ -173,8 +172,7 @@ void C3dReader::describe() {
       at_origin += p.is_measured && !p.isSeen() ? 1 : 0;
     }
   if (at_origin > 0 && trust_residuals_)
-    facts_.notes.push_back(std::to_string(at_origin) +
-                           " times a point lies at (0, 0, 0): it counts as not seen there");
+    facts_.notes.push_back(std::to_string(at_origin) + " samples at (0, 0, 0) count as missing");
 
   constexpr const char* kProcessors[]{"Intel", "DEC", "MIPS"};
   facts_.notes.push_back(
@@ -182,7 +180,7 @@ void C3dReader::describe() {
       (is_float_ ? ", floating point" : ", integers of " + text::rounded(scale_, 4) + " units") + ", " +
       std::to_string(points_) + " points");
   if (const auto analog = bytes_.u16(4); analog > 0)
-    facts_.notes.push_back(std::to_string(analog) + " analog samples a frame are skipped");
+    facts_.notes.push_back(std::to_string(analog) + " analog samples per frame are ignored");
   std::vector<double> residuals;
   for (const auto f : sampleIndices(frames_))
     for (std::size_t i = 0; i < points_; ++i)

@@ -59,8 +59,7 @@ void writeCompact(std::ostream& out, const Recording& recording) {
       if (f.state[j] == humanmodel::JointState::kMissing) continue;
       if (!(f.p[j].cwiseAbs().maxCoeff() <= kFarthest))
         throw UsageError("found " + std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) +
-                         " farther than 1e6 m away at t = " + formatDouble(f.t) +
-                         ", expected a person nearer by");
+                         " farther than 1e6 m away at t = " + formatDouble(f.t) + ", expected less");
       for (int k = 0; k < 3; ++k) {
         const auto steps = static_cast<std::int64_t>(std::llround(f.p[j][k] / kCompactStep));
         writeDifference(out, steps - last[j][static_cast<std::size_t>(k)]);
@@ -83,7 +82,7 @@ bool looksLikeCompact(std::string_view bytes) { return bytes.starts_with(kMagic)
 
 CompactReader::CompactReader(std::string_view bytes, std::string file)
     : bytes_(bytes), file_(std::move(file)) {
-  if (!looksLikeCompact(bytes_)) fail("found another begin, expected ABSTREC1");
+  if (!looksLikeCompact(bytes_)) fail("found another file signature, expected ABSTREC1");
   at_ = kMagic.size();
   std::uint8_t joints = 0, length = 0;
   if (!readByte(joints) || joints == 0) fail("found no joint, expected how many there are");
@@ -133,7 +132,7 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
   frame.t = std::bit_cast<double>(readU64(bytes_.substr(at_, 8)));
   if (!std::isfinite(frame.t) || std::abs(frame.t) > kLargestCoordinate ||
       (frames_ > 0 && frame.t <= last_t_))
-    fail("found the time " + formatDouble(frame.t) + ", expected one behind that of the last frame");
+    fail("found the time " + formatDouble(frame.t) + ", expected one after that of the last frame");
   at_ += 8;
   for (std::size_t j = 0; j < names_.size(); ++j) {
     std::uint8_t state = 0;
@@ -147,7 +146,7 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
       if (!readDifference(difference)) return false;
       if (difference > 2 * kMaxSteps || difference < -2 * kMaxSteps ||
           std::abs(last_[j][k] + difference) > kMaxSteps)
-        fail("found a place beyond 1e6 m, expected a person nearer by");
+        fail("found a position beyond 1e6 m, expected less");
       last_[j][k] += difference;
       p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
     }
@@ -183,7 +182,8 @@ bool CompactReader::next(PointFrame& frame) {
   }
   done_ = true;
   if (kind != kEnd || at_ >= bytes_.size())
-    warnings_.push_back({0, "the file is cut: its " + std::to_string(frames_) + " whole frames are read", 1});
+    warnings_.push_back(
+        {0, "the file is truncated: its " + std::to_string(frames_) + " complete frames are read", 1});
   return false;
 }
 

@@ -83,7 +83,7 @@ std::vector<std::string> removeImplausible(JointMatch& match,
     }
   const double ratio = limbLength(kCheckedLegs, frames) / limbLength(kCheckedArms, frames);
   if (said.empty() && (ratio < kShortestLeg || ratio > kLongestLeg)) {
-    said.push_back("the limbs that the names suggest are not used: a leg is " + text::rounded(ratio, 2) +
+    said.push_back("the limbs suggested by the names are not used: a leg is " + text::rounded(ratio, 2) +
                    " of an arm");
     remove(match, kCheckedLegs);
     remove(match, kCheckedArms);

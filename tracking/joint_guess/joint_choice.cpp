@@ -9,8 +9,8 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr const char* kByNames = "guessed by the names";
-constexpr const char* kByShape = "guessed by the shape";
+constexpr const char* kByNames = "guessed from the names";
+constexpr const char* kByShape = "guessed from the shape";
 
 /// Mean of several points; missing if one of them is missing, inferred if one of them is inferred.
 void setMean(const PointFrame& from, const std::vector<int>& points, humanmodel::Joint j,
@@ -91,14 +91,14 @@ JointChoice chooseJoints(const SkeletonSample& skeleton, const RecordingOptions&
       if (limbJoints(by_shape.match) > limbJoints(best.match))
         best = std::move(by_shape);
       else if (limbJoints(best.match) == 0)
-        notes.push_back("the joints cannot be guessed by the shape of the skeleton: " + by_shape.reason);
+        notes.push_back("the joints cannot be guessed from the shape of the skeleton: " + by_shape.reason);
     }
     best.notes = std::move(notes);
   }
   if (best.match.mapped == 0) {
     best.match.map.clear();
     best.is_guess = false;
-    best.reason = is_user ? "that of the user finds no joint" : "no map knows the names";
+    best.reason = is_user ? "the given map matches no joint" : "no map matches the names";
   }
   return best;
 }

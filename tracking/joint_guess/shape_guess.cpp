@@ -62,7 +62,7 @@ class ShapeSearch {
     const std::optional<Reading> best = find();
     if (!best) return refuse(reason_);
     const std::optional<bool> a_is_left = sideOfLegs(*best);
-    if (!a_is_left) return refuse("left and right do not show: " + reason_);
+    if (!a_is_left) return refuse("left and right are not determined: " + reason_);
     ShapeGuess guess;
     JointMatch& match = guess.match;
     match.joint.fill(-1);
@@ -90,7 +90,7 @@ class ShapeSearch {
   std::optional<Reading> find() {
     const std::vector<BranchPair> pairs = tree_.symmetricPairs();
     reason_ = "found " + std::to_string(pairs.size()) +
-              " pairs of symmetric branches, none like legs below and arms above";
+              " pairs of symmetric branches, none resembling legs below arms";
     std::vector<std::optional<LimbChoice>> as_leg, as_arm;
     for (const auto& pair : pairs) {
       as_leg.push_back(chooseLimb(pair, LimbKind::kLeg));

@@ -162,8 +162,7 @@ MatVariable readNumbers(Elements& in, const MatrixHead& head) {
 
 MatVariable readMatVariable(std::string_view bytes, const std::string& name, const std::string& file) {
   if (bytes.size() < kHead || bytes.substr(kVersion, 4) != std::string_view("\0\1IM", 4))
-    throw ParseError({file},
-                     "found no MATLAB file of version 5 to 7.2 with the little end first, expected one");
+    throw ParseError({file}, "found no MATLAB file of version 5 to 7.2 in little-endian order, expected one");
   Elements elements(bytes.substr(kHead), file);
   std::string others;
   while (!elements.atEnd()) {

@@ -63,7 +63,7 @@ std::filesystem::path uiPrmdPartner(const std::filesystem::path& file) {
     if (std::filesystem::exists(path, ec)) return path;
     throw ParseError({file.string()}, std::string("found the ") + one +
                                           " of a UI-PRMD skeleton without its " + other + ", expected " +
-                                          text::inQuotes(partner) + " beside it");
+                                          text::inQuotes(partner) + " next to it");
   }
   throw ParseError(
       {file.string(), 1},

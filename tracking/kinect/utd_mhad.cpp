@@ -28,7 +28,7 @@ UtdMhadReader::UtdMhadReader(std::string_view bytes, const std::string& file) {
   facts_.rate = kUtdMhadRate;
   facts_.rate_reason = "no time in the file; the set was recorded at 30 Hz";
   facts_.unit = UnitChoice{"m", "Kinect v1 gives metres", 1.0, ""};
-  facts_.up = UpChoice{"y", "the camera's up; a camera that looks down or up is not corrected", ""};
+  facts_.up = UpChoice{"y", "the camera's up axis; a tilted camera is not corrected", ""};
 }
 
 std::span<const std::string> UtdMhadReader::names() const { return utdMhadJoints(); }

@@ -75,14 +75,13 @@ double rateOf(const std::vector<humanmodel::SkeletonFrame>& frames) {
 void warnOfMarkers(bool by_marker_map, RecordingReport& report) {
   if (report.mapped.empty()) {
     report.joint_map.clear();
-    report.warnings.push_back(
-        "the file holds " + std::to_string(report.joints.size()) +
-        " markers or points of which no joint map makes a part of a body, so nothing can "
-        "be moved after it; a joint map says which markers make a joint "
-        "(data/joint_maps/README.md)");
+    report.warnings.push_back("the file holds " + std::to_string(report.joints.size()) +
+                              " markers or points, of which no joint map yields a body part, so nothing can "
+                              "be moved after it; a joint map says which markers make a joint "
+                              "(data/joint_maps/README.md)");
   } else if (by_marker_map) {
     report.warnings.push_back(
-        "joints are taken at the middle of markers on the skin, some centimetres off the "
+        "joints are taken at the midpoints of skin markers, some centimetres from the "
         "joint centres: no body model is fitted");
   }
 }
@@ -98,11 +97,11 @@ void describeSolved(RecordingReport& report) {
     report.person.stature_reason = "of the body under the markers";
   }
   if (m.unseen > 0)
-    report.notes.push_back("in " + std::to_string(m.unseen) + " frames no marker of the set is there");
+    report.notes.push_back("in " + std::to_string(m.unseen) + " frames no marker of the set is visible");
   if (m.lost > 0)
     report.warnings.push_back("the markers show no body in " + std::to_string(m.lost) + " frames");
   for (const auto& swap : m.swaps)
-    report.warnings.push_back("the labels '" + swap.a + "' and '" + swap.b + "' look exchanged in " +
+    report.warnings.push_back("the labels '" + swap.a + "' and '" + swap.b + "' seem swapped in " +
                               std::to_string(swap.frames) + " frames: not used there");
   std::string ignored;
   for (const auto& [label, why] : m.ignored)
@@ -128,7 +127,7 @@ void describeChoice(const JointChoice& choice, RecordingReport& report) {
   report.map_use.head_is_middle = choice.match.head == HeadPoint::kMiddle;
   report.notes.insert(report.notes.end(), choice.notes.begin(), choice.notes.end());
   if (choice.is_guess)
-    report.warnings.push_back("which joint is which is a guess: " + choice.reason +
+    report.warnings.push_back("the joint assignment is guessed: " + choice.reason +
                               "; check the parts, and give a joint map if one is wrong (--write-map writes "
                               "the one that was used)");
 }
@@ -197,7 +196,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   else if (facts.of_markers || by_marker_map)
     warnOfMarkers(by_marker_map, recording.report);
   else if (recording.report.joint_map.empty() && !facts.is_canonical)
-    recording.report.warnings.push_back("no joint map knows the joints of this file (" +
+    recording.report.warnings.push_back("no joint map matches the joints of this file (" +
                                         someOf(recording.report.joints) + ")");
   return recording;
 }

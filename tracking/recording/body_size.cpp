@@ -81,7 +81,7 @@ UnitChoice unitByBones(const BoneStature& by) {
     return {unit->name, measured + text::rounded(by.stature * unit->metres, 2) + " m in " + unit->name,
             unit->metres, ""};
   return {"free", measured + "in no usual unit a person's stature", kAssumedStature / by.stature,
-          measured + "no usual unit gives " + text::rounded(kShortestByBones, 1) + " to " +
+          measured + "no common unit gives " + text::rounded(kShortestByBones, 1) + " to " +
               text::rounded(kTallestByBones, 1) + " m, so it is scaled to about " +
               text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
 }
@@ -148,8 +148,8 @@ UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
   }
   if (!stature && by_bones) return unitByBones(*by_bones);
   if (!stature)
-    return {"cm", "no bone that gives a stature is in the file; centimetres are the most usual", 0.01,
-            "the units are not known: centimetres are assumed; give them if that is wrong"};
+    return {"cm", "the file has no bone that determines the stature; centimetres are most common", 0.01,
+            "the units are unknown: centimetres are assumed; set the units if that is wrong"};
   const std::string measured =
       "along the bones the person is " + text::rounded(*stature, 3) + " units tall: ";
   if (const Unit* unit = fittingUnit(*stature, kShortestAdult, kTallestAdult))
@@ -159,7 +159,7 @@ UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
         unit->metres, ""};
   const double scale = kAssumedStature / *stature;
   return {"free", measured + "in no usual unit an adult's stature (" + range + ")", scale,
-          measured + "no usual unit gives " + range + ", so it is scaled to " +
+          measured + "no common unit gives " + range + ", so it is scaled to " +
               text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
 }
 

@@ -75,7 +75,7 @@ void reportParts(const RawRecording& raw, const std::vector<humanmodel::Skeleton
   }
   if (!sentence.empty()) {
     report.in_fields.push_back(report.warnings.size());
-    report.warnings.push_back("parts that this file cannot move: " + sentence);
+    report.warnings.push_back("parts without motion in this file: " + sentence);
   }
   for (std::size_t i = 0; i < used.size(); ++i)
     if (!used[i]) report.not_mapped.push_back(raw.joints[i]);
@@ -132,11 +132,11 @@ void reportSides(const RawRecording& raw, RecordingReport& report) {
   }
   const bool mirrored = sides.contradict > sides.agree;
   report.sides.found = mirrored ? "mirrored" : "agree";
-  report.sides.reason = "the left hip is on the left of where the toes point in " +
-                        std::to_string(sides.agree) + " of " + std::to_string(all) + " frames";
+  report.sides.reason = "the left hip is left of the toe direction in " + std::to_string(sides.agree) +
+                        " of " + std::to_string(all) + " frames";
   if (mirrored)
     report.warnings.push_back(
-        "left and right look swapped: the left hip is on the right of where the toes point; give the mirror "
+        "left and right seem swapped: the left hip is right of the toe direction; set mirror to "
         "'axes' if the axes of the file are left-handed, 'sides' if the names are exchanged");
 }
 
@@ -180,8 +180,8 @@ void warnOfPlace(const std::vector<humanmodel::SkeletonFrame>& frames, Recording
   if (std::abs(lowest) <= kFloorDistance) return;
   report.in_fields.push_back(report.warnings.size());
   report.warnings.push_back("the lowest foot of the recording is at z = " + text::rounded(lowest, 2) +
-                            " m, not on the floor: place the recording by " + text::rounded(-lowest, 2) +
-                            " m in z");
+                            " m, not on the floor: shift the recording (`place`) by " +
+                            text::rounded(-lowest, 2) + " m in z");
 }
 
 /// The stature that the file states, otherwise `measured` along the bones (m; 0: unknown).
@@ -261,9 +261,9 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.person.proportions = proportionsOf(raw.frames);
   add(oddProportions(report.person.proportions));
   if (const auto turn = leadingTPose(raw.frames))
-    report.notes.push_back("the first frame is a T-pose, from which an arm turns by " +
-                           text::rounded(*turn * 180.0 / kPi, 0) +
-                           " degrees to the second: a converter put it there, it is no part of the movement");
+    report.notes.push_back(
+        "the first frame is a T-pose; an arm turns by " + text::rounded(*turn * 180.0 / kPi, 0) +
+        " degrees to the second frame: it was added by a converter and is not part of the motion");
   out.frames = std::move(raw.frames);
   return out;
 }

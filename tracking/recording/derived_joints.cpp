@@ -142,7 +142,7 @@ class JointDerivation {
   void straightenHeadTop() {
     if (!(medianCosine(frames_, Joint::kNeck, Joint::kHead, Joint::kHeadTop) < kCosOfStrayHeadTop)) return;
     moved_.push_back(
-        "the end site of the head does not lie above it: the top of the head is put onto the line of the "
+        "the end site of the head is not above it: the top of the head is placed on the line of the "
         "neck");
     toAll(rest_, frames_, [](SkeletonFrame& f) {
       if (!f.has(Joint::kNeck) || !has(f, Joint::kHead, Joint::kHeadTop)) return;

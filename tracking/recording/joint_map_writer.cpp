@@ -28,7 +28,7 @@ std::vector<std::string> namesOf(const JointMatch& match, std::size_t joint,
 /// Throws UsageError if the map does not find the same joints.
 void checkMap(const std::string& text, const RecordingReport& report) {
   const auto fail = [](const std::string& what) {
-    throw UsageError("write-map: found " + what + ", expected names that a joint map can tell apart");
+    throw UsageError("write-map: found " + what + ", expected names that a joint map can distinguish");
   };
   JointMatch match;
   try {
@@ -43,7 +43,7 @@ void checkMap(const std::string& text, const RecordingReport& report) {
 
 std::string mapToFillIn(const RecordingReport& report) {
   std::string text =
-      "# Written by abstand skeleton --write-map: set names of the file behind the joints that it has, and "
+      "# Written by abstand skeleton --write-map: set names of the file after the joints that it has, and "
       "remove\n"
       "# the '#' before them. A part moves if the joints at both of its ends are known.\nname: own\n";
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)

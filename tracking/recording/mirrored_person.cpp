@@ -48,7 +48,7 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
   if (!plane) plane = planeOf(frames, Joint::kShoulderLeft, Joint::kShoulderRight);
   if (!plane)
     throw UsageError(
-        "found neither hips nor shoulders that lie across the person, expected them: the person cannot be "
+        "found neither both hips nor both shoulders, expected one pair: the person cannot be "
         "mirrored");
   for (SkeletonFrame& frame : frames) {
     for (std::size_t i = 0; i < humanmodel::kJointCount; ++i)

@@ -47,8 +47,7 @@ std::string oddProportions(std::span<const BoneProportion> bones) {
              text::rounded(100.0 * std::abs(bone.off()), 0) + " % " +
              (bone.off() > 0.0 ? "longer" : "shorter");
   if (odd.empty()) return {};
-  return "bones that are not in proportion with the others (ANSUR II): " + odd +
-         ": the joints may be others than their names say";
+  return "disproportionate bones (ANSUR II): " + odd + ": the joints may be misnamed";
 }
 
 }  // namespace abstand::tracking

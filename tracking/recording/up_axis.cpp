@@ -75,8 +75,8 @@ UpChoice chooseUp(const std::string& wanted, const humanmodel::SkeletonFrame& re
     }
   const auto rest_axis = standingRest(rest);
   if (count == 0)
-    return {rest_axis.value_or("y"), "no joints that show a direction from feet to head; y is the most usual",
-            "which axis is up is not known: y is assumed; give it if that is wrong"};
+    return {rest_axis.value_or("y"), "no joints that define a direction from feet to head; y is most common",
+            "the up axis is unknown: y is assumed; set it if that is wrong"};
 
   const Vector3d mean = sum / count;
   const std::string measured = "mean direction from feet to head in " + std::to_string(count) + " frames: (" +
@@ -85,10 +85,10 @@ UpChoice chooseUp(const std::string& wanted, const humanmodel::SkeletonFrame& re
   const std::string axis = nearestAxis(mean);
   if (!rest_axis || *rest_axis == axis) return {axis, measured, ""};
   if (mean.cwiseAbs().maxCoeff() < kSteady)
-    return {*rest_axis, measured + ", which wavers; the rest pose stands along " + *rest_axis, ""};
+    return {*rest_axis, measured + ", which varies; the rest pose stands along " + *rest_axis, ""};
   return {axis, measured + ", although the rest pose stands along " + *rest_axis,
-          "up is taken as " + axis + " from the movement, although the rest pose stands along " + *rest_axis +
-              ": give the axis if the person is lying"};
+          "the up axis is set to " + axis + " from the motion, although the rest pose stands along " +
+              *rest_axis + ": give the axis if the person is lying"};
 }
 
 Matrix3d rotationToZUp(const std::string& axis) {

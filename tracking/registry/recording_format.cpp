@@ -40,7 +40,7 @@ Recording readAmc(std::string bytes, const fs::path& file, const RecordingOption
   Recording recording = readPoints(reader, file.string(), options);
   recording.report.notes.push_back(
       "the skeleton is that of " + asf_file.filename().string() +
-      (options.skeleton.empty() ? ", found beside the file" : ", given by the user"));
+      (options.skeleton.empty() ? ", found next to the file" : ", given by the user"));
   return recording;
 }
 

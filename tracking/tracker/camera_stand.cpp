@@ -50,7 +50,7 @@ bool CameraStand::see(double t, const DepthImage& image) {
   const PeopleImage& people = finder_.find(t, image);
   if (people.floor) {
     X_WC_ = overFloor(*people.floor);
-    reason_ = "the floor in sight is z = 0";
+    reason_ = "the visible floor is z = 0";
     return true;
   }
   low_ = std::min(low_, lowest(image, camera_, people));
@@ -62,7 +62,7 @@ void CameraStand::settle() {
   if (!reason_.empty()) return;
   if (std::isfinite(low_)) X_WC_.translation().z() = -low_;
   reason_ =
-      "no floor in sight: the camera is taken to be level, the lowest that is seen of a person at z = 0";
+      "no visible floor: the camera is assumed level, with the lowest visible point of a person at z = 0";
 }
 
 }  // namespace abstand::tracking

@@ -74,8 +74,8 @@ class ClipPasses {
   void estimateCameraPose() {
     DepthStream& stream = *streams_.front().stream;
     if (stream.facts().pose_known) {
-      track_.world = cameras_.size() == 1 ? "the camera's pose is that of its file"
-                                          : "the cameras' poses are those of their files";
+      track_.world = cameras_.size() == 1 ? "the camera pose is taken from its file"
+                                          : "the camera poses are taken from their files";
       return;
     }
     stream.seek(0);
@@ -253,7 +253,7 @@ ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptio
   for (const ClipCamera& camera : cameras)
     if (cameras.size() > 1 && !camera.stream->facts().pose_known)
       throw UsageError(
-          "found several depth cameras of which one does not say how it stands, expected T_WC in a camera "
+          "found several depth cameras, one without a pose, expected T_WC in a camera "
           "file for each");
   return ClipPasses(cameras, options).run();
 }

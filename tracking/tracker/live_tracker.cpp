@@ -14,10 +14,10 @@ LiveTracker::LiveTracker(const DepthCamera& camera, bool pose_known, const LiveT
   track_.camera = camera;
   seen_.reserve(PeopleFinder::kMaxPeople);
   if (pose_known) {
-    track_.world = "the camera's pose is that of its file";
+    track_.world = "the camera pose is taken from its file";
     finder_.emplace(camera);
   } else {
-    track_.world = "not decided: nothing was seen";
+    track_.world = "undetermined: no image";
     stand_.emplace(camera);
   }
 }

@@ -124,7 +124,7 @@ PersonPoseFit fitPoseToPerson(std::span<const SkeletonFrame> world, std::span<co
     fit = fitPose(used);
   }
   if (!(fit.rms < kAgree))
-    throw UsageError("found joints that lie " + std::to_string(std::lround(1e3 * fit.rms)) +
+    throw UsageError("found joints " + std::to_string(std::lround(1e3 * fit.rms)) +
                      " mm apart, expected one person in both recordings");
   out.X_WC = fit.X_WC * X_FC;
   out.rms = fit.rms;

@@ -79,8 +79,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
       return stature;
     }
     stature.reason = "the person is " + metres(seen) + " high in the images, which is " +
-                     (seen < Stature::kShortestUpright ? "less" : "more") +
-                     " than an adult who stands upright";
+                     (seen < Stature::kShortestUpright ? "less" : "more") + " than a standing adult";
   } else {
     const bool has_head = 2 * headless <= images.size();
     if (is_upright(top)) stature.used = has_head ? top : std::max(top, Stature::kUsual);

@@ -52,22 +52,21 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.notes = facts.notes;
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
-                    " images, " + toMillimetre(tracked.residual) + " from the body on the mean");
+                    " images, " + toMillimetre(tracked.residual) + " mean distance to the body");
   return recording;
 }
 
 std::string facingReason(const Facing& facing) {
   const std::string side =
-      facing.away ? "with the back to the camera at first" : "facing the camera at first";
+      facing.away ? "initially facing away from the camera" : "initially facing the camera";
   if (facing.given) return side + ", as given";
-  if (std::isnan(facing.ratio)) return side + ", which was assumed and not compared with the other way round";
+  if (std::isnan(facing.ratio)) return side + ", assumed without comparison with the opposite facing";
   char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "%s: facing away explains the first seconds %.2f times as badly; below %.2f the back is taken, "
-      "above %.2f the front is certain",
-      facing.decided() ? "" : ", which is not decided", facing.ratio, Facing::kBackBelow,
-      Facing::kFrontAbove);
+  std::snprintf(text, sizeof text,
+                "%s: the residual of facing away is %.2f times that of facing the camera; below %.2f facing "
+                "away is used, "
+                "above %.2f facing the camera is certain",
+                facing.decided() ? "" : ", undecided", facing.ratio, Facing::kBackBelow, Facing::kFrontAbove);
   return side + text;
 }
 
@@ -80,7 +79,7 @@ std::string statureReason(const Stature& stature) {
     case Stature::Source::kInterval:
       break;
   }
-  return "not known, between " + toMillimetre(stature.interval[0]) + " and " +
+  return "unknown, between " + toMillimetre(stature.interval[0]) + " and " +
          toMillimetre(stature.interval[1]) + ": " + stature.reason +
          (stature.used > 0.0 ? "; fitted with " + toMillimetre(stature.used) : "");
 }
@@ -89,8 +88,8 @@ std::vector<std::string> trackWarnings(const ClipPerson& person) {
   std::vector<std::string> warnings;
   if (!person.facing.decided())
     warnings.push_back(
-        "the images do not decide whether the person faced the camera at first: the front is taken, "
-        "and if that is wrong, left and right are exchanged (--facing)");
+        "the images do not determine the initial facing: facing the camera is assumed, "
+        "if that is wrong, left and right are swapped (--facing)");
   if (!person.stature.known())
     warnings.push_back("the stature is " + statureReason(person.stature) + " (--height)");
   return warnings;
@@ -120,10 +119,9 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   ClipTrackerOptions tracker;
   tracker.person.height = height;
   if (known && !stream->facts().pose_known)
-    throw ParseError(
-        {path.string()},
-        "found depth images that do not say how their camera stands, expected a camera with T_WC, "
-        "to cut the things of the scene out of them");
+    throw ParseError({path.string()},
+                     "found depth images without a camera pose, expected a camera with T_WC, "
+                     "to remove the scene's robots and objects from them");
   tracker.known = known;
   tracker.progress = monitor.progress;
   tracker.interrupted = [&monitor] {
@@ -133,10 +131,10 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   // A partial recording would look like a lost person.
   if (track.interrupted) throw Interrupted();
   if (track.people.empty())
-    throw ParseError({path.string()}, "found nobody in the depth recording, expected a person");
+    throw ParseError({path.string()}, "found no person in the depth recording, expected one");
   Recording recording = recordingOf(track, stream->facts(), 0);
   if (known)
-    recording.report.notes.emplace_back("the robots and objects of the scene were cut out of the images");
+    recording.report.notes.emplace_back("the scene's robots and objects were removed from the images");
   return recording;
 }
 

@@ -85,7 +85,7 @@ void TrcReader::readNames(std::string_view line) {
   if (claimed_markers_ >= 0 && static_cast<std::size_t>(claimed_markers_) != names_.size())
     warnings_.push_back({lines_.number(), "the head claims " + std::to_string(claimed_markers_) +
                                               " markers, found " + std::to_string(names_.size()) +
-                                              ": those found are read"});
+                                              ": those present are read"});
 }
 
 void TrcReader::finish() {
@@ -94,20 +94,20 @@ void TrcReader::finish() {
   if (claimed_frames_ >= 0 && static_cast<std::size_t>(claimed_frames_) != frames_)
     warnings_.push_back({3,
                          "claims " + std::to_string(claimed_frames_) + " frames, found " +
-                             std::to_string(frames_) + ": those found are read",
+                             std::to_string(frames_) + ": those present are read",
                          static_cast<std::size_t>(claimed_frames_) > frames_
                              ? static_cast<std::size_t>(claimed_frames_) - frames_
                              : 0});
   if (first_short_line_ > 0)
     warnings_.push_back(
-        {first_short_line_, "rows end early from here on: the markers behind are missing there"});
+        {first_short_line_, "rows end early from this line on: the remaining markers are missing there"});
   if (first_odd_line_ > 0)
     warnings_.push_back(
         {first_odd_line_, "rows end early from here on, within a marker: all markers are missing there"});
   if (first_long_line_ > 0)
     warnings_.push_back({first_long_line_,
-                         "rows have values of more markers than the head names from here on: those "
-                         "behind the named ones are left out"});
+                         "rows hold more markers than the header names from this line on: those "
+                         "beyond the named ones are ignored"});
 }
 
 void TrcReader::readRow(Cells& cells, PointFrame& frame) {

@@ -114,10 +114,10 @@ QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, i
        QT_TR_NOOP("Certified: the true distance was never below it, had the robot not stopped")},
       {QT_TR_NOOP("Error"),
        QT_TR_NOOP("By how much the measured distance may be too large: engine and pose")},
-      {QT_TR_NOOP("Closing"), QT_TR_NOOP("Speed of the nearest points towards each other at the least "
-                                         "clearance; negative: they part")},
+      {QT_TR_NOOP("Closing"), QT_TR_NOOP("Speed of the nearest points towards each other at the smallest "
+                                         "clearance; negative: they move apart")},
       {QT_TR_NOOP("Stop"),
-       QT_TR_NOOP("What a stop at the beginning would have been. Missed: too late, or told by nobody;\n"
+       QT_TR_NOOP("Outcome of a stop at the beginning. Missed: too late, or not triggered;\n"
                   "false: not needed; empty: needed and in time")}};
   if (role == Qt::DisplayRole) return tr(kHeads[section].name);
   if (role == Qt::ToolTipRole) return tr(kHeads[section].tip);

@@ -95,7 +95,7 @@ QString whatIfText(const RecordingReview& review) {
 
 QString whatIfTip() {
   return tr(
-      "What the present margins would have done over the whole recording, as recorded and without\n"
+      "Outcome of the present margins over the whole recording, as recorded and without\n"
       "reactions: protective stops, and the share of time in which the robot would have stood.\n"
       "False: even without the stop nobody would have been touched.\n"
       "Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration\n"

@@ -110,7 +110,7 @@ double MarginSet::marginOf(const margin::MarginRules& rules, const Pair& pair) c
   const auto margin = rules.of(part, link);
   if (!margin)
     throw UsageError(rules.name + ": found no margin for " + part + " and " + link +
-                     ", expected one for every pair, or `default`");
+                     ", expected a margin for every pair, or `default`");
   if (margin->robot_time > 0.0 || margin->person_time > 0.0)
     throw UsageError(rules.name + ": found a margin of " + part + " and " + link +
                      " that grows with speeds, expected one that does not: the window has no such margins");

@@ -173,8 +173,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kBound:
         return tr("The true distance is never below the distance minus this");
       case kMargin:
-        return tr(
-            "Sum of both objects' safety margins, and what is added for places that are not known well");
+        return tr("Sum of both objects' safety margins, plus their pose uncertainties");
       case kForce:
         return tr("Penalty force between the two");
       case kContacts:

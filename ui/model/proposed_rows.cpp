@@ -34,7 +34,7 @@ QString proposalProblem(const RecordingReview& review) {
   if (review.state() == State::kFailed)
     return tr("Nothing is proposed, because the analysis of the recording failed: %1").arg(review.problem());
   if (review.state() != State::kDone || !review.store() || review.store()->empty())
-    return tr("Nothing is proposed yet: the analysis of the recording has come to %1 %.")
+    return tr("Nothing is proposed yet: the analysis of the recording is at %1 %.")
         .arg(static_cast<int>(100.0 * review.progress()));
   return {};
 }

@@ -229,8 +229,9 @@ void SceneTreeModel::setVisible(int object, bool visible) {
 QVariant SceneTreeModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
   if (section == 1 && role == Qt::ToolTipRole)
-    return of_people_ ? tr("Of a robot or a thing: to the nearest person. Of a person: to what is nearest.")
-                      : tr("To what is nearest");
+    return of_people_
+               ? tr("Of a robot or a thing: to the nearest person. Of a person: to the nearest object.")
+               : tr("To the nearest object");
   if (role != Qt::DisplayRole) return {};
   return section == 0 ? tr("Object") : tr("Nearest");
 }

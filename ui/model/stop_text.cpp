@@ -109,7 +109,7 @@ QString refusalText(safety::ResetRefusal refusal) {
     case safety::ResetRefusal::kCause:
       return tr("a cause asks for a stop");
     case safety::ResetRefusal::kTooEarly:
-      return tr("it does not stand yet");
+      return tr("the robot is not at standstill yet");
     case safety::ResetRefusal::kNone:
       break;
   }

@@ -17,7 +17,8 @@ JointEditor::JointEditor(QWidget* parent)
   state_->setObjectName(QStringLiteral("joints_state"));
   state_->setWordWrap(true);
   state_->setToolTip(
-      tr("While a robot is posed by hand the clock goes on for everything else, and its reaction rests.\n"
+      tr("While a robot is posed by hand, the clock continues for everything else and its reaction is "
+         "suspended.\n"
          "Lanes, events and reports stay those of its recorded motion."));
   follow_->setObjectName(QStringLiteral("follow_motion"));
   follow_->setToolTip(tr("Ends the posing by hand. Robots that react begin anew on their planned motion"));

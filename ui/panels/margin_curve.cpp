@@ -33,10 +33,10 @@ MarginCurve::MarginCurve(const RecordingReview& review, const Selection& selecti
       area_{new CurveArea(*this)},
       work_{new QTimer(this)} {
   parts_->setAccessibleName(tr("Body part of the curve"));
-  parts_->setToolTip(tr("The body part whose margin is varied; the selection chooses it, too"));
+  parts_->setToolTip(tr("The body part whose margin is varied; also set by the selection"));
   sentence_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  sentence_->setToolTip(
-      tr("This part alone, with the present margins of the links: what \"abstand tune\" says of the part"));
+  sentence_->setToolTip(tr(
+      "This part alone, with the present margins of the links: the result of \"abstand tune\" for the part"));
   work_->setInterval(0);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 4, 8, 2);

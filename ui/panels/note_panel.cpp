@@ -25,7 +25,7 @@ QString weightText(scene::Severity severity) {
 
 NotePanel::NotePanel(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("Reservations"));
-  setHeaderLabels({tr("Weight"), tr("Kind"), tr("What is not known")});
+  setHeaderLabels({tr("Weight"), tr("Kind"), tr("Reason")});
   setRootIsDecorated(false);
   setAllColumnsShowFocus(true);
   setFrameShape(QFrame::NoFrame);

@@ -39,17 +39,17 @@ ReportDialog::ReportDialog(const ReportRequest& request, QWidget* parent)
   setWindowTitle(tr("Report"));
   resize(kDialogWidth, 0);
   limit_ = numberField(request.limit, 0.0, 10.0, 0.01, tr(" m"),
-                       tr("Clearance that a moving robot must keep; 0: it must not touch"));
+                       tr("Clearance that a moving robot must keep; 0: no contact"));
   reaction_ = numberField(request.reaction_time, 0.0, 100.0, 0.01, tr(" s"),
                           tr("From the frame that breaks a margin until the robot slows down"));
   deceleration_ = numberField(request.deceleration, 0.001, 1e4, 0.5, tr(" rad/s² or m/s²"),
                               tr("Of every joint, on the path of its motion"));
   restart_ = numberField(request.restart_time, 0.0, 1000.0, 0.1, tr(" s"),
-                         tr("From the end of an intrusion until the robot goes on"));
+                         tr("From the end of an intrusion until the robot resumes"));
   auto* head = new QLabel(
-      tr("A page for people to read and to sign: what the present margins would have done over the whole "
+      tr("A report to read and sign: the outcome of the present margins over the whole "
          "recording, the smallest safe margins and permitted speeds, the worst moments with pictures, and "
-         "what was assumed. It is made by \"abstand tune\" and can take a minute."),
+         "the assumptions. It is made by \"abstand tune\" and can take a minute."),
       this);
   head->setWordWrap(true);
   auto* browse = new QPushButton(tr("&Browse…"), this);

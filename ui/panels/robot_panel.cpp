@@ -144,7 +144,7 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
     }
     if (isByHand(snapshot, robotOf(outline, outline.reacting[i]))) {
       card.state->setText(tr("%1: posed by hand").arg(name));
-      card.reason->setText(tr("Its reaction rests until it follows its motion again."));
+      card.reason->setText(tr("Its reaction is suspended until it follows its motion again."));
       showCause(card, -1);
       setAlarm(card.state, false);
       continue;

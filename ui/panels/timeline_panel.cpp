@@ -127,7 +127,7 @@ void TimelinePanel::buildTransport(const Actions& actions) {
   row->addSpacing(10);
 
   what_if_->setObjectName(QStringLiteral("what_if"));
-  what_if_->setAccessibleName(tr("What the present margins would have done"));
+  what_if_->setAccessibleName(tr("Outcome of the present margins"));
   what_if_->setToolTip(whatIfTip());
   what_if_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(what_if_, 1);

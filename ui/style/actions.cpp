@@ -56,8 +56,7 @@ const Spec kSpecs[] = {
     {Id::kQuit, In::kFile, TEXT("&Quit"), TEXT("Close the window"), "Ctrl+Q"},
 
     {Id::kUndo, In::kEdit, TEXT("&Undo"), TEXT("Take back the last change"), "Ctrl+Z"},
-    {Id::kRedo, In::kEdit, TEXT("&Redo"), TEXT("Make the change again that was taken back"),
-     "Ctrl+Shift+Z Ctrl+Y"},
+    {Id::kRedo, In::kEdit, TEXT("&Redo"), TEXT("Redo the last undone change"), "Ctrl+Shift+Z Ctrl+Y"},
 
     {Id::kForces, In::kView, TEXT("&Forces"), TEXT("Show contact forces as arrows"), "C", Kind::kOn,
      Glyph::kForce},
@@ -75,7 +74,7 @@ const Spec kSpecs[] = {
     {Id::kTransparent, In::kView, TEXT("Transparent &people"), TEXT("See through body parts"), "T", Kind::kOn,
      Glyph::kBody},
     {Id::kAutoScale, In::kView, TEXT("&Automatic arrow scale"),
-     TEXT("Scale arrows to the largest force in sight instead of a fixed length per newton"), "A", Kind::kOn},
+     TEXT("Scale arrows to the largest visible force instead of a fixed length per newton"), "A", Kind::kOn},
     {Id::kFollowPlots, In::kView, TEXT("Plots f&ollow the time"),
      TEXT("Keep the playhead in the plots' window"), "P", Kind::kOn},
     {Id::kFindPair, In::kView, TEXT("Fi&nd pair"), TEXT("Go to the filter of the pair table"), "Ctrl+F"},
@@ -112,7 +111,7 @@ const Spec kSpecs[] = {
     {Id::kZoomOut, In::kCamera, TEXT("Zoom out"), TEXT("Move the camera away"), "Ctrl+-"},
 
     {Id::kResetMargins, In::kMargins, TEXT("&As in the scene"),
-     TEXT("All safety margins as the scene file says"), "Ctrl+Shift+R"},
+     TEXT("All safety margins as in the scene file"), "Ctrl+Shift+R"},
     {Id::kNoMargins, In::kMargins, TEXT("&None (0 mm)"), TEXT("All margins 0"), "Ctrl+M,0"},
     {Id::kMargins50, In::kMargins, TEXT("All &50 mm"),
      TEXT("All margins 50 mm; that of a pair is the sum of two"), "Ctrl+M,1"},
@@ -179,8 +178,8 @@ const Spec kSpecs[] = {
     {Id::kLoop, In::kPlayback, TEXT("Loo&p"), TEXT("Begin again at the end, or at IN when OUT is reached"),
      "Ctrl+L", Kind::kOff, Glyph::kLoop},
     {Id::kReact, In::kPlayback, TEXT("&React"),
-     TEXT("Let robots with a reaction move away from people; off: they follow their motion"), "R", Kind::kOn,
-     Glyph::kReact},
+     TEXT("Let robots with a reaction react to people; off: they follow their planned motion"), "R",
+     Kind::kOn, Glyph::kReact},
     {Id::kReactionTorques, In::kPlayback, TEXT("Reaction &torques"),
      TEXT("Give the torques of the reactions to the robots' motors; off: they only follow and stop"),
      "Shift+T", Kind::kOn},

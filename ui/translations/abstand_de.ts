@@ -135,7 +135,7 @@
         <translation>%1 kann nicht gestartet werden</translation>
     </message>
     <message>
-        <source>The program &quot;abstand&quot; is neither beside this one nor in PATH.</source>
+        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
         <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
     </message>
     <message>
@@ -225,7 +225,7 @@
         <translation>Bisher: %1</translation>
     </message>
     <message>
-        <source>What the present margins would have done over the whole recording, as recorded and without
+        <source>Outcome of the present margins over the whole recording, as recorded and without
 reactions: protective stops, and the share of time in which the robot would have stood.
 False: even without the stop nobody would have been touched.
 Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration
@@ -309,7 +309,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>Es gibt keinen Vorschlag, weil die Auswertung der Aufnahme fehlgeschlagen ist: %1</translation>
     </message>
     <message>
-        <source>Nothing is proposed yet: the analysis of the recording has come to %1 %.</source>
+        <source>Nothing is proposed yet: the analysis of the recording is at %1 %.</source>
         <translation>Es gibt noch keinen Vorschlag: Die Auswertung der Aufnahme ist bei %1 %.</translation>
     </message>
     <message>
@@ -433,7 +433,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>eine Ursache verlangt einen Stopp</translation>
     </message>
     <message>
-        <source>it does not stand yet</source>
+        <source>the robot is not at standstill yet</source>
         <translation>er steht noch nicht</translation>
     </message>
     <message>
@@ -641,7 +641,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>&amp;Wiederholen</translation>
     </message>
     <message>
-        <source>Make the change again that was taken back</source>
+        <source>Redo the last undone change</source>
         <translation>Die zurückgenommene Änderung erneut ausführen</translation>
     </message>
     <message>
@@ -713,7 +713,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>Au&amp;tomatische Pfeillänge</translation>
     </message>
     <message>
-        <source>Scale arrows to the largest force in sight instead of a fixed length per newton</source>
+        <source>Scale arrows to the largest visible force instead of a fixed length per newton</source>
         <translation>Pfeile nach der größten sichtbaren Kraft bemessen statt mit fester Länge je Newton</translation>
     </message>
     <message>
@@ -921,7 +921,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>&amp;Wie in der Szene</translation>
     </message>
     <message>
-        <source>All safety margins as the scene file says</source>
+        <source>All safety margins as in the scene file</source>
         <translation>Alle Sicherheitsabstände wie in der Szenendatei</translation>
     </message>
     <message>
@@ -1209,7 +1209,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>&amp;Reagieren</translation>
     </message>
     <message>
-        <source>Let robots with a reaction move away from people; off: they follow their motion</source>
+        <source>Let robots with a reaction react to people; off: they follow their planned motion</source>
         <translation>Roboter mit Reaktion weichen Personen aus; aus: Sie folgen ihrer Bewegung</translation>
     </message>
     <message>
@@ -2101,7 +2101,7 @@ Annäherung: näher als der doppelte Sicherheitsabstand, nie darunter</translati
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Speed of the nearest points towards each other at the least clearance; negative: they part</source>
+        <source>Speed of the nearest points towards each other at the smallest clearance; negative: they move apart</source>
         <translation>Geschwindigkeit, mit der die nächsten Punkte beim kleinsten Abstand aufeinander zugehen; negativ: Sie entfernen sich</translation>
     </message>
     <message>
@@ -2109,7 +2109,7 @@ Annäherung: näher als der doppelte Sicherheitsabstand, nie darunter</translati
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>What a stop at the beginning would have been. Missed: too late, or told by nobody;
+        <source>Outcome of a stop at the beginning. Missed: too late, or not triggered;
 false: not needed; empty: needed and in time</source>
         <translation>Was ein Stopp am Anfang gewesen wäre. Verpasst: zu spät, oder niemand hat es gemeldet;
 Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
@@ -2228,7 +2228,7 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
         <translation>Der Bewegung folgen</translation>
     </message>
     <message>
-        <source>While a robot is posed by hand the clock goes on for everything else, and its reaction rests.
+        <source>While a robot is posed by hand, the clock continues for everything else and its reaction is suspended.
 Lanes, events and reports stay those of its recorded motion.</source>
         <translation>Solange ein Roboter von Hand gestellt ist, läuft die Uhr für alles andere weiter, und seine Reaktion ruht.
 Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</translation>
@@ -2710,11 +2710,11 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
         <translation>Körperteil der Kurve</translation>
     </message>
     <message>
-        <source>The body part whose margin is varied; the selection chooses it, too</source>
+        <source>The body part whose margin is varied; also set by the selection</source>
         <translation>Der Körperteil, dessen Sicherheitsabstand verändert wird; auch die Auswahl bestimmt ihn</translation>
     </message>
     <message>
-        <source>This part alone, with the present margins of the links: what &quot;abstand tune&quot; says of the part</source>
+        <source>This part alone, with the present margins of the links: the result of &quot;abstand tune&quot; for the part</source>
         <translation>Dieser Körperteil allein, mit den jetzigen Sicherheitsabständen der Glieder: was „abstand tune“ von ihm sagt</translation>
     </message>
     <message>
@@ -2828,7 +2828,7 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>What is not known</source>
+        <source>Reason</source>
         <translation>Was nicht bekannt ist</translation>
     </message>
     <message>
@@ -2992,7 +2992,7 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>Der wahre Abstand ist nie kleiner als der Abstand minus diesem Wert</translation>
     </message>
     <message>
-        <source>Sum of both objects&apos; safety margins, and what is added for places that are not known well</source>
+        <source>Sum of both objects&apos; safety margins, plus their pose uncertainties</source>
         <translation>Summe der Sicherheitsabstände beider Objekte und dessen, was für ungenau bekannte Orte hinzukommt</translation>
     </message>
     <message>
@@ -3370,7 +3370,7 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
         <translation> m</translation>
     </message>
     <message>
-        <source>Clearance that a moving robot must keep; 0: it must not touch</source>
+        <source>Clearance that a moving robot must keep; 0: no contact</source>
         <translation>Abstand, den ein bewegter Roboter einhalten muss; 0: Er darf nicht berühren</translation>
     </message>
     <message>
@@ -3390,11 +3390,11 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
         <translation>Jedes Gelenks, auf der Bahn seiner Bewegung</translation>
     </message>
     <message>
-        <source>From the end of an intrusion until the robot goes on</source>
+        <source>From the end of an intrusion until the robot resumes</source>
         <translation>Vom Ende einer Unterschreitung, bis der Roboter weiterfährt</translation>
     </message>
     <message>
-        <source>A page for people to read and to sign: what the present margins would have done over the whole recording, the smallest safe margins and permitted speeds, the worst moments with pictures, and what was assumed. It is made by &quot;abstand tune&quot; and can take a minute.</source>
+        <source>A report to read and sign: the outcome of the present margins over the whole recording, the smallest safe margins and permitted speeds, the worst moments with pictures, and the assumptions. It is made by &quot;abstand tune&quot; and can take a minute.</source>
         <translation>Eine Seite zum Lesen und Unterschreiben: was die jetzigen Sicherheitsabstände über die ganze Aufnahme bewirkt hätten, die kleinsten sicheren Sicherheitsabstände und zulässigen Geschwindigkeiten, die schlimmsten Augenblicke mit Bildern, und was angenommen wurde. „abstand tune“ erstellt sie; das kann eine Minute dauern.</translation>
     </message>
     <message>
@@ -3495,7 +3495,7 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <translation>%1: von Hand gestellt</translation>
     </message>
     <message>
-        <source>Its reaction rests until it follows its motion again.</source>
+        <source>Its reaction is suspended until it follows its motion again.</source>
         <translation>Seine Reaktion ruht, bis er wieder seiner Bewegung folgt.</translation>
     </message>
     <message>
@@ -3542,11 +3542,11 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <translation>Pose verloren</translation>
     </message>
     <message>
-        <source>Of a robot or a thing: to the nearest person. Of a person: to what is nearest.</source>
+        <source>Of a robot or a thing: to the nearest person. Of a person: to the nearest object.</source>
         <translation>Eines Roboters oder Gegenstands: zur nächsten Person. Einer Person: zu dem, was am nächsten ist.</translation>
     </message>
     <message>
-        <source>To what is nearest</source>
+        <source>To the nearest object</source>
         <translation>Zu dem, was am nächsten ist</translation>
     </message>
     <message>
@@ -3789,7 +3789,7 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
         <translation>Zu einer Zeit oder einem Einzelbild gehen: 12,5, 1:02,5 oder f120 (Strg+G)</translation>
     </message>
     <message>
-        <source>What the present margins would have done</source>
+        <source>Outcome of the present margins</source>
         <translation>Was die jetzigen Sicherheitsabstände bewirkt hätten</translation>
     </message>
     <message>
@@ -3985,7 +3985,7 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
         <translation>bei dieser Zeit beginnen</translation>
     </message>
     <message>
-        <source>off: robots follow their motion whoever is there</source>
+        <source>off: robots follow their planned motion regardless of people</source>
         <translation>off: Roboter folgen ihrer Bewegung, wer auch da ist</translation>
     </message>
     <message>
@@ -4043,7 +4043,7 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
 <context>
     <name>reading_dialog</name>
     <message>
-        <source>as the scene says</source>
+        <source>as in the scene</source>
         <translation>wie die Szene sagt</translation>
     </message>
     <message>

@@ -23,7 +23,7 @@ class Analysis : public ::testing::Test {
       testing::openSlide(folder_, {.robot = 0.5, .person = 0.2, .stops_at = 1.5, .seconds = 4.0});
 };
 
-TEST_F(Analysis, FindsWhatTuneFinds) {
+TEST_F(Analysis, MatchesTuneResults) {
   const auto request = requestFor(*session_, {});
   ASSERT_TRUE(request);
   const StoredRecording stored = testing::analysed(*request);
@@ -55,7 +55,7 @@ TEST_F(Analysis, FindsWhatTuneFinds) {
   }
 }
 
-TEST_F(Analysis, JudgesMarginsAsTuneDoes) {
+TEST_F(Analysis, JudgesMarginsLikeTune) {
   const StoredRecording stored = testing::analysed(*requestFor(*session_, {}));
   const std::vector<tune::TunedRecording> recordings{tune::tuneRecording(*session_, {}, {}, "slide")};
   const std::size_t objects = session_->scene().objects().size();
@@ -96,7 +96,7 @@ TEST_F(Analysis, JudgesMarginsAsTuneDoes) {
   EXPECT_GT(events, 5u);
 }
 
-TEST_F(Analysis, RunsInTheBackgroundUntilItIsStopped) {
+TEST_F(Analysis, RunsInBackgroundUntilStopped) {
   AnalysisRunner runner;
   const auto first = runner.start(*requestFor(*session_, {}));
   const auto second = runner.start(*requestFor(*session_, {}));
@@ -116,7 +116,7 @@ TEST_F(Analysis, RunsInTheBackgroundUntilItIsStopped) {
   while (runner.running() > 0) std::this_thread::yield();
 }
 
-TEST_F(Analysis, SharesTheStructures) {
+TEST_F(Analysis, SharesStructuresWithSession) {
   const auto request = requestFor(*session_, {});
   const auto second = depth::openSession(request->scene, request->options);
   ASSERT_EQ(second->scene().objects().size(), session_->scene().objects().size());
@@ -124,7 +124,7 @@ TEST_F(Analysis, SharesTheStructures) {
     EXPECT_EQ(second->scene().objects()[i].spec.structure, session_->scene().objects()[i].spec.structure);
 }
 
-TEST_F(Analysis, SaysWhyItCannotRun) {
+TEST_F(Analysis, ReportsMissingRecording) {
   AnalysisRequest request = *requestFor(*session_, {});
   request.options.recording = folder_.path() / "none.csv";
   const StoredRecording stored = testing::analysed(request);
@@ -132,7 +132,7 @@ TEST_F(Analysis, SaysWhyItCannotRun) {
   EXPECT_NE(stored.last.problem.find("none.csv"), std::string::npos) << stored.last.problem;
 }
 
-TEST(AnalysisRequestFor, NeedsAPersonAndARobot) {
+TEST(AnalysisRequestFor, RequiresPersonAndRobot) {
   testing::ScratchFolder folder;
   const auto scene = folder.write("two.yaml", R"(abstand: 1
 defaults: {voxel: 0.02, point: 0.02}

@@ -30,7 +30,7 @@ TEST_F(Cli, RenderDepthWritesAClip) {
   EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
 }
 
-TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
+TEST_F(Cli, RenderDepthShowsRecordingAndWritesJointPositions) {
   const std::string clip = (folder_.path() / "clip").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
   const json j =
@@ -50,7 +50,7 @@ TEST_F(Cli, RenderDepthShowsARecordingAloneAndSaysWhereItsJointsWere) {
   EXPECT_EQ(run("render-depth --recording none.bvh --out " + clip).code, 3);
 }
 
-TEST_F(Cli, RenderDepthWritesWhatAKinectsDriverRecords) {
+TEST_F(Cli, RenderDepthWritesPngAndFreenectFormats) {
   const std::string png = (folder_.path() / "png").string(), dump = (folder_.path() / "dump").string();
   const std::string scene = write(
       "ball.yaml",
@@ -74,7 +74,7 @@ TEST_F(Cli, RenderDepthWritesWhatAKinectsDriverRecords) {
   EXPECT_EQ(run("render-depth " + scene + " --format freenect --width 320 --out " + dump).code, 2);
 }
 
-TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
+TEST_F(Cli, TrackedPersonRunsInScene) {
   const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
   const std::string pictures = (folder_.path() / "pictures").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
@@ -117,7 +117,7 @@ TEST_F(Cli, TrackFollowsAPersonAndASceneRunsFromDepth) {
       runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
 }
 
-TEST_F(Cli, TrackFitsTheImagesOfTwoCamerasTogether) {
+TEST_F(Cli, TrackFitsTwoCamerasTogether) {
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
                              " --body skin --width 320 --end 0.6 --no-cache --look 0,0,0.9 ";
   const std::string front = (folder_.path() / "front").string(), side = (folder_.path() / "side").string();
@@ -168,7 +168,7 @@ TEST_F(Cli, TrackFitsTheImagesOfTwoCamerasTogether) {
   EXPECT_EQ(run(both + " --camera " + front + "/camera.yaml," + lens).code, 2) << "a camera without a pose";
 }
 
-TEST_F(Cli, CalibrateByAPersonWhomTwoCamerasSee) {
+TEST_F(Cli, CalibrateByPersonSeenByTwoCameras) {
   constexpr double kPlaced = 0.15;  // m, by a person who stays at one place
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
                              " --body skin --width 320 --room --no-cache --look 0,0,0.9 ";
@@ -183,7 +183,7 @@ TEST_F(Cli, CalibrateByAPersonWhomTwoCamerasSee) {
   EXPECT_NEAR(tracking::loadDepthCamera(placed).spread, j["spread"].get<double>(), 1e-6);
   EXPECT_GT(j["used"], 500);
   EXPECT_EQ(j["exchanged"], false);
-  EXPECT_THAT(j["warnings"].dump(), ::testing::HasSubstr("let the person walk about"));
+  EXPECT_THAT(j["warnings"].dump(), ::testing::HasSubstr("record a walking person"));
   // What is refused, and why.
   const std::string brief = (folder_.path() / "brief").string();
   ASSERT_EQ(run(render + "--end 0.6 --eye 2.8,0,1.4 --out " + brief).code, 0);
@@ -194,7 +194,7 @@ TEST_F(Cli, CalibrateByAPersonWhomTwoCamerasSee) {
   EXPECT_EQ(run("calibrate " + side + " --person nothing.csv").code, 3);
 }
 
-TEST_F(Cli, TrackSaysThatAStatureWasNotMeasured) {
+TEST_F(Cli, TrackWarnsThatStatureIsUnmeasured) {
   const std::string clip = (folder_.path() / "clip").string(), csv = (folder_.path() / "person.csv").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
   // The legs are below the image.
@@ -213,11 +213,11 @@ TEST_F(Cli, TrackSaysThatAStatureWasNotMeasured) {
   EXPECT_EQ(text.code, 0);
   EXPECT_NE(text.out.find("height: 1.750 m, as given"), std::string::npos) << text.out;
   EXPECT_EQ(text.err.find("warning"), std::string::npos) << text.err;
-  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is not known, between"),
+  EXPECT_NE(run("track " + clip + " --usual-body").err.find("warning: the stature is unknown, between"),
             std::string::npos);
 }
 
-TEST_F(Cli, SkeletonGivesNullForWhatItDoesNotKnow) {
+TEST_F(Cli, SkeletonWritesNullForUnknownValues) {
   // A single point moves no part: there is no stature, and no rate.
   const std::string csv = write("one.csv", "t,head.x,head.y,head.z\n0,0,0,1.6\n");
   const Answer a = run("skeleton " + csv + " --json");
@@ -226,7 +226,7 @@ TEST_F(Cli, SkeletonGivesNullForWhatItDoesNotKnow) {
   for (const char* key : {"stature", "rate"}) EXPECT_TRUE(j[key].is_null()) << key << ": " << j[key];
 }
 
-TEST_F(Cli, CalibratePlacesACamera) {
+TEST_F(Cli, CalibrateFindsCameraPoseFromPoints) {
   const std::string camera = write(
       "kinect.yaml", "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n");
   // The camera looks along world x from (1, 2, 3): its z is x, its x is -y, its y is -z.
@@ -309,7 +309,7 @@ TEST_F(Cli, CalibrateMeasuresTheLens) {
   EXPECT_LT((found.X_WC.translation() - first.X_WC.translation()).norm(), 0.01);
 }
 
-TEST_F(Cli, CalibrateByTheLinksOfARobot) {
+TEST_F(Cli, CalibrateByRobotLinks) {
   const std::string clip = (folder_.path() / "clip").string(), scene = "data/scenes/arm6.yaml";
   runJson("render-depth " + scene + " --out " + clip +
           " --end 0 --width 320 --eye 1.6,0.6,0.9 --look 0.1,0,0.4");
@@ -342,7 +342,7 @@ TEST_F(Cli, CalibrateByTheLinksOfARobot) {
   EXPECT_EQ(run("calibrate data/scenes/arm6.yaml --camera " + rough).code, 3);
 }
 
-TEST_F(Cli, TrackSaysWhatIsWrong) {
+TEST_F(Cli, TrackReportsBadArguments) {
   const std::string csv = (folder_.path() / "person.csv").string();
   for (const char* bad : {"track", "track data --height 9", "track data --person 0", "track data --rate x"})
     EXPECT_EQ(run(bad).code, 2) << bad;

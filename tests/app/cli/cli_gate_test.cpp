@@ -56,7 +56,7 @@ struct Unknown {
   double t0, t1;      ///< s, of the reservation; NaN: it has none
 };
 
-class Gate : public Cli {
+class CheckCommand : public Cli {
  protected:
   void person(const Change& change) {
     std::vector<humanmodel::SkeletonFrame> frames(kFrames, humanmodel::makeHuman({}).rest);
@@ -156,7 +156,7 @@ std::vector<Unknown> unknowns() {
   };
 }
 
-TEST_F(Gate, NothingUnknownPasses) {
+TEST_F(CheckCommand, UnknownDataNeverPasses) {
   for (const Unknown& u : unknowns()) {
     SCOPED_TRACE(u.name);
     person(u.change);
@@ -193,7 +193,7 @@ TEST_F(Gate, NothingUnknownPasses) {
   }
 }
 
-TEST_F(Gate, WhatIsKnownPasses) {
+TEST_F(CheckCommand, CompleteDataPasses) {
   person({});
   write("r.urdf", std::string("<robot name='r'><link name='a'/><link name='b'><collision><geometry>"
                               "<box size='0.1 0.1 0.1'/></geometry></collision></link>") +
@@ -219,7 +219,7 @@ TEST_F(Gate, WhatIsKnownPasses) {
   EXPECT_EQ(run("check --dry-run " + write("again.yaml", dry.out)).out, dry.out);
 }
 
-TEST_F(Gate, NamedLinksNeedNoBody) {
+TEST_F(CheckCommand, LinksDeclaredWithoutGeometryPass) {
   write("r.urdf", std::string("<robot name='r'><link name='a'><collision><geometry><box size='0.1 0.1 0.1'/>"
                               "</geometry></collision></link><link name='b'><visual><geometry>"
                               "<mesh filename='absent.dae'/></geometry></visual></link>") +
@@ -241,7 +241,7 @@ TEST_F(Gate, NamedLinksNeedNoBody) {
 }
 
 // A recording that moves nobody would pass whatever it shows.
-TEST_F(Gate, ARecordingNeedsAPerson) {
+TEST_F(CheckCommand, RejectsRecordingWithoutPerson) {
   person({});
   const std::string recording = " --no-cache --recording " + (folder_.path() / "p.csv").string();
   const std::string nobody = scene(kThings);
@@ -259,7 +259,7 @@ TEST_F(Gate, ARecordingNeedsAPerson) {
 }
 
 // The thesis's files say where the centre of a link is; a mesh that stands elsewhere is not that link.
-TEST_F(Gate, ALinkThatStandsElsewhereThanItsFileSaysIsDoubtful) {
+TEST_F(CheckCommand, MisplacedLinkMeshRaisesReservation) {
   write("r.mech",
         "chain\n frame 1 0 0 0 theta\nend_chain\nlimits\n limit 1 -1 1 1 1\nend_limits\n"
         "link\n id 1\n center 1 0 0 0.5  0 1 0 0  0 0 1 0\nend_link\n");
@@ -294,7 +294,7 @@ TEST_F(Gate, ALinkThatStandsElsewhereThanItsFileSaysIsDoubtful) {
     EXPECT_TRUE(find(runJson(check(there)), "link_center").is_null()) << there;
 }
 
-TEST_F(Gate, SmallestDistancesComeApartAndPartsOfOnePersonOnlyWhereAsked) {
+TEST_F(CheckCommand, ReportsMinDistancePerClassAndSelfPairsOnRequest) {
   person({});
   write("r.urdf",
         "<robot name='r'><link name='a'><collision><geometry><box size='0.1 0.1 0.1'/></geometry></collision>"
@@ -314,7 +314,8 @@ TEST_F(Gate, SmallestDistancesComeApartAndPartsOfOnePersonOnlyWhereAsked) {
   EXPECT_EQ(least["person_robot"]["value"], j["min_distance"]["value"]);
   EXPECT_GT(j["min_distance"]["value"], 1.0) << "not within the person";
   const std::string text = run("run " + first_scene + " --no-cache").out;
-  const auto people = text.find("closest person to robot: "), things = text.find("closest robot to thing: ");
+  const auto people = text.find("minimum distance person to robot: "),
+             things = text.find("minimum distance robot to thing: ");
   EXPECT_TRUE(people != std::string::npos && things != std::string::npos && people < things) << text;
   const Answer gate = run("check " + first_scene + " --no-cache --min-distance 0.01 --json");
   EXPECT_EQ(json::parse(gate.out)["min_distance_by_class"], least);
@@ -325,7 +326,7 @@ TEST_F(Gate, SmallestDistancesComeApartAndPartsOfOnePersonOnlyWhereAsked) {
   EXPECT_EQ(asked["min_distance_by_class"], least) << "parts of one person are in no class";
 }
 
-TEST_F(Gate, ForcesOfMarginsAreCalledVirtual) {
+TEST_F(CheckCommand, ReportsMarginForcesAsVirtual) {
   const auto ball = [&](const char* x) {
     return scene(
         std::string("objects:\n  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}, margin: 0.1}\n") +
@@ -353,7 +354,7 @@ std::string cutBvh(int claimed, int kept) {
   return text;
 }
 
-TEST_F(Gate, ACutRecordingIsSaidEverywhereAndDoesNotPass) {
+TEST_F(CheckCommand, TruncatedRecordingIsReportedAndDoesNotPass) {
   const std::string text =
       scene("humans:\n  - {name: p, height: 1.75, recording: {file: p.bvh, units: cm, up: y}}\n" +
             std::string(kThings) + kBetween);
@@ -374,7 +375,7 @@ TEST_F(Gate, ACutRecordingIsSaidEverywhereAndDoesNotPass) {
   EXPECT_FALSE(find(runJson("run " + text + " --no-cache"), "frames_missing").is_null());
 }
 
-TEST_F(Gate, StrictFailsOnGuessesAndOpenMeshes) {
+TEST_F(CheckCommand, StrictFailsOnGuessesAndOpenMeshes) {
   write("p.bvh", cutBvh(31, 31));
   write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
   const std::string text = scene(
@@ -389,7 +390,7 @@ TEST_F(Gate, StrictFailsOnGuessesAndOpenMeshes) {
   EXPECT_EQ(run(command + " --strict").code, 1);
 }
 
-TEST_F(Gate, StrictFailuresAreFailuresOfJUnitWithTheirReason) {
+TEST_F(CheckCommand, StrictFailuresAppearInJUnitWithReason) {
   // 0.11 m apart, known to a millimetre or so.
   const std::string text =
       "objects:\n  - {name: wall, shape: {cuboid: {size: [0.2, 1, 1]}}}\n"

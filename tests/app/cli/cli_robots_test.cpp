@@ -4,7 +4,7 @@
 namespace abstand::testing {
 namespace cli_robots_test {
 
-TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
+TEST_F(Cli, RunAppliesReactionUnlessSwitchedOff) {
   write("slide.mech",
         "mapping\ndof 0 1\nend_mapping\nchain\nframe 1 0 90 d 0\nend_chain\ninertia\nbody 1 2 0 0 0 0.002 "
         "0.002 0.002 0 0 "
@@ -64,7 +64,7 @@ TEST_F(Cli, RunLetsMechanismsReactUnlessToldNot) {
   EXPECT_EQ(run(gate + " --react maybe").code, 2);
 }
 
-TEST_F(Cli, EveryCommandThatReadsARobotTakesPackagePath) {
+TEST_F(Cli, RobotCommandsAcceptPackagePath) {
   for (const char* command : {"fk", "dynamics", "build", "convert", "pairs", "render-depth", "calibrate",
                               "track", "run", "serve", "check"})
     EXPECT_NE(run(command + std::string(" --help")).out.find("--package-path"), std::string::npos) << command;
@@ -88,7 +88,7 @@ TEST_F(Cli, EveryCommandThatReadsARobotTakesPackagePath) {
   EXPECT_EQ(run("serve " + scene + " --layout --no-cache" + packages).code, 0);
 }
 
-TEST_F(Cli, AMeshInMillimetresHasTheHint) {
+TEST_F(Cli, MeshInMillimetresGetsScaleHint) {
   const std::string mesh =
       write("big.obj", "v 0 0 0\nv 160 0 0\nv 0 160 0\nv 0 0 160\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   const Answer a = run("build " + mesh + " --voxel 0.005 --point 0.005 --no-cache");
@@ -137,7 +137,7 @@ TEST_F(Cli, DynamicsFollowsAMotion) {
   EXPECT_TRUE(csv.starts_with("t,q0,"));
 }
 
-TEST_F(Cli, DynamicsSaysWhatIsWrong) {
+TEST_F(Cli, DynamicsReportsBadArguments) {
   const std::string arm = "dynamics data/robots/lwr/lwr4.mech ", all = kDynamics;
   const Answer massless = run("dynamics data/scenes/chain.mech");
   EXPECT_EQ(massless.code, 3);
@@ -181,7 +181,7 @@ void expectLimit(const json& row, const char* kind, double value, double limit, 
   EXPECT_EQ(row["planned"], planned);
 }
 
-TEST_F(Cli, FkSaysWhatIsBeyondAJointLimit) {
+TEST_F(Cli, FkReportsJointLimitViolations) {
   const std::string fk = "fk " + write("slide.mech", kLimitedSlide);
   EXPECT_EQ(runJson(fk + " --q 0.9")["joint_limits"], json::array());
   const json j = runJson(fk + " --q 1.5 --wrench cart:0,0,-30,0,0,0");
@@ -200,7 +200,7 @@ TEST_F(Cli, FkSaysWhatIsBeyondAJointLimit) {
   EXPECT_NE(text.err.find("warning: joint rail: position 1.5 m, limit 1"), std::string::npos) << text.err;
 }
 
-TEST_F(Cli, DynamicsSaysWhatIsBeyondAJointLimit) {
+TEST_F(Cli, DynamicsReportsJointLimitViolations) {
   const std::string dynamics = "dynamics " + write("slide.mech", kLimitedSlide);
   EXPECT_EQ(runJson(dynamics + " --qdd 0.1")["joint_limits"], json::array());
   const json still = runJson(dynamics + " --qd -0.6 --qdd 0.9")["joint_limits"];
@@ -220,7 +220,7 @@ TEST_F(Cli, DynamicsSaysWhatIsBeyondAJointLimit) {
   EXPECT_EQ(moving.at(1)["kind"], "effort");
 }
 
-TEST_F(Cli, CheckSaysWhatIsBeyondAJointLimitAndFailsWhereItIsStrict) {
+TEST_F(Cli, CheckReportsJointLimitViolationsAndFailsIfStrict) {
   write("slide.mech", kLimitedSlide);
   write("fast.csv", "t,q0\n0,0\n0.1,0.06\n");
   const std::string scene = write(
@@ -239,19 +239,19 @@ TEST_F(Cli, CheckSaysWhatIsBeyondAJointLimitAndFailsWhereItIsStrict) {
   EXPECT_EQ(run(check + " --strict").code, 1);
 }
 
-TEST_F(Cli, ConvertToAUrdfSaysThatItLeavesAccelerationsOut) {
+TEST_F(Cli, ConvertToUrdfWarnsOfDroppedAccelerationLimits) {
   const std::string urdf = (folder_.path() / "slide.urdf").string();
   const std::string mech = write("slide.mech", kLimitedSlide);
   const Answer a = run("convert " + mech + " " + urdf);
   EXPECT_EQ(a.code, 0) << a.err;
-  EXPECT_NE(a.err.find("acceleration limits, which a URDF does not have: rail"), std::string::npos) << a.err;
+  EXPECT_NE(a.err.find("acceleration limits, which URDF does not support: rail"), std::string::npos) << a.err;
   EXPECT_EQ(runJson("convert " + mech + " " + urdf)["warnings"].size(), 1u);
   const std::string again = (folder_.path() / "again.mech").string();
   EXPECT_TRUE(runJson("convert " + mech + " " + again)["warnings"].empty());
   EXPECT_NE(readFile(again).find(" 0.8"), std::string::npos);
 }
 
-TEST_F(Cli, ConvertGoesThereAndBack) {
+TEST_F(Cli, ConvertRoundTripsMechAndUrdf) {
   const std::string mech = (folder_.path() / "a.mech").string(), urdf = (folder_.path() / "b.urdf").string();
   const json there = runJson("convert data/robots/rail7/rail7.urdf " + mech + " --postures 100");
   EXPECT_EQ(there["dof"], 8);
@@ -268,7 +268,7 @@ TEST_F(Cli, ConvertGoesThereAndBack) {
 
 /// Found by walking up from the file, which leaves a remark: the case in which a second class of the reader's
 /// name ran its destructor (tests/support/check_one_definition.py).
-TEST_F(Cli, CheckReadsARobotOfAPackage) {
+TEST_F(Cli, CheckReadsRobotFromPackage) {
   std::filesystem::create_directories(folder_.path() / "pkg/meshes");
   std::filesystem::create_directories(folder_.path() / "pkg/urdf");
   write("pkg/package.xml", "<package><name>pkg</name></package>");
@@ -289,7 +289,7 @@ TEST_F(Cli, CheckReadsARobotOfAPackage) {
   EXPECT_NE(dry.out.find("/pkg/meshes/wedge.obj"), std::string::npos) << dry.out;
 }
 
-TEST_F(Cli, PairsOfARobotAreTakenByAScene) {
+TEST_F(Cli, SceneAcceptsPairsFileOfRobot) {
   const std::string pairs = (folder_.path() / "arm6.pairs").string(),
                     srdf = (folder_.path() / "arm6.srdf").string();
   const json j = runJson("pairs data/robots/arm6/arm6.urdf --voxel 0.02 --samples 200 --out " + pairs +

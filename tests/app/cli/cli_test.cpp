@@ -10,7 +10,7 @@
 namespace abstand::testing {
 namespace cli_test {
 
-TEST_F(Cli, WrongUsageIsTwo) {
+TEST_F(Cli, WrongUsageExitsWith2) {
   for (const char* bad :
        {"", "nothing", "fk", "human --height 0", "human --height nan", "human", "human --percentile 0",
         "human --percentile 100", "human --percentile 95 --preset thesis",
@@ -22,7 +22,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
   }
 }
 
-TEST_F(Cli, HumanOfAPercentile) {
+TEST_F(Cli, HumanAcceptsPercentile) {
   const json large = runJson("human --percentile 95 --sex m");
   EXPECT_EQ(large["percentile"], 95.0);
   EXPECT_NEAR(large["height"].get<double>(), 1.870, 1e-9);
@@ -46,7 +46,7 @@ TEST_F(Cli, HelpShowsAnExample) {
   }
 }
 
-TEST_F(Cli, BadFilesAreThreeAndNothingIsWritten) {
+TEST_F(Cli, BadFilesExitWith3AndWriteNothing) {
   const std::string out = (folder_.path() / "out.csv").string();
   for (const auto& arguments :
        {"run " + write("a.yaml", "abstand: 1\nobjekts: []\n") + " --pairs-out " + out,
@@ -63,7 +63,7 @@ TEST_F(Cli, BadFilesAreThreeAndNothingIsWritten) {
   EXPECT_FALSE(exists(std::filesystem::path(out)));
 }
 
-TEST_F(Cli, ARecordingWithoutAPersonIsThreeWithItsReport) {
+TEST_F(Cli, RecordingWithoutPersonExitsWith3AndReport) {
   const std::string file =
       write("stick.bvh",
             "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xrotation Yrotation Zrotation\n"
@@ -71,8 +71,7 @@ TEST_F(Cli, ARecordingWithoutAPersonIsThreeWithItsReport) {
   const std::string map = (folder_.path() / "own.map").string();
   const Answer a = run("skeleton " + file + " --json --write-map " + map);
   EXPECT_EQ(a.code, 3);
-  EXPECT_NE(a.err.find("stick.bvh: error: found no part of a person that this recording can move"),
-            std::string::npos)
+  EXPECT_NE(a.err.find("stick.bvh: error: found no body part with both end joints"), std::string::npos)
       << a.err;
   EXPECT_NE(a.err.find("--write-map own.map"), std::string::npos) << a.err;
   const auto json = nlohmann::json::parse(a.out);
@@ -86,13 +85,13 @@ TEST_F(Cli, ARecordingWithoutAPersonIsThreeWithItsReport) {
       3);
 }
 
-TEST_F(Cli, TypoInASceneNamesTheNearestKey) {
+TEST_F(Cli, SceneTypoSuggestsNearestKey) {
   const Answer a = run("run " + write("a.yaml", "abstand: 1\nobjekts: []\n"));
   EXPECT_NE(a.err.find("a.yaml:2:1: error:"), std::string::npos) << a.err;
   EXPECT_NE(a.err.find("objects"), std::string::npos) << a.err;
 }
 
-TEST_F(Cli, BuildGivesTheThesisSphere) {
+TEST_F(Cli, BuildReproducesThesisSphere) {
   const json s = runJson("build sphere:0.05 --voxel 0.005 --point 0.005 --outer-layers 20")["structures"][0];
   EXPECT_EQ(s["voxels"], json({61, 61, 61}));
   EXPECT_NEAR(s["points"].get<double>(), 1066, 120);
@@ -101,7 +100,7 @@ TEST_F(Cli, BuildGivesTheThesisSphere) {
     EXPECT_TRUE(s.contains(key)) << key;
 }
 
-TEST_F(Cli, BuildReportsWhatToKnow) {
+TEST_F(Cli, BuildReportsLeaksAndThinWalls) {
   const json r = runJson("build cuboid:0.2,0.1,0.004")["structures"][0]["report"];
   EXPECT_EQ(r["leaks"], json({{"open_edges", 0}, {"non_manifold_edges", 0}, {"flipped_edges", 0}}));
   EXPECT_EQ(r["inside_doubtful"], false);
@@ -114,7 +113,7 @@ TEST_F(Cli, BuildReportsWhatToKnow) {
   EXPECT_TRUE(ball["thin_walls"]["thinnest"].is_null());
 }
 
-TEST_F(Cli, ExplainPredictsAndBuildsNothing) {
+TEST_F(Cli, BuildExplainPredictsWithoutBuilding) {
   const auto cache = folder_.path() / "cache";
   ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
   const json j = runJson("build sphere:0.05 cuboid:9,9,9 --voxel 0.003 --point 0.004 --explain");
@@ -142,7 +141,7 @@ TEST_F(Cli, ExplainPredictsAndBuildsNothing) {
 }
 
 // The same numbers from the cache; damage is noticed and mended; --no-cache leaves it alone.
-TEST_F(Cli, BuildKeepsStructuresAndNoticesDamage) {
+TEST_F(Cli, BuildCachesStructuresAndRebuildsDamagedOnes) {
   const auto cache = folder_.path() / "cache";
   ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
   const auto build = [&](const std::string& more) {
@@ -171,7 +170,7 @@ TEST_F(Cli, BuildKeepsStructuresAndNoticesDamage) {
   EXPECT_EQ(build("")["cached"], true);
 }
 
-TEST_F(Cli, RunGivesTheSameFromTheCache) {
+TEST_F(Cli, RunFromCacheGivesSameResults) {
   ::setenv("ABSTAND_CACHE", (folder_.path() / "cache").c_str(), 1);
   const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(-0.01));
   std::string csv[2];
@@ -184,7 +183,7 @@ TEST_F(Cli, RunGivesTheSameFromTheCache) {
   EXPECT_EQ(csv[0], csv[1]);
 }
 
-TEST_F(Cli, CtrlCEndsABuildAndLeavesNothing) {
+TEST_F(Cli, InterruptedBuildLeavesNoFiles) {
   const auto cache = folder_.path() / "cache";
   ::setenv("ABSTAND_CACHE", cache.c_str(), 1);
   // Without the signal this would take minutes.
@@ -199,7 +198,7 @@ TEST_F(Cli, CtrlCEndsABuildAndLeavesNothing) {
   EXPECT_FALSE(exists(cache));
 }
 
-TEST_F(Cli, BuildOfGoodAndBadIsPartlyDone) {
+TEST_F(Cli, BuildWithOneBadInputExitsWith5) {
   const Answer a = run("build sphere:0.02 missing.stl --json");
   EXPECT_EQ(a.code, 5);
   const json j = json::parse(a.out);
@@ -207,7 +206,7 @@ TEST_F(Cli, BuildOfGoodAndBadIsPartlyDone) {
   EXPECT_EQ(j["failed"][0]["name"], "missing.stl");
 }
 
-TEST_F(Cli, CyclesOutHasTheWorkOfEachCycle) {
+TEST_F(Cli, CyclesOutWritesWorkOfEachCycle) {
   std::string text = kBallAndWall;
   text.replace(text.find("{voxel"), 1, "{margin: 0.03, ");
   const std::string scene = write("s.yaml", text), poses = write("m.csv", ballPoses(-0.01));
@@ -251,7 +250,7 @@ TEST_F(Cli, CyclesOutHasTheWorkOfEachCycle) {
   EXPECT_EQ(some[3][1], all[30][1]);
 }
 
-TEST_F(Cli, RunAndCheckAgreeWithAKnownApproach) {
+TEST_F(Cli, RunAndCheckMatchKnownApproach) {
   const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(0.12));
   const std::string pairs = (folder_.path() / "p.csv").string();
   const json j = runJson("run " + scene + " --poses " + poses + " --pairs-out " + pairs);
@@ -279,7 +278,7 @@ TEST_F(Cli, RunAndCheckAgreeWithAKnownApproach) {
   EXPECT_NE(readFile(html).find("Not passed"), std::string::npos);
 }
 
-TEST_F(Cli, MarginsOfAFileAreLimits) {
+TEST_F(Cli, CheckUsesMarginsFileAsLimits) {
   const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(0.12));
   const std::string margins = write("margins.yaml", "ball: 0.1  # the person\nwall: 0.05\n");
   EXPECT_EQ(run("check " + scene + " --poses " + poses + " --min-distance 0.10 --margins " + margins).code,
@@ -290,7 +289,7 @@ TEST_F(Cli, MarginsOfAFileAreLimits) {
   EXPECT_NE(bad.err.find("did you mean 'ball'"), std::string::npos) << bad.err;
 }
 
-TEST_F(Cli, LostTrackingIsRefusedFlaggedAndSaid) {
+TEST_F(Cli, LostTrackingIsReportedAsStale) {
   std::string csv = ballPoses(0.12);
   csv.replace(csv.rfind("1,0,0,0.17"), 1, "nan");
   const json j = runJson("run " + write("s.yaml", kBallAndWall) + " --poses " + write("m.csv", csv));
@@ -298,7 +297,7 @@ TEST_F(Cli, LostTrackingIsRefusedFlaggedAndSaid) {
   EXPECT_FALSE(j["min_distance"]["value"].is_null());
 }
 
-TEST_F(Cli, WhatARunLeftOutIsSaid) {
+TEST_F(Cli, RunReportsCullingAndSpeedBoundBreaches) {
   const std::string poses = " --poses " + write("m.csv", ballPoses(0.12));
   std::string text = kBallAndWall;
   text.replace(text.find("voxel: 0.005, point: 0.005"), 26, "voxel: 0.02, point: 0.02");
@@ -327,14 +326,14 @@ TEST_F(Cli, WhatARunLeftOutIsSaid) {
             run("check " + scene + poses + " --min-distance 0.1199").code);
 }
 
-TEST_F(Cli, DryRunPrintsASceneThatReadsBack) {
+TEST_F(Cli, DryRunOutputReadsBack) {
   const Answer a = run("check --dry-run " + write("s.yaml", kBallAndWall));
   EXPECT_EQ(a.code, 0);
   const Answer again = run("check --dry-run " + write("again.yaml", a.out));
   EXPECT_EQ(again.out, a.out);
 }
 
-TEST_F(Cli, VerifyJudgesTheEngineAndWritesAPage) {
+TEST_F(Cli, VerifyChecksEngineAndWritesReport) {
   const std::string page = (folder_.path() / "v.html").string();
   const json j = runJson("verify --only 'third law' --poses 1000 --report " + page);
   EXPECT_TRUE(j["passed"]);

@@ -139,7 +139,7 @@ class DocsExamples : public Cli {
   }
 };
 
-TEST_F(DocsExamples, HaveOptionsThatTheProgramKnows) {
+TEST_F(DocsExamples, UseKnownOptions) {
   const std::vector<Example> examples = allExamples();
   EXPECT_GE(examples.size(), 30u) << "are they found?";
   // An option that there cannot be is complained of last, after all else was understood, and alone.
@@ -153,7 +153,7 @@ TEST_F(DocsExamples, HaveOptionsThatTheProgramKnows) {
   }
 }
 
-TEST_F(DocsExamples, RunAsTheyAreWritten) {
+TEST_F(DocsExamples, RunAsWritten) {
   std::size_t ran = 0;
   for (const Example& e : allExamples()) {
     const Plan plan = planOf(e.command);

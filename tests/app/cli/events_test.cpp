@@ -6,7 +6,7 @@ namespace events_test {
 
 using Events = SevenPeople;
 
-TEST_F(Events, OfASetAreItsStopsAndSayWhichPairStoppedTheRobot) {
+TEST_F(Events, ListStopsOfMarginSetWithStoppingPair) {
   const std::string folder = out("results");
   runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder + " --margins 0.2:0.4:0.2");
   const std::string torso = folder_
@@ -43,7 +43,7 @@ TEST_F(Events, OfASetAreItsStopsAndSayWhichPairStoppedTheRobot) {
     EXPECT_EQ(false_stops, outcome["false_stops"]);
     EXPECT_EQ(missed, outcome["missed_stops"]);
     EXPECT_GT(stops, 0);
-    EXPECT_NE(run("events " + folder + " --margin-set " + set).out.find(", told by "), std::string::npos);
+    EXPECT_NE(run("events " + folder + " --margin-set " + set).out.find(", stopped by "), std::string::npos);
   }
   const std::string events = "events " + folder;
   EXPECT_EQ(run(events).code, 2);
@@ -59,7 +59,7 @@ TEST_F(Events, OfASetAreItsStopsAndSayWhichPairStoppedTheRobot) {
             2);
 }
 
-TEST_F(Events, DiffComparesTwoSetsOverOneStudyAndOverTwo) {
+TEST_F(Events, DiffComparesMarginSetsWithinAndAcrossStudies) {
   const std::string few = out("few"), many = out("many");
   runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + many + " --margins 0.2:0.4:0.2");
   runJson("tune " + scene_ + " --recordings " + out("person1.csv") + " --out " + few +
@@ -91,7 +91,7 @@ TEST_F(Events, DiffComparesTwoSetsOverOneStudyAndOverTwo) {
   EXPECT_EQ(run("diff " + many + " --margin-set " + a).code, 2);
 }
 
-TEST_F(Events, TellsTheEventsThatItCounts) {
+TEST_F(Events, ListMatchesCounts) {
   const std::string folder = out("events");
   const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder +
                              " --margins 0.2:0.4:0.2");

@@ -6,7 +6,7 @@ namespace exposure_test {
 
 using Exposure = SevenPeople;
 
-TEST_F(Exposure, TellsWhoWasNearForHowLongAndWhere) {
+TEST_F(Exposure, ReportsTimeNearPerPartAndLink) {
   for (const int i : {1, 2})
     EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --out " +
                   out("half" + std::to_string(i)) + " --shard " + std::to_string(i) + "/2")

@@ -29,7 +29,7 @@ class MarginSet : public Cli {
   std::string scene_, common_;
 };
 
-TEST_F(MarginSet, OfOneMarginForAllIsTheRowOfTheWholeBody) {
+TEST_F(MarginSet, UniformSetMatchesWholeBodyRow) {
   const std::string file = set("uniform.yaml", "default: {margin: 0.3}\n");
   const json j = runJson("tune " + scene_ + common_ + " --margin-set " + file);
   const json& of_set = named(j["margin_sets"], "name", file);
@@ -44,7 +44,7 @@ TEST_F(MarginSet, OfOneMarginForAllIsTheRowOfTheWholeBody) {
   FAIL() << "no margin of 0.3 m";
 }
 
-TEST_F(MarginSet, GrowsWithTheSpeeds) {
+TEST_F(MarginSet, MarginGrowsWithSpeeds) {
   // Ball and person go towards each other at constant speeds until the ball is through.
   const double robot = 0.5, person = 0.3, robot_time = 0.2, person_time = 0.4, margin = 0.1;
   const std::string speeds =
@@ -65,7 +65,7 @@ TEST_F(MarginSet, GrowsWithTheSpeeds) {
               0.0201);
 }
 
-TEST_F(MarginSet, OfPairsGoesBeforePartsAndLinks) {
+TEST_F(MarginSet, PairMarginsOverridePartsAndLinks) {
   const std::string out = (folder_.path() / "results").string();
   runJson("tune " + scene_ + common_ + " --out " + out);
   const auto stops = [&](const std::string& file) {
@@ -81,7 +81,7 @@ TEST_F(MarginSet, OfPairsGoesBeforePartsAndLinks) {
             4u + 2u);
 }
 
-TEST_F(MarginSet, TheProposedOnesMissNothing) {
+TEST_F(MarginSet, ProposedMarginsMissNoStops) {
   const std::string out = (folder_.path() / "results").string();
   const json j = runJson("tune " + scene_ + common_ + " --out " + out);
   std::map<std::string, double> of_part, of_pair;
@@ -109,7 +109,7 @@ TEST_F(MarginSet, TheProposedOnesMissNothing) {
   }
 }
 
-TEST_F(MarginSet, RefusesWhatDoesNotFit) {
+TEST_F(MarginSet, RejectsInvalidSets) {
   const std::string out = (folder_.path() / "results").string();
   runJson("tune " + scene_ + common_ + " --out " + out);
   const struct {

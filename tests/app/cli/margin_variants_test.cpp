@@ -28,7 +28,7 @@ class MarginVariants : public Cli {
   std::string scene_, options_{" --margins 0.1 --reaction-time 0.2 --deceleration 1000"};
 };
 
-TEST_F(MarginVariants, ACalibrationErrorIsAShareOfEveryUncertainty) {
+TEST_F(MarginVariants, CalibrationErrorAddsToEveryUncertainty) {
   const json without = runJson("tune " + scene_ + options_),
              with = runJson("tune " + scene_ + options_ + " --calibration-error 0.03");
   EXPECT_EQ(with["assumed"]["calibration_error"], 0.03);
@@ -48,7 +48,7 @@ TEST_F(MarginVariants, ACalibrationErrorIsAShareOfEveryUncertainty) {
   EXPECT_NEAR(margin, before, kFrame + kMillimetre) << "both sides of the comparison lose it";
 }
 
-TEST_F(MarginVariants, ABandIsOverTheRunsOfOneRecording) {
+TEST_F(MarginVariants, BandSpansRunsOfOneRecording) {
   // Nearer by 0.1 m, and the ball passes by at the side, farther than the trunk is wide.
   const json j =
       runJson("tune " + plan("places: [{}, {shift: [-0.1, 0, 0]}, {shift: [0, 3, 0]}]\n") + options_);
@@ -64,7 +64,7 @@ TEST_F(MarginVariants, ABandIsOverTheRunsOfOneRecording) {
   EXPECT_GT(band["margin"]["max"], 0.1);
 }
 
-TEST_F(MarginVariants, AMirroredPersonExchangesTheSides) {
+TEST_F(MarginVariants, MirroredPersonSwapsSides) {
   const json j =
       runJson("tune " + plan("mirror: [false, true]\nplaces: [{shift: [0, 0.9, 0]}]\n") + options_);
   ASSERT_EQ(j["recordings"], 2);
@@ -78,7 +78,7 @@ TEST_F(MarginVariants, AMirroredPersonExchangesTheSides) {
   EXPECT_FALSE(name.empty());
 }
 
-TEST_F(MarginVariants, APlanRefusesWhatItDoesNotKnow) {
+TEST_F(MarginVariants, PlanRejectsUnknownKeysAndValues) {
   for (const std::string text :
        {"places: [{shift: [1, 2]}]\n", "places: [{turns: 1}]\n", "mirror: [perhaps]\n"}) {
     const Answer answer = run("tune " + plan(text) + options_);

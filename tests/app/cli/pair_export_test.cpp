@@ -33,7 +33,7 @@ Rows readCsv(const std::string& file) {
 
 class PairExport : public SevenPeople {};
 
-TEST_F(PairExport, HasARowForEachFrameAndPairWithTheNumbersOfTheParts) {
+TEST_F(PairExport, HasRowPerFrameAndPairMatchingPartResults) {
   const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("study"));
   const json j =
       runJson("export " + out("study") + " --pairs-csv " + out("pairs.csv") + " --csv " + out("parts.csv"));
@@ -72,7 +72,7 @@ TEST_F(PairExport, HasARowForEachFrameAndPairWithTheNumbersOfTheParts) {
   EXPECT_GT(far, 0);
 }
 
-TEST_F(PairExport, AsksForAFile) {
+TEST_F(PairExport, RequiresOutputFile) {
   const Answer a = run("export " + out("study"));
   EXPECT_EQ(a.code, 2);
   EXPECT_NE(a.err.find("--pairs-csv"), std::string::npos) << a.err;

@@ -19,7 +19,7 @@ constexpr ShippedScene kScenes[] = {
 
 /// Each number of threads, and each way of searching, so each must agree with each. Structures are built once
 /// with and once without vector units, as building uses them too; one test, so that scenes share them.
-TEST_F(Cli, RunGivesTheSameBitsOnAnyMachineAndForAnyNumberOfThreads) {
+TEST_F(Cli, RunIsBitIdenticalForAnySimdAndThreadCount) {
   struct Setting {
     const char* simd;
     int threads;

@@ -9,13 +9,13 @@ namespace abstand::testing {
 namespace session_log_test {
 
 /// A ball flies at a wall at 1 m/s, along -x, and stands still 2 mm inside the wall's margin.
-class SessionLogOfARun : public Cli {
+class SessionLogTest : public Cli {
  protected:
   static constexpr std::size_t kFrames = 101, kBall = 1;
   // Times of the poses file have six digits, and a frame takes 10 ms.
   static constexpr double kSpeedError = 1e-3;
 
-  SessionLogOfARun() {
+  SessionLogTest() {
     scene_ = folder_.write("ball.yaml", kMarginScene).string();
     runJson("run " + scene_ + " --poses " + folder_.write("m.csv", ballPoses(0.018)).string() +
             " --session " + log());
@@ -31,7 +31,7 @@ objects:
   std::string scene_;
 };
 
-TEST_F(SessionLogOfARun, HasTheHistoryOfPosesAndVelocities) {
+TEST_F(SessionLogTest, HoldsPosesAndVelocities) {
   const hdf5::TableReader in(log());
   EXPECT_EQ(in.integer("abstand"), run::SessionLog::kFormat);
   EXPECT_FALSE(in.text("version").empty());
@@ -61,7 +61,7 @@ TEST_F(SessionLogOfARun, HasTheHistoryOfPosesAndVelocities) {
   }
 }
 
-TEST_F(SessionLogOfARun, HasTheHistoryOfDistancesAndContacts) {
+TEST_F(SessionLogTest, HoldsDistancesAndContacts) {
   const hdf5::TableReader in(log());
   const std::vector<double> t = in.table("t", kFrames, 1), distance = in.table("distance", kFrames, 1),
                             bound = in.table("bound", kFrames, 1), points = in.table("points", kFrames, 6),
@@ -96,7 +96,7 @@ TEST_F(SessionLogOfARun, HasTheHistoryOfDistancesAndContacts) {
   EXPECT_TRUE(touched);
 }
 
-TEST_F(SessionLogOfARun, TellsWhenItIsDamaged) {
+TEST_F(SessionLogTest, RejectsDamagedFile) {
   std::string bytes = readFile(log(), 1 << 30);
   EXPECT_EQ(bytes.substr(512, 8), "\x89HDF\r\n\x1a\n") << "readers of HDF5 look for it there";
   bytes[bytes.size() / 2] ^= 1;

@@ -4,9 +4,9 @@
 namespace abstand::testing {
 namespace speed_profile_test {
 
-using SpeedsOfTune = SevenPeople;
+using TuneSpeedProfile = SevenPeople;
 
-TEST_F(SpeedsOfTune, WritesASpeedProfileThatItHasProven) {
+TEST_F(TuneSpeedProfile, WritesProvenProfile) {
   // A person who stands; contacts nearer than 1 m count, which only the trunk is: its chest allows a wall
   // 0.28 m/s.
   const std::string person = " --recordings " + out("person0.csv"), rule = " --speed-rule contact --near 1.0";
@@ -42,7 +42,7 @@ TEST_F(SpeedsOfTune, WritesASpeedProfileThatItHasProven) {
   EXPECT_EQ(parallel["proof"][0]["cycle_time"], proof["cycle_time"]);
 }
 
-TEST_F(SpeedsOfTune, WritesNoSpeedProfileWhereTheRobotWouldHaveToStand) {
+TEST_F(TuneSpeedProfile, WritesNoProfileIfRobotMustStand) {
   // The fastest person comes near while the robot moves; the protective distance leaves no speed.
   const Answer a = run("tune " + scene_ + " --recordings " + out("person6.csv") + " --json --speed-profile " +
                        out("slow"));
@@ -58,7 +58,7 @@ TEST_F(SpeedsOfTune, WritesNoSpeedProfileWhereTheRobotWouldHaveToStand) {
   EXPECT_FALSE(std::filesystem::exists(out("slow")));
 }
 
-TEST_F(SpeedsOfTune, TradesSpeedForMarginAndTime) {
+TEST_F(TuneSpeedProfile, ReportsMarginAndTimePerSpeedScale) {
   const json j =
       runJson("tune " + scene_ + " --recordings " + out("person6.csv") +
               " --deceleration 1000 --reaction-time 0.2 --speed-scales 0.5,1 --report " + out("trade.html"));
@@ -81,7 +81,7 @@ TEST_F(SpeedsOfTune, TradesSpeedForMarginAndTime) {
     EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 
-TEST_F(SpeedsOfTune, JudgesKeptResultsByAnySpeedRule) {
+TEST_F(TuneSpeedProfile, AppliesAnySpeedRuleToStoredResults) {
   const std::string person = " --recordings " + out("person4.csv"), folder = out("rules");
   json whole = runJson("tune " + scene_ + person + " --out " + folder);
   for (const std::string rule : {"both", "separation", "contact"}) {
@@ -100,7 +100,7 @@ TEST_F(SpeedsOfTune, JudgesKeptResultsByAnySpeedRule) {
   }
 }
 
-TEST_F(SpeedsOfTune, RefusesASpeedProfileThatCannotBe) {
+TEST_F(TuneSpeedProfile, RejectsInvalidOptions) {
   const std::vector<std::string> all{"--speed-rule all",
                                      "--speed-scales 0",
                                      "--speed-scales 2",

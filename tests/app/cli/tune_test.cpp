@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 using Tune = SevenPeople;
 
-TEST_F(Tune, AnswersTheSameInAnyNumberOfPartsAndProcesses) {
+TEST_F(Tune, ResultIsIndependentOfShardsAndProcesses) {
   const std::string common = " --margins 0:0.6:0.1 --reaction-time 0.2";
   const json whole = runJson("tune " + scene_ + " --recordings" + recordings_ + common);
   EXPECT_EQ(whole["recordings"], kPeople);
@@ -36,7 +36,7 @@ TEST_F(Tune, AnswersTheSameInAnyNumberOfPartsAndProcesses) {
   }
 }
 
-TEST_F(Tune, ProposesWhatTheFastestPersonNeeds) {
+TEST_F(Tune, ProposesMarginForFastestPerson) {
   const json j =
       runJson("tune " + scene_ + " --recordings" + recordings_ + " --reaction-time 0.2 --deceleration 1000");
   const json* torso = nullptr;
@@ -52,7 +52,7 @@ TEST_F(Tune, ProposesWhatTheFastestPersonNeeds) {
   EXPECT_NEAR((*torso)["confidence"]["unseen_share"], 1.0 - std::pow(0.05, 1.0 / kPeople), 1e-12);
 }
 
-TEST_F(Tune, GoesOnWhereItWasKilledAndMakesWhatIsDamagedAgain) {
+TEST_F(Tune, ResumesAfterKillAndRedoesDamagedResults) {
   const std::string command = "tune " + scene_ + " --recordings" + recordings_ + " --out " + out("results");
   const std::string expected = answerOf(runJson("tune " + scene_ + " --recordings" + recordings_));
   EXPECT_EQ(
@@ -75,7 +75,7 @@ TEST_F(Tune, GoesOnWhereItWasKilledAndMakesWhatIsDamagedAgain) {
   EXPECT_EQ(answerOf(again), expected);
 }
 
-TEST_F(Tune, KilledInTheMiddleLeavesNoHalfResult) {
+TEST_F(Tune, KillLeavesNoPartialResult) {
   const std::string program = "'" ABSTAND_PROGRAM "' tune " + scene_ + " --recordings" + recordings_ +
                               " --out " + out("killed") + " --quiet";
   // -9 in the middle of its work, wherever that is.
@@ -88,7 +88,7 @@ TEST_F(Tune, KilledInTheMiddleLeavesNoHalfResult) {
   EXPECT_EQ(answerOf(done), answerOf(runJson("tune " + scene_ + " --recordings" + recordings_)));
 }
 
-TEST_F(Tune, ABadRecordingStopsNoOther) {
+TEST_F(Tune, BadRecordingDoesNotStopOthers) {
   write("bad.csv", "no recording\n");
   for (const std::string more : {"", " --jobs 2"}) {
     const Answer a =
@@ -114,7 +114,7 @@ TEST_F(Tune, RunsAPlan) {
       << j["inputs"][0];
 }
 
-TEST_F(Tune, APlanHasPeopleOfAPercentile) {
+TEST_F(Tune, PlanAcceptsPercentiles) {
   write("plan.yaml",
         "abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv]\n"
         "people: [{percentile: 95, sex: m}, {percentile: 5}]\n");
@@ -167,7 +167,7 @@ TEST_F(Tune, WritesAReport) {
   EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html")).code,
             0);
   const std::string html = readFile(out("report.html"));
-  for (const char* said : {"Proposed margins", "What margins cost", "Nearest approaches", "What was assumed",
+  for (const char* said : {"Proposed margins", "Cost of margins", "Nearest approaches", "Assumptions",
                            "Inputs", "Signature", "hardest closing before", "stops per minute", "person6.csv",
                            "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
     EXPECT_NE(html.find(said), std::string::npos) << said;
@@ -175,7 +175,7 @@ TEST_F(Tune, WritesAReport) {
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
 }
 
-TEST_F(Tune, SaysWhereAPlanIsWrong) {
+TEST_F(Tune, ReportsPositionOfPlanErrors) {
   const auto expect = [&](const std::string& plan, const std::string& said) {
     write("plan.yaml", plan);
     const Answer a = run("tune " + out("plan.yaml"));
@@ -194,7 +194,7 @@ TEST_F(Tune, SaysWhereAPlanIsWrong) {
   expect("abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv, person1.csv]\n", "twice");
 }
 
-TEST_F(Tune, JudgesContactsOfClampedPartsByQuasiStaticLimits) {
+TEST_F(Tune, ClampedPartsUseQuasiStaticLimits) {
   const std::string command = "tune " + scene_ + " --near 1 --out " + out("clamped");
   const json free = runJson("tune " + scene_ + " --near 1");
   EXPECT_EQ(free["clamped"], json::array());
@@ -225,7 +225,7 @@ TEST_F(Tune, JudgesContactsOfClampedPartsByQuasiStaticLimits) {
   EXPECT_NE(wrong.err.find("'paw', expected parts of the body: "), std::string::npos) << wrong.err;
 }
 
-TEST_F(Tune, RefusesWhatMakesNoSense) {
+TEST_F(Tune, RejectsInvalidOptions) {
   for (const std::string wrong : {"--margins 0:1", "--margins 1:0:0.1", "--margins a", "--shard 3/2",
                                   "--jobs 0", "--reaction-time -1", "--deceleration 0", "--limit -0.1"})
     EXPECT_EQ(run("tune " + scene_ + " " + wrong).code, 2) << wrong;
@@ -234,7 +234,7 @@ TEST_F(Tune, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run("merge " + out("nothing")).code, 2);
 }
 
-TEST_F(Tune, RefusesToMergeResultsOfDifferentOptions) {
+TEST_F(Tune, MergeRejectsResultsOfDifferentOptions) {
   EXPECT_EQ(
       run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("a") + " --shard 1/7").code, 0);
   EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("a") +

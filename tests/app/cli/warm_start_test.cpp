@@ -33,7 +33,7 @@ class WarmStart : public Cli {
   }
 };
 
-TEST_F(WarmStart, APassFromABlockOnGivesTheBitsOfTheWhole) {
+TEST_F(WarmStart, RunFromBlockStartIsBitIdenticalToFullRun) {
   for (const char* option : {"--pairs-out", "--objects-out"}) {
     const std::vector<std::string> whole = rows("--threads 1", option);
     std::vector<double> times;
@@ -53,14 +53,14 @@ TEST_F(WarmStart, APassFromABlockOnGivesTheBitsOfTheWhole) {
   }
 }
 
-TEST_F(WarmStart, ColdNumbersDependOnPosesAlone) {
+TEST_F(WarmStart, ColdResultsDependOnPosesAlone) {
   const std::vector<std::string> whole = rows("--cold"), part = rows("--cold --start 7.7");
   ASSERT_GT(whole.size(), part.size());
   EXPECT_TRUE(std::equal(part.begin(), part.end(), whole.end() - static_cast<std::ptrdiff_t>(part.size())));
 }
 
 /// Either may miss the nearest points of bodies far apart, as the far field is coarse; the bound covers it.
-TEST_F(WarmStart, DistancesAreThoseOfColdStartsWithinTheTolerance) {
+TEST_F(WarmStart, DistancesMatchColdStartsWithinTolerance) {
   constexpr double kTolerance = 0.002, kBetweenPoints = 1e-3;  // m, at corners of bodies that are near
   constexpr double kMissed = 1e-3;                             // share of the rows
   const std::vector<std::string> cold = rows("--cold"), warm = rows("");
@@ -84,7 +84,7 @@ TEST_F(WarmStart, DistancesAreThoseOfColdStartsWithinTheTolerance) {
   EXPECT_LE(static_cast<double>(beyond), kMissed * static_cast<double>(far));
 }
 
-TEST_F(WarmStart, IsStatedAndCanBeSwitchedOff) {
+TEST_F(WarmStart, IsReportedAndCanBeSwitchedOff) {
   const std::string part = " --end 0.5";
   const json warm = runJson("run " + kScene + part)["warm_start"];
   EXPECT_EQ(warm["block_frames"], run::kColdStart);
@@ -92,7 +92,7 @@ TEST_F(WarmStart, IsStatedAndCanBeSwitchedOff) {
   EXPECT_EQ(warm["far_from_m"], query::kRelativeFrom);
   EXPECT_EQ(runJson("run " + kScene + part + " --tolerance 0.01")["warm_start"]["far_tolerance"], 0.01);
   EXPECT_TRUE(runJson("run " + kScene + part + " --cold")["warm_start"].is_null());
-  EXPECT_NE(run("run " + kScene + part).out.find("beyond 0.1 m distances are at most 0.2 % above"),
+  EXPECT_NE(run("run " + kScene + part).out.find("distances beyond 0.1 m are at most 0.2 % above"),
             std::string::npos);
   EXPECT_EQ(run("run " + kScene + part + " --cold").out.find("warm start"), std::string::npos);
   EXPECT_EQ(run("run " + kScene + part + " --cold --remember").code, 2);
@@ -100,7 +100,7 @@ TEST_F(WarmStart, IsStatedAndCanBeSwitchedOff) {
 }
 
 /// Limits between two frames' smallest distances, and just about them.
-TEST_F(WarmStart, TheGateJudgesAsWithColdStarts) {
+TEST_F(WarmStart, CheckDecidesAsWithColdStarts) {
   const std::string scene = write("s.yaml", kBallAndWall), poses = write("m.csv", ballPoses(0.12));
   const double least = runJson("run " + scene + " --poses " + poses + " --cold")["min_distance"]["value"];
   for (const double share : {0.99, 0.999, 0.9999, 1.0001, 1.001, 1.01}) {

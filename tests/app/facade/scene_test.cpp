@@ -40,7 +40,7 @@ std::string withFiles(std::string text) {
   return text.replace(text.find("BVH"), 3, projectFile("data/scenes/hug_reach.bvh").string());
 }
 
-TEST(LibraryScene, FromAFileAndFromPartsAreTheSame) {
+TEST(LibraryScene, FileAndBuilderGiveSameScene) {
   const ScratchFolder folder;
   const SceneOptions options{.threads = 2, .cache = false};
   Scene file = Scene::load(folder.write("scene.yaml", withFiles(kPeopleAndArm)), options);
@@ -83,7 +83,7 @@ TEST(LibraryScene, FromAFileAndFromPartsAreTheSame) {
   for (std::size_t i = 0; i < cold.pairs(); ++i) EXPECT_EQ(cold.result(i).distance, warm.result(i).distance);
 }
 
-TEST(LibraryScene, LiveIsAsRecorded) {
+TEST(LibraryScene, LiveMatchesRecorded) {
   const SceneOptions options{.threads = 1, .cache = false};
   PersonOptions person;
   person.recording = projectFile("data/scenes/hug_reach.bvh");
@@ -112,7 +112,7 @@ TEST(LibraryScene, LiveIsAsRecorded) {
   EXPECT_THROW(live.result(live.pairs()), std::out_of_range);
 }
 
-TEST(LibraryScene, ThingsTouchAndPushEachOther) {
+TEST(LibraryScene, ObjectsCollideAndExertForces) {
   const Structure box = Structure::build(Shape::cuboid({0.2, 0.2, 0.2}), kCoarse);
   const Structure small = Structure::build(Shape::cuboid({0.1, 0.1, 0.1}), {.point_spacing = 0.01});
   SceneBuilder builder;
@@ -138,7 +138,7 @@ TEST(LibraryScene, ThingsTouchAndPushEachOther) {
   EXPECT_NEAR((scene.force(0) + scene.force(1)).norm(), 0.0, 1e-9);
 }
 
-TEST(LibraryScene, AHumanIsPosedAsInAScene) {
+TEST(LibraryScene, HumanPoseMatchesScene) {
   PersonOptions person;
   person.recording = projectFile("data/scenes/hug_reach.bvh");
   SceneBuilder builder;
@@ -158,7 +158,7 @@ TEST(LibraryScene, AHumanIsPosedAsInAScene) {
   EXPECT_EQ(findJoint(jointName(Joint::kWristLeft)), Joint::kWristLeft);
 }
 
-TEST(LibraryScene, ABodyFromAStructureFile) {
+TEST(LibraryScene, LoadsBodyFromStructureFile) {
   const ScratchFolder folder;
   const Structure box = Structure::build(Shape::cuboid({0.2, 0.1, 0.2}), kCoarse, "crate");
   box.save(folder.path() / "crate.structure");

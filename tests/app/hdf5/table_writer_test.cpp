@@ -36,7 +36,7 @@ double valueAt(std::size_t row, std::size_t column) {
   }
 }
 
-class Tables : public ::testing::Test {
+class Hdf5Tables : public ::testing::Test {
  protected:
   std::filesystem::path file() const { return folder_.path() / "tables.h5"; }
   /// Writes `kRows` rows of `width` numbers in rows of `row`.
@@ -57,7 +57,7 @@ class Tables : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(Tables, ComeBackExactlyAsDoubles) {
+TEST_F(Hdf5Tables, DoublesRoundTripExactly) {
   write({3, 7}, hdf5::Storage::kDouble);
   const hdf5::TableReader in(file());
   EXPECT_EQ(in.extents("values").rows, kRows);
@@ -70,7 +70,7 @@ TEST_F(Tables, ComeBackExactlyAsDoubles) {
     }
 }
 
-TEST_F(Tables, ComeBackRoundedDownToStepsAndClipped) {
+TEST_F(Hdf5Tables, StepsRoundDownAndClip) {
   for (const auto storage : {hdf5::Storage::kSteps32, hdf5::Storage::kSteps16}) {
     const double most = (storage == hdf5::Storage::kSteps32 ? 2147483647.0 : 32767.0) * kStep;
     write({35}, storage);
@@ -84,7 +84,7 @@ TEST_F(Tables, ComeBackRoundedDownToStepsAndClipped) {
   }
 }
 
-TEST_F(Tables, AreReadInPartsAcrossChunks) {
+TEST_F(Hdf5Tables, ReadsRowRangesAcrossChunks) {
   write({5}, hdf5::Storage::kDouble);
   const hdf5::TableReader in(file());
   const std::vector<double> values = in.rows("values", 1020, 10, 5);
@@ -92,14 +92,14 @@ TEST_F(Tables, AreReadInPartsAcrossChunks) {
     for (const std::size_t c : {0u, 1u, 2u, 4u}) EXPECT_EQ(values[i * 5 + c], valueAt(1020 + i, c));
 }
 
-TEST_F(Tables, HaveTheSameBytesForTheSameNumbers) {
+TEST_F(Hdf5Tables, SameValuesGiveSameBytes) {
   write({11}, hdf5::Storage::kSteps32);
   const std::string first = readFile(file());
   write({11}, hdf5::Storage::kSteps32);
   EXPECT_EQ(readFile(file()), first);
 }
 
-TEST_F(Tables, OfSeveralGroupsFollowEachOther) {
+TEST_F(Hdf5Tables, SeveralGroupsAreWrittenInSequence) {
   {
     hdf5::TableWriter out(file());
     const std::size_t a = out.table("a", {});

@@ -22,7 +22,7 @@ void steps(ClosedLoop& loop, int count) {
   for (int i = 0; i < count; ++i) loop.step();
 }
 
-TEST(ClosedLoop, ARobotThatNobodyDisturbsFollowsItsPlan) {
+TEST(ClosedLoop, UndisturbedRobotFollowsPlan) {
   SlideScene s("{}", "", "    motion: go.csv\n");
   ClosedLoop loop(*s.session, 0.0);
   steps(loop, 2000);
@@ -34,7 +34,7 @@ TEST(ClosedLoop, ARobotThatNobodyDisturbsFollowsItsPlan) {
   EXPECT_NEAR(robot.record().lost_time, 0.0, 1e-9);
 }
 
-TEST(ClosedLoop, APushOfAPotentialMovesAsFarAsTheSpringLets) {
+TEST(ClosedLoop, PotentialIsBalancedBySpring) {
   // The thing stays at 0.2 m: 0.1 m from the ball at rest. Balance of the potential F (d0 - d)^2 / d0^2 and
   // the spring m omega^2 x, with d = 0.1 + x: solved by bisection here.
   const double force = 100.0, range = 0.2, spring = 2.0 * 6.0 * 6.0;
@@ -51,7 +51,7 @@ TEST(ClosedLoop, APushOfAPotentialMovesAsFarAsTheSpringLets) {
   EXPECT_NEAR(loop.robots()[0]->qd()[0], 0.0, 1e-3);
 }
 
-TEST(ClosedLoop, WithoutALawOnlyTheContactItselfPushes) {
+TEST(ClosedLoop, WithoutLawOnlyContactForceActs) {
   SlideScene s("{}", thingComesTo(0.05));
   ClosedLoop loop(*s.session, 0.0);
   steps(loop, 2900);
@@ -64,7 +64,7 @@ TEST(ClosedLoop, WithoutALawOnlyTheContactItselfPushes) {
   EXPECT_EQ(robot.record().max_torque, 0.0);
 }
 
-TEST(ClosedLoop, AStopHoldsThePlanAndLetsItGoOn) {
+TEST(ClosedLoop, StopHoldsPlanAndResumes) {
   SlideScene s("{stop: {distance: 0.4, resume_after: 0.2}}", "", "    motion: go.csv\n");
   ClosedLoop loop(*s.session, 0.0);
   // 0.5 m at the beginning, and it goes away: nothing stops it.
@@ -90,7 +90,7 @@ TEST(ClosedLoop, AStopHoldsThePlanAndLetsItGoOn) {
   EXPECT_NE(report[0].lines[0].find("pair ball - thing"), std::string::npos) << report[0].lines[0];
 }
 
-TEST(ClosedLoop, BrakesHoldWhatIsPushed) {
+TEST(ClosedLoop, BrakesHoldPushedRobot) {
   // Any approach of its own within range engages the brakes; then the thing comes and pushes in vain.
   SlideScene s("{repulsion: {range: 0.6, force: 1, stop_share: 0}}", thingComesTo(0.05),
                "    motion: come.csv\n");
@@ -102,7 +102,7 @@ TEST(ClosedLoop, BrakesHoldWhatIsPushed) {
   EXPECT_GT(s.session->scene().object(ObjectId(0)).contact.force.norm(), 100.0) << "5 cm deep, 164 N";
 }
 
-TEST(ClosedLoop, APositionControlledRobotYieldsByItsAdmittanceAlone) {
+TEST(ClosedLoop, PositionControlledRobotYieldsByAdmittance) {
   SlideScene s(
       "{repulsion: {range: 0.2, force: 100, damping: 0}, admittance: {inertia: 1, damping: 50, stiffness: "
       "500, offset: 1}}",
@@ -118,7 +118,7 @@ TEST(ClosedLoop, APositionControlledRobotYieldsByItsAdmittanceAlone) {
   EXPECT_NEAR(loop.robots()[0]->q()[0], -low, 1e-4);
 }
 
-TEST(ClosedLoop, AllocatesNothingAndSaysTheSameEveryTime) {
+TEST(ClosedLoop, IsDeterministicWithoutAllocation) {
   double q[2];
   for (double& end : q) {
     SlideScene s("{repulsion: {range: 0.2, force: 100}, torque: {limit: 30}, speed: {}}", thingComesTo(0.05));
@@ -134,7 +134,7 @@ TEST(ClosedLoop, AllocatesNothingAndSaysTheSameEveryTime) {
   EXPECT_EQ(q[0], q[1]);
 }
 
-TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
+TEST(ClosedLoop, RunReportsReactionAndReactOffIsPlainRun) {
   SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
   run::RunOptions options;
   options.end = 2.0;
@@ -153,7 +153,7 @@ TEST(ClosedLoop, ARunReportsItAndReactOffIsThePlainRun) {
   EXPECT_FALSE(reacting.robots[0].nearest_person);
 }
 
-TEST(ClosedLoop, ACheckSeesEveryCycle) {
+TEST(ClosedLoop, CheckEvaluatesEveryCycle) {
   SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
   run::RunOptions options;
   options.end = 2.0;
@@ -176,7 +176,7 @@ TEST(ClosedLoop, ACheckSeesEveryCycle) {
   EXPECT_EQ(cycles, 21) << "frames alone";
 }
 
-TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
+TEST(ClosedLoop, RejectsRobotWithoutMassesWithPosition) {
   testing::ScratchFolder folder;
   const scene_file::SceneDescription scene = testing::sceneWithoutMasses(folder);
   session::SessionOptions options;
@@ -190,7 +190,7 @@ TEST(ClosedLoop, ARobotWithoutMassesIsRefusedWithItsPlace) {
   }
 }
 
-TEST(ClosedLoop, TheSnapshotTellsOfBrokenLimits) {
+TEST(ClosedLoop, SnapshotReportsBrokenLimits) {
   testing::SlideScene inside("{}"), outside("{}", "", "    q: [5.5]\n");
   view::SceneSnapshot snapshot;
   ClosedLoop within(*inside.session, 0.0);

@@ -49,9 +49,9 @@ std::string plan(std::uint64_t seed, double speed) {
   return csv;
 }
 
-class Laws : public ::testing::TestWithParam<Case> {};
+class ClosedLoopLimits : public ::testing::TestWithParam<Case> {};
 INSTANTIATE_TEST_SUITE_P(
-    All, Laws,
+    All, ClosedLoopLimits,
     ::testing::Values(
         Case{"Hold", "{hold: {frequency: 60, damping: 0}}", 1.0},
         Case{"HoldOfAPlanThatIsTooFast", "{}", 12.0}, Case{"Torque", "{torque: {gain: 1}}", 1.0},
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Braking", "{braking: {deceleration: 50}, torque: {gain: 1}, stop: {resume_after: 0.1}}", 6.0}),
     [](const auto& law) { return std::string(law.param.name); });
 
-TEST_P(Laws, KeepPositionVelocityAndEffortOfTheFileInEveryCycle) {
+TEST_P(ClosedLoopLimits, EveryLawKeepsPositionVelocityAndEffort) {
   testing::ScratchFolder folder;
   folder.write("poses.csv", flight(1));
   folder.write("plan.csv", plan(2, GetParam().plan_speed));

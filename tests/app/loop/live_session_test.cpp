@@ -42,7 +42,7 @@ struct Live {
   view::SceneSnapshot seen;
 };
 
-TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
+TEST(LiveSession, StepsMatchClosedLoop) {
   Live l(kYield);
   EXPECT_EQ(l.live.outline().reacting, std::vector<std::string>{"slide"});
   ASSERT_TRUE(l.waitForTime(0.0));
@@ -68,7 +68,7 @@ TEST(LiveSession, StepsSayWhatTheClosedLoopSays) {
   EXPECT_EQ(safety::describe(robot.log.entry(0)), safety::describe(stops.log().entry(0)));
 }
 
-TEST(LiveSession, ASeekPutsRobotsOnTheirPlans) {
+TEST(LiveSession, SeekPutsRobotsOnPlans) {
   Live l(kYield);
   l.live.send(command::Step{1200});
   ASSERT_TRUE(l.waitForTime(1.2));
@@ -85,7 +85,7 @@ TEST(LiveSession, ASeekPutsRobotsOnTheirPlans) {
   EXPECT_EQ(l.seen.loop_start, l.seen.t);
 }
 
-TEST(LiveSession, AMarginDoesNotMoveTheRobot) {
+TEST(LiveSession, ChangingMarginDoesNotMoveRobot) {
   Live l(kYield);
   l.live.send(command::Step{900});
   ASSERT_TRUE(l.waitForTime(0.9));
@@ -98,7 +98,7 @@ TEST(LiveSession, AMarginDoesNotMoveTheRobot) {
   EXPECT_EQ(l.seen.loop_start, 0.0);
 }
 
-TEST(LiveSession, WithoutReactingMotionIsAsRecorded) {
+TEST(LiveSession, WithoutReactionMotionMatchesRecording) {
   Live l(kYield);
   l.live.send(command::React{false});
   ASSERT_TRUE(l.waitFor([&] { return l.seen.robots.empty(); }));
@@ -112,7 +112,7 @@ TEST(LiveSession, WithoutReactingMotionIsAsRecorded) {
   EXPECT_EQ(l.seen.loop_start, 2.0);
 }
 
-TEST(LiveSession, APersonResetsAStop) {
+TEST(LiveSession, UserResetsStop) {
   // Any approach of its own within range engages the brakes.
   Live l("{repulsion: {range: 0.6, force: 1, stop_share: 0}}", "    motion: come.csv\n", 0.5);
   l.live.send(command::Step{1500});
@@ -141,7 +141,7 @@ TEST(LiveSession, PlaysToTheEndAndStops) {
   ASSERT_TRUE(l.waitFor([&] { return l.seen.playing && l.seen.loop_start == 0.0 && l.seen.t > 0.05; }));
 }
 
-TEST(LiveSession, ShowsWhatActsOnTheJoints) {
+TEST(LiveSession, ReportsJointTorques) {
   Live l(kYield);
   l.live.send(command::Step{1000});
   ASSERT_TRUE(l.waitForTime(1.0));
@@ -188,7 +188,7 @@ TEST(LiveSession, TorquesCanBeTurnedOffAndOn) {
   EXPECT_EQ(l.seen.joint_torques[0].reaction, 0.0);
 }
 
-TEST(LiveSession, APausedGroupIsStaleAndItsRobotStops) {
+TEST(LiveSession, PausedGroupIsStaleAndStopsRobot) {
   Live l("{repulsion: {range: 0.2, force: 100}}");
   EXPECT_EQ(l.live.outline().pair_groups, std::vector<std::string>{"slide - objects"});
   l.live.send(command::SetGroup{0, view::PairGroupState::kPaused});
@@ -209,7 +209,7 @@ TEST(LiveSession, APausedGroupIsStaleAndItsRobotStops) {
   EXPECT_EQ(l.seen.nearest_pair, 0);
 }
 
-TEST(LiveSession, APairLeavesItsGroupAndComesBack) {
+TEST(LiveSession, RemovedPairReturnsToGroup) {
   Live l("{}");
   l.live.send(command::RemovePair{0});
   ASSERT_TRUE(l.waitFor([&] { return !l.seen.pair_group.empty() && l.seen.pair_group[0] == -1; }));
@@ -227,7 +227,7 @@ TEST(LiveSession, APairLeavesItsGroupAndComesBack) {
   EXPECT_EQ(l.seen.groups[0].pairs, 1u);
 }
 
-TEST(LiveSession, ARobotThatCannotReactDoesNotAndItIsSaidWhy) {
+TEST(LiveSession, ReportsWhyRobotCannotReact) {
   testing::ScratchFolder folder;
   const scene_file::SceneDescription scene = testing::sceneWithoutMasses(folder);
   session::SessionOptions options;

@@ -61,7 +61,7 @@ class PlayTime : public ::testing::TestWithParam<Pace> {
   static double allowed(const Pace& p) { return p.speed * (0.008 + 6.0 * p.look); }
 };
 
-TEST_P(PlayTime, RecordedMotionIsWhereWallTimeHasCome) {
+TEST_P(PlayTime, RecordedMotionKeepsWallTime) {
   const Pace& p = GetParam();
   Playing playing(p.look, 0.0, false, p.speed);
   const double wall = playing.runFor(p.wall);
@@ -70,14 +70,14 @@ TEST_P(PlayTime, RecordedMotionIsWhereWallTimeHasCome) {
   EXPECT_NEAR(playing.seen.real_time_factor, p.speed, 0.02 * p.speed + allowed(p));
 }
 
-TEST_P(PlayTime, ANewRoundLosesNoTime) {
+TEST_P(PlayTime, LoopingLosesNoTime) {
   const Pace& p = GetParam();
   Playing playing(p.look, kEnd - 0.25 * p.speed, false, p.speed);
   const double wall = playing.runFor(p.wall);
   EXPECT_NEAR(playing.seen.t, p.speed * (wall - 0.25), allowed(p));
 }
 
-TEST_P(PlayTime, OverrunsAreThoseOfTheStepThatTheLoopHasChosen) {
+TEST_P(PlayTime, OverrunsCountChosenStep) {
   const Pace& p = GetParam();
   Playing playing(p.look, 0.0, false, p.speed);
   playing.runFor(p.wall);
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Paces, PlayTime,
                                            Pace{"very_late", 3e-2, 1.0, 2.0}),
                          [](const auto& pace) { return std::string(pace.param.name); });
 
-TEST(PlayTimeClosed, TheClosedLoopKeepsWallTimeWhereItCan) {
+TEST(PlayTimeClosedLoop, KeepsWallTimeIfFastEnough) {
   for (const double speed : {0.5, 1.0, 2.0}) {
     Playing playing(5e-5, 0.0, true, speed);
     const double wall = playing.runFor(1.2);
@@ -104,7 +104,7 @@ TEST(PlayTimeClosed, TheClosedLoopKeepsWallTimeWhereItCan) {
   }
 }
 
-TEST(PlayTimeClosed, ACycleThatIsAlwaysLateMakesPlaySlowerAndTheFactorSaysHowMuch) {
+TEST(PlayTimeClosedLoop, SlowCyclesReduceRealTimeFactor) {
   Playing playing(5e-3, 0.0, true, 1.0);
   const double first_wall = playing.runFor(1.0);
   const double first_t = playing.seen.t;
@@ -116,7 +116,7 @@ TEST(PlayTimeClosed, ACycleThatIsAlwaysLateMakesPlaySlowerAndTheFactorSaysHowMuc
   EXPECT_EQ(playing.seen.overruns, playing.seen.played_cycles);
 }
 
-TEST(PlayTimeClosed, AStallIsCaughtUpAndALongOneGivenUp) {
+TEST(PlayTimeClosedLoop, ShortStallIsCaughtUpLongOneDropped) {
   PlayPace pace;
   pace.start(0.0);
   pace.advance(0.2, 1.0);
@@ -129,7 +129,7 @@ TEST(PlayTimeClosed, AStallIsCaughtUpAndALongOneGivenUp) {
   EXPECT_NEAR(pace.factor(), 0.02, 1e-12);
 }
 
-TEST(PlayTimeClosed, WhilePausedNoFactorIsShown) {
+TEST(PlayTimeClosedLoop, NoFactorWhilePaused) {
   Playing playing(1e-6, 0.0, false, 1.0);
   playing.runFor(1.0);
   EXPECT_FALSE(std::isnan(playing.seen.real_time_factor));

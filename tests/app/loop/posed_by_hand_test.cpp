@@ -39,7 +39,7 @@ struct Hand {
   view::SceneSnapshot seen;
 };
 
-TEST(PosedByHand, ARobotWithoutReactionStandsWhereItIsPutWhileTimeGoesOn) {
+TEST(PosedByHand, NonReactingRobotKeepsPoseWhileTimeRuns) {
   Hand h("    motion: go.csv\n");
   h.live.send(command::React{false});
   ASSERT_TRUE(h.goTo(1.0));
@@ -60,7 +60,7 @@ TEST(PosedByHand, ARobotWithoutReactionStandsWhereItIsPutWhileTimeGoesOn) {
   EXPECT_NEAR(h.seen.joint_positions[0], -0.12, 1e-9);
 }
 
-TEST(PosedByHand, WhatIsNoPoseHasNoEffectAndLimitsAreKept) {
+TEST(PosedByHand, InvalidPosesAreIgnoredAndLimitsKept) {
   Hand h("");
   h.live.send(command::React{false});
   h.live.send(command::PoseJoint{0, kNaN});
@@ -84,7 +84,7 @@ const char* const kSecond =
     "    base: {xyz: [0, 3, 0], rpy: [0, 0, 1.5707963267948966]}\n"
     "    motion: go.csv\n";
 
-TEST(PosedByHand, InTheClosedLoopItsReactionRestsAndTheOthersGoOn) {
+TEST(PosedByHand, SuspendsReactionOfPosedRobotOnly) {
   Hand h(kSecond);
   ASSERT_EQ(h.live.outline().robots.size(), 2u);
   EXPECT_EQ(h.live.outline().robots[1].name, "second");
@@ -116,7 +116,7 @@ TEST(PosedByHand, InTheClosedLoopItsReactionRestsAndTheOthersGoOn) {
   EXPECT_NEAR(h.seen.joint_positions[0], 0.0, 1e-9) << "on its plan";
 }
 
-TEST(PosedByHand, ASeekKeepsThePose) {
+TEST(PosedByHand, SeekKeepsPose) {
   Hand h(kSecond);
   h.live.send(command::PoseJoint{1, 0.4});
   ASSERT_TRUE(h.goTo(1.5));

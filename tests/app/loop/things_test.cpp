@@ -28,7 +28,7 @@ void steps(ClosedLoop& loop, int count) {
 
 const double kG = mechanism::kGravity.norm();
 
-class Fall : public ::testing::Test {
+class FallingObjects : public ::testing::Test {
  protected:
   /// A ball of 5 cm and half a kilogram with its lowest point `height` over a table whose top is z = 0.
   void scene(double height, const std::string& mass = "mass: 0.5") {
@@ -45,7 +45,7 @@ class Fall : public ::testing::Test {
   std::unique_ptr<session::Session> session_;
 };
 
-TEST_F(Fall, FreelyUntilItTouches) {
+TEST_F(FallingObjects, FallFreelyUntilContact) {
   scene(0.3);
   ASSERT_TRUE(session_->reacts());
   ClosedLoop loop(*session_, 0.0);
@@ -55,7 +55,7 @@ TEST_F(Fall, FreelyUntilItTouches) {
   EXPECT_NEAR(ball().X_WB.translation().z(), 0.35 - 0.5 * kG * 0.2 * 0.201, 1e-6);
 }
 
-TEST_F(Fall, AndLiesWhereTheOverlapCarriesIt) {
+TEST_F(FallingObjects, RestWhereOverlapForceCarriesWeight) {
   scene(0.02);
   ClosedLoop loop(*session_, 0.0);
   steps(loop, 3000);
@@ -73,7 +73,7 @@ TEST_F(Fall, AndLiesWhereTheOverlapCarriesIt) {
   EXPECT_LT(ball().X_WB.translation().head<2>().norm(), 5e-3);
 }
 
-TEST_F(Fall, WithoutAMassOrWithPosesItStandsWhereItIsPut) {
+TEST_F(FallingObjects, StayPutWithoutMassOrWithGivenPoses) {
   scene(0.3, "margin: 0");
   EXPECT_FALSE(session_->reacts());
   EXPECT_EQ(session_->frameTimes().size(), 1u);
@@ -93,7 +93,7 @@ TEST_F(Fall, WithoutAMassOrWithPosesItStandsWhereItIsPut) {
   EXPECT_EQ(posed->scene().find("ball")->X_WB.translation().z(), 0.5);
 }
 
-TEST_F(Fall, ASheetCannotFall) {
+TEST_F(FallingObjects, RejectOpenSheet) {
   folder_.write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const auto sheet = sessionOf(
       "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nobjects:\n"
@@ -128,7 +128,7 @@ std::unique_ptr<session::Session> holding(const testing::ScratchFolder& folder, 
       folder);
 }
 
-TEST(Held, StaysOnTheSurfaceWhileTheHandIsPressedIntoIt) {
+TEST(HeldObject, StaysOnSurfaceWhilePressed) {
   const testing::ScratchFolder folder;
   const auto session = holding(folder, ", held: true");
   ClosedLoop loop(*session, 0.0);
@@ -150,7 +150,7 @@ TEST(Held, StaysOnTheSurfaceWhileTheHandIsPressedIntoIt) {
   EXPECT_NEAR(robot.held()->wrench().force.x(), -500.0 * (hand - surface), 0.05);
 }
 
-TEST(Held, IsAnOrdinaryLinkWithoutTheLaw) {
+TEST(HeldObject, IsOrdinaryLinkWithoutLaw) {
   const testing::ScratchFolder folder;
   EXPECT_THROW(holding(folder, ""), ParseError) << "`proxy`, and nothing to hold";
   const auto session = holding(folder, ", held: true");
@@ -165,7 +165,7 @@ TEST(Held, IsAnOrdinaryLinkWithoutTheLaw) {
   EXPECT_NEAR(session->scene().find("box")->X_WB.translation().x(), 0.4, 1e-12) << "the loop gave it back";
 }
 
-TEST(Held, AllocatesNothing) {
+TEST(HeldObject, AllocatesNothing) {
   const testing::ScratchFolder folder;
   const auto session = holding(folder, ", held: true");
   ClosedLoop loop(*session, 0.0);

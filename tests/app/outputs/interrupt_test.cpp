@@ -24,13 +24,13 @@ class Interrupts : public Outputs {
     constexpr int kLongestLoad = 1600;
     for (int ticks = 100;; ticks *= 2) {
       Answer a = interrupt(command, signal, ticks);
-      if (ticks >= kLongestLoad || a.code != 130 || a.out.find("before a frame was run") == std::string::npos)
+      if (ticks >= kLongestLoad || a.code != 130 || a.out.find("before the first frame") == std::string::npos)
         return a;
     }
   }
 };
 
-TEST_F(Interrupts, SignalsEndLikeCtrlC) {
+TEST_F(Interrupts, SignalsActLikeCtrlC) {
   write("slide.csv", kLongMotion);
   const auto before = names();
   for (const char* signal : {"INT", "TERM", "HUP"}) {
@@ -51,7 +51,7 @@ TEST_F(Interrupts, SignalsEndLikeCtrlC) {
 }
 
 // timeout(1) signals its child and then its process group, so that the child gets the signal twice.
-TEST_F(Interrupts, ASignalSentTwiceAtOnceIsOne) {
+TEST_F(Interrupts, RepeatedSignalCountsOnce) {
   write("slide.csv", kLongMotion);
   const Answer a = interrupt("run scene.yaml --rate 1000 --json --pairs-out pairs.csv",
                              "TERM $pid; sleep 0.01; kill -TERM");
@@ -60,7 +60,7 @@ TEST_F(Interrupts, ASignalSentTwiceAtOnceIsOne) {
   EXPECT_TRUE(fs::exists(in("pairs.csv")));
 }
 
-TEST_F(Interrupts, APipeWithoutAReaderCanBeInterrupted) {
+TEST_F(Interrupts, PipeWithoutReaderCanBeInterrupted) {
   ASSERT_EQ(::mkfifo(in("pipe").c_str(), 0600), 0);
   const Answer a = shell(
       "\"$ABSTAND\" skeleton person.csv --json --out pipe & pid=$!; sleep 0.5; kill -TERM $pid; wait $pid; "
@@ -70,7 +70,7 @@ TEST_F(Interrupts, APipeWithoutAReaderCanBeInterrupted) {
 }
 
 // A gate that was not closed to the end is open nowhere, though all that it saw was far apart.
-TEST_F(Interrupts, CheckSaysWhatItSawAndDoesNotPass) {
+TEST_F(Interrupts, CheckReportsPartialResultAndDoesNotPass) {
   write("slide.csv", kLongMotion);
   const Answer a =
       interruptFrames("check scene.yaml --min-distance 0.01 --json --junit result.xml --report result.html");
@@ -96,17 +96,17 @@ TEST_F(Interrupts, CheckSaysWhatItSawAndDoesNotPass) {
   EXPECT_NE(readFile(in("result.html")).find("interrupted at"), std::string::npos);
 }
 
-TEST_F(Interrupts, CheckKeepsTheViolationsThatItFoundBefore) {
+TEST_F(Interrupts, CheckKeepsViolationsFoundBefore) {
   write("slide.csv", kLongMotion);
   const Answer a = interruptFrames("check scene.yaml --min-distance 0.5");
   EXPECT_EQ(a.code, 130) << a.err;
-  EXPECT_NE(a.out.find("broken: cart to wall"), std::string::npos) << a.out;
+  EXPECT_NE(a.out.find("violated: cart to wall"), std::string::npos) << a.out;
   EXPECT_NE(a.out.find("reservation (interrupted)"), std::string::npos) << a.out;
-  EXPECT_NE(a.out.find("not passed: 1 limit broken, 1 reservation (interrupted)"), std::string::npos)
+  EXPECT_NE(a.out.find("not passed: 1 limit violated, 1 reservation (interrupted)"), std::string::npos)
       << a.out;
 }
 
-TEST_F(Interrupts, PairsAreUndecidedAndNothingIsWritten) {
+TEST_F(Interrupts, PairsStayUndecidedAndWriteNothing) {
   const auto before = names();
   const std::string command =
       "pairs pair.urdf --voxel 0.05 --samples 100000000 --out pair.pairs --srdf pair.srdf";
@@ -138,7 +138,7 @@ std::string manyImages(int count, double end) {
   return text;
 }
 
-TEST_F(Interrupts, TrackThatStillLooksForPeopleHasFoundNobody) {
+TEST_F(Interrupts, TrackDuringSearchReportsNoPeople) {
   makeClip();
   // All in the first seconds, which are looked through before anybody is followed.
   write("clip/depth.txt", manyImages(20'000, 4.0));
@@ -154,7 +154,7 @@ TEST_F(Interrupts, TrackThatStillLooksForPeopleHasFoundNobody) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(Interrupts, TrackThatFollowsSomebodyWritesThem) {
+TEST_F(Interrupts, TrackWhileFollowingWritesFrames) {
   makeClip();
   write("clip/depth.txt", manyImages(20'000, 1e5));
   const Answer a =
@@ -170,7 +170,7 @@ TEST_F(Interrupts, TrackThatFollowsSomebodyWritesThem) {
   EXPECT_EQ(runJson("skeleton '" + in("person_found.csv").string() + "'")["frames"], frames);
 }
 
-TEST_F(Interrupts, ASceneThatStillTracksItsPersonHasRunNothing) {
+TEST_F(Interrupts, RunDuringTrackingHasNoFrames) {
   makeClip();
   write("clip/depth.txt", manyImages(20'000, 4.0));
   write("person.yaml",

@@ -19,7 +19,7 @@ namespace messages_test {
   return ::testing::AssertionSuccess();
 }
 
-TEST_F(Outputs, PipesAreNoInputs) {
+TEST_F(Outputs, RejectsPipesAsInput) {
   ASSERT_EQ(::mkfifo(in("pipe").c_str(), 0600), 0);
   fs::create_symlink("pipe", in("pipe.stl"));
   fs::create_symlink("pipe", in("pipe.mech"));
@@ -33,7 +33,7 @@ TEST_F(Outputs, PipesAreNoInputs) {
   }
 }
 
-TEST_F(Outputs, MessagesArePlainWhateverAFileHolds) {
+TEST_F(Outputs, MessagesEscapeControlCharacters) {
   const std::string escape = "\x1b]0;title\x07\x1b[31m\xc2\x9b\xff", word = std::string(1 << 20, 'w');
   for (const std::string& bad : {escape, escape + word}) {
     const std::vector<std::pair<std::string, std::string>> files{

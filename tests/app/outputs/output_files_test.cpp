@@ -5,7 +5,7 @@
 namespace abstand::testing {
 namespace output_files_test {
 
-TEST_F(OutputFiles, ADirectoryIsWrongUsageAndStays) {
+TEST_F(OutputFiles, RejectsDirectoryAndKeepsIt) {
   for (const Output& o : kFiles) {
     const std::string to = "folder" + o.ending;
     fs::create_directory(in(to));
@@ -20,7 +20,7 @@ TEST_F(OutputFiles, ADirectoryIsWrongUsageAndStays) {
   }
 }
 
-TEST_F(OutputFiles, TheInputItselfIsWrongUsageAndStays) {
+TEST_F(OutputFiles, RejectsInputFileAndKeepsIt) {
   for (const Output& o : kFiles) {
     if (o.input.empty()) continue;
     const std::string before = readFile(in(o.input));
@@ -37,7 +37,7 @@ TEST_F(OutputFiles, TheInputItselfIsWrongUsageAndStays) {
   }
 }
 
-TEST_F(OutputFiles, ALinkIsFollowed) {
+TEST_F(OutputFiles, FollowsSymbolicLink) {
   fs::create_directory(in("else"));
   for (const Output& o : kFiles) {
     const std::string link = "link" + o.ending, target = "else/target" + o.ending;
@@ -63,7 +63,7 @@ TEST_F(OutputFiles, ALinkIsFollowed) {
   }
 }
 
-TEST_F(OutputFiles, ADeviceIsWrittenInto) {
+TEST_F(OutputFiles, WritesIntoDevice) {
   for (const Output& o : kFiles) {
     const std::string device = "device" + o.ending;
     fs::remove(in(device));
@@ -76,7 +76,7 @@ TEST_F(OutputFiles, ADeviceIsWrittenInto) {
   }
 }
 
-TEST_F(OutputFiles, APipeGetsTheSameBytes) {
+TEST_F(OutputFiles, PipeGetsSameBytes) {
   for (const Output& o : kFiles) {
     const std::string pipe = "pipe" + o.ending, plain = "plain" + o.ending;
     ASSERT_EQ(::mkfifo(in(pipe).c_str(), 0600), 0);
@@ -95,7 +95,7 @@ TEST_F(OutputFiles, APipeGetsTheSameBytes) {
   }
 }
 
-TEST_F(OutputFiles, AFullDiskIsFourAndNothingIsLeft) {
+TEST_F(OutputFiles, FullDiskExitsWith4AndLeavesNothing) {
   for (const Output& o : kFiles) {
     const auto before = names();
     const std::string to = "out" + o.ending;
@@ -116,7 +116,7 @@ TEST_F(OutputFiles, AFullDiskIsFourAndNothingIsLeft) {
   }
 }
 
-TEST_F(OutputFiles, AFullDeviceIsFour) {
+TEST_F(OutputFiles, FullDeviceExitsWith4) {
   for (const Output& o : kFiles) {
     const std::string device = "full" + o.ending;
     fs::remove(in(device));

@@ -4,7 +4,7 @@
 namespace abstand::testing {
 namespace output_names_test {
 
-TEST_F(Outputs, AFileThatASceneReadsIsAnInputToo) {
+TEST_F(Outputs, RejectsFileReadByScene) {
   const std::string before = readFile(in("slide.csv"));
   for (const char* option : {"--pairs-out", "--session"}) {
     const Answer a = run(std::string("run scene.yaml ") + option + " slide.csv");
@@ -14,7 +14,7 @@ TEST_F(Outputs, AFileThatASceneReadsIsAnInputToo) {
   EXPECT_EQ(readFile(in("slide.csv")), before);
 }
 
-TEST_F(Outputs, TwoOutputsOfOneNameAreWrongUsage) {
+TEST_F(Outputs, RejectsTwoOutputsOfOneName) {
   makePeerScene();
   makeClip();
   const auto before = names();
@@ -30,7 +30,7 @@ TEST_F(Outputs, TwoOutputsOfOneNameAreWrongUsage) {
   }
 }
 
-TEST_F(Outputs, ASessionLogSurvivesADiskThatFillsUp) {
+TEST_F(Outputs, FullDiskLeavesNoPartialSessionLog) {
   // Limits within the header, within the data, and shortly before the end.
   ASSERT_EQ(run("run scene.yaml --session whole.h5").code, 0);
   const auto blocks_in_all = fs::file_size(in("whole.h5")) / 512;
@@ -45,7 +45,7 @@ TEST_F(Outputs, ASessionLogSurvivesADiskThatFillsUp) {
   }
 }
 
-TEST_F(Outputs, AnSrdfKeepsWhatOthersWrote) {
+TEST_F(Outputs, SrdfKeepsForeignContent) {
   const std::string hand_made = R"(<?xml version="1.0"?>
 <!-- made by hand -->
 <robot name="pair">

@@ -4,7 +4,7 @@
 namespace abstand::testing {
 namespace output_sets_test {
 
-TEST_F(Outputs, SetsOfFilesAppearWholeOrNotAtAll) {
+TEST_F(Outputs, FileSetsAreWrittenAtomically) {
   makeClip();
   // Two images, so two pictures.
   fs::copy_file(in("clip/depth_000000.png"), in("clip/depth_000001.png"));
@@ -42,7 +42,7 @@ TEST_F(Outputs, SetsOfFilesAppearWholeOrNotAtAll) {
   }
 }
 
-TEST_F(Outputs, AMeshIsNotReplacedByItsOwnStructures) {
+TEST_F(Outputs, BuildDoesNotOverwriteInputMesh) {
   ASSERT_EQ(run("build sphere:0.1 --voxel 0.05 --point 0.05 --out set").code, 0);
   const std::string before = readFile(in("set/sphere_0.1.stl"));
   const Answer a = run("build set/sphere_0.1.stl --scale 2 --voxel 0.05 --point 0.05 --out set");
@@ -50,7 +50,7 @@ TEST_F(Outputs, AMeshIsNotReplacedByItsOwnStructures) {
   EXPECT_EQ(readFile(in("set/sphere_0.1.stl")), before);
 }
 
-TEST_F(Outputs, AFolderOfInputsTakesNoPictures) {
+TEST_F(Outputs, RejectsInputFolderForImages) {
   makeClip();
   const auto before = names();
   for (const char* to : {"clip", "./clip/", "linked"}) {
@@ -64,7 +64,7 @@ TEST_F(Outputs, AFolderOfInputsTakesNoPictures) {
 }
 
 // The joints and the pictures of one run.
-TEST_F(Outputs, NoJointsAppearWhenThePicturesCannot) {
+TEST_F(Outputs, NoJointsFileIfImagesFail) {
   makeClip();
   const auto before = names();
   // The joints of one image take less than the picture.

@@ -4,7 +4,7 @@
 namespace abstand::testing {
 namespace standard_output_test {
 
-TEST_F(Outputs, StandardOutputAndDescriptorsOfTheShell) {
+TEST_F(Outputs, WritesToStandardOutputAndDescriptors) {
   ASSERT_EQ(run("skeleton person.csv --out plain").code, 0);
   const std::string plain = readFile(in("plain"));
   // The report goes to stderr, so that what comes through is the file alone.
@@ -18,7 +18,7 @@ TEST_F(Outputs, StandardOutputAndDescriptorsOfTheShell) {
   EXPECT_EQ(run("skeleton person.csv --json --out /dev/stdout").code, 2);
 }
 
-TEST_F(Outputs, FullStandardOutputIsFour) {
+TEST_F(Outputs, FullStandardOutputExitsWith4) {
   for (const char* command :
        {"fk slide.mech", "build sphere:0.1 --voxel 0.05 --point 0.05", "human --height 1.8",
         "skeleton person.csv", "run scene.yaml", "check scene.yaml --min-distance 0.01",

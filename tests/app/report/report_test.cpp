@@ -31,7 +31,7 @@ verify::CheckResult someResult() {
   return r;
 }
 
-TEST(Report, IsOnePageWithoutScriptsOrThingsFromOutside) {
+TEST(Report, IsSinglePageWithoutScriptsOrExternalResources) {
   const testing::ScratchFolder folder;
   const auto file = folder.path() / "v.html";
   writeReport({someResult()}, {}, "1.2.3", file);
@@ -46,7 +46,7 @@ TEST(Report, IsOnePageWithoutScriptsOrThingsFromOutside) {
   EXPECT_TRUE(page.ends_with("</body></html>\n"));
 }
 
-TEST(Report, PlotsStandValuesThatCannotBeShown) {
+TEST(Report, PlotsHandleNonFiniteValues) {
   verify::Plot plot = someResult().plots[0];
   plot.series.push_back({"empty", {}, {}});
   plot.series.push_back({"bad", {kNaN, kInfinity, -1.0}, {1.0, 1.0, 1.0}});

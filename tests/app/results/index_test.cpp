@@ -39,10 +39,10 @@ Rows query(const std::string& file, const std::string& sql) {
   return rows;
 }
 
-class Index : public testing::Cli {
+class ResultIndexTest : public testing::Cli {
  protected:
   static constexpr int kPeople = 5;
-  Index() {
+  ResultIndexTest() {
     ::setenv("ABSTAND_CACHE", (folder_.path() / "cache").c_str(), 1);
     for (int i = 0; i < kPeople; ++i) {
       testing::writeSlide(
@@ -85,7 +85,7 @@ class Index : public testing::Cli {
   std::string recordings_;
 };
 
-TEST_F(Index, IsTheSameForAnyNumberOfPartsAndProcesses) {
+TEST_F(ResultIndexTest, ContentIsIndependentOfShardsAndProcesses) {
   tune("whole");
   const Rows expected = content("whole");
   EXPECT_EQ(query(index("whole"), "SELECT * FROM runs").size(), kPeople);
@@ -99,7 +99,7 @@ TEST_F(Index, IsTheSameForAnyNumberOfPartsAndProcesses) {
   }
 }
 
-TEST_F(Index, HasAllResultsOfProcessesThatWroteAtOnce) {
+TEST_F(ResultIndexTest, HoldsResultsOfConcurrentProcesses) {
   std::string all;
   for (int i = 1; i <= kPeople; ++i)
     all += "'" ABSTAND_PROGRAM "' " +
@@ -111,7 +111,7 @@ TEST_F(Index, HasAllResultsOfProcessesThatWroteAtOnce) {
   EXPECT_EQ(results("at_once")["rebuilt"], false);
 }
 
-TEST_F(Index, SaysWhatTheResultsSay) {
+TEST_F(ResultIndexTest, MatchesResultFiles) {
   tune("results");
   for (const auto& entry : fs::directory_iterator(file("results") + "/results")) {
     const tune::StoredResult stored = tune::readResult(entry.path());
@@ -153,7 +153,7 @@ TEST_F(Index, SaysWhatTheResultsSay) {
   }
 }
 
-TEST_F(Index, ListsTheNearestFirst) {
+TEST_F(ResultIndexTest, ListsNearestFirst) {
   tune("results");
   const json j = results("results");
   EXPECT_EQ(j["rebuilt"], false) << "tune keeps it up to date";
@@ -165,7 +165,7 @@ TEST_F(Index, ListsTheNearestFirst) {
   EXPECT_EQ(j["runs"][0]["link"], "ball");
 }
 
-TEST_F(Index, IsMadeAgainWhereItIsDamagedOrForeign) {
+TEST_F(ResultIndexTest, IsRebuiltIfDamagedOrForeign) {
   tune("results");
   const Rows expected = content("results");
   const std::string good = readFile(index("results"));
@@ -202,7 +202,7 @@ TEST_F(Index, IsMadeAgainWhereItIsDamagedOrForeign) {
   EXPECT_EQ(run("merge " + file("results")).code, 0);
 }
 
-TEST_F(Index, FollowsTheFiles) {
+TEST_F(ResultIndexTest, TracksResultFileChanges) {
   tune("results", "--shard 1/2");
   EXPECT_EQ(results("results")["runs"].size(), 3u);
   tune("results");
@@ -218,7 +218,7 @@ TEST_F(Index, FollowsTheFiles) {
   EXPECT_EQ(results("results")["rebuilt"], false) << "merge brought it up to date";
 }
 
-TEST_F(Index, NamesAResultThatCannotBeRead) {
+TEST_F(ResultIndexTest, ReportsUnreadableResult) {
   tune("results");
   const fs::path damaged = anyResult("results");
   fs::resize_file(damaged, fs::file_size(damaged) / 2);
@@ -232,19 +232,19 @@ TEST_F(Index, NamesAResultThatCannotBeRead) {
   }
 }
 
-TEST_F(Index, IsNotNeeded) {
+TEST_F(ResultIndexTest, IsOptional) {
   tune("results");
   fs::remove(index("results"));
   fs::create_directory(index("results"));
   const Answer a = run("results " + file("results"));
   EXPECT_EQ(a.code, 0);
-  EXPECT_NE(a.err.find("warning: the index is not kept"), std::string::npos) << a.err;
+  EXPECT_NE(a.err.find("warning: the index could not be written"), std::string::npos) << a.err;
   EXPECT_EQ(std::count(a.out.begin(), a.out.end(), '\n'), kPeople + 1);
   EXPECT_EQ(run("merge " + file("results")).code, 0);
   EXPECT_EQ(run("results " + file("nothing")).code, 2);
 }
 
-TEST_F(Index, AnswersTheQueriesOfTheDocuments) {
+TEST_F(ResultIndexTest, AnswersQueriesInDocs) {
   tune("results");
   std::ifstream in(testing::projectFile("docs/margins.md"));
   std::string line, sql;

@@ -49,7 +49,7 @@ class Mcap : public testing::Cli {
   std::string recordings_;
 };
 
-TEST_F(Mcap, HoldsTheRowsOfTheTable) {
+TEST_F(Mcap, HoldsTableRows) {
   tune(recordings_);
   const json found = checked("");
   EXPECT_EQ(found["rows"], 3 * 251 * 14);
@@ -60,14 +60,14 @@ TEST_F(Mcap, HoldsTheRowsOfTheTable) {
   EXPECT_GT(found["approaches"], 0);
 }
 
-TEST_F(Mcap, HoldsTheEventsAtAMargin) {
+TEST_F(Mcap, HoldsEventsAtMargin) {
   tune(recordings_);
   const Answer events = run("events " + file("results") + " --margin 0.3 --json");
   write("events.json", events.out);
   EXPECT_GT(checked(" --margin 0.3", " " + file("events.json"))["events"], 0);
 }
 
-TEST_F(Mcap, LeavesOutWhatIsNotKnown) {
+TEST_F(Mcap, OmitsUnknownClearances) {
   // The left hand is never seen.
   std::ifstream in(file("person1.csv"));
   std::ofstream out(file("blind.csv"));
@@ -91,7 +91,7 @@ TEST_F(Mcap, LeavesOutWhatIsNotKnown) {
   EXPECT_LT(found["unseen"], found["rows"]);
 }
 
-TEST_F(Mcap, BeginsAtZeroWhereTimesAreNegative) {
+TEST_F(Mcap, ShiftsNegativeTimesToZero) {
   std::ifstream in(file("person1.csv"));
   std::ofstream out(file("early.csv"));
   std::string line;
@@ -106,7 +106,7 @@ TEST_F(Mcap, BeginsAtZeroWhereTimesAreNegative) {
   EXPECT_EQ(checked("")["topics"].size(), 15u);
 }
 
-TEST_F(Mcap, IsWrittenWholeOrNotAtAllAndTheSameEachTime) {
+TEST_F(Mcap, IsWrittenAtomicallyAndReproducibly) {
   tune(recordings_);
   const std::string command = "export " + file("results") + " --mcap ";
   EXPECT_EQ(run(command + file("x.mcap")).code, 0);

@@ -48,9 +48,9 @@ class Pdf : public testing::Cli {
   std::string path_ = ::getenv("PATH");
 };
 
-TEST_F(Pdf, NamesThePackageThatIsMissing) { expectNothing(report(true), 2, "apt-get install weasyprint"); }
+TEST_F(Pdf, NamesMissingPackage) { expectNothing(report(true), 2, "apt-get install weasyprint"); }
 
-TEST_F(Pdf, IsWhatTheConverterMakesOfThePage) {
+TEST_F(Pdf, HoldsConverterOutput) {
   standIn("wkhtmltopdf",
           "for page; do last=$page; [ -f \"$page\" ] && html=$page; done\n"
           "{ printf '%%PDF-'; /bin/cat \"$html\"; } >\"$last\"");
@@ -64,7 +64,7 @@ TEST_F(Pdf, IsWhatTheConverterMakesOfThePage) {
   EXPECT_NE(pdf.find("fill=\"none\" stroke=\"#0072b2\""), std::string::npos);
 }
 
-TEST_F(Pdf, IsNotThereWhereTheConverterFails) {
+TEST_F(Pdf, IsNotWrittenIfConverterFails) {
   standIn("weasyprint", "echo some words; echo 'no memory for fonts' >&2; exit 3");
   expectNothing(report(true), 4, "no memory for fonts");
   standIn("weasyprint", "for page; do last=$page; done; echo '<html>' >\"$last\"");
@@ -74,7 +74,7 @@ TEST_F(Pdf, IsNotThereWhereTheConverterFails) {
   EXPECT_FALSE(fs::exists(file("page.pdf")));
 }
 
-TEST_F(Pdf, IsMadeByWhatIsInstalled) {
+TEST_F(Pdf, UsesInstalledConverter) {
   if (!findProgram("weasyprint") && !findProgram("wkhtmltopdf")) GTEST_SKIP() << "no converter is installed";
   const Answer a = report(false);
   ASSERT_EQ(a.code, 0) << a.err;
@@ -82,11 +82,11 @@ TEST_F(Pdf, IsMadeByWhatIsInstalled) {
   if (!findProgram("pdftotext")) return;
   ASSERT_EQ(std::system(("pdftotext '" + file("page.pdf") + "' '" + file("page.txt") + "'").c_str()), 0);
   const std::string text = readFile(file("page.txt"));
-  for (const char* said : {"Proposed margins", "What margins cost", "Nearest approaches", "Signature"})
+  for (const char* said : {"Proposed margins", "Cost of margins", "Nearest approaches", "Signature"})
     EXPECT_NE(text.find(said), std::string::npos) << said;
 }
 
-TEST(ChildProgram, GetsItsArgumentsAsTheyAre) {
+TEST(ChildProgram, PassesArgumentsVerbatim) {
   const auto echo = findProgram("echo");
   ASSERT_TRUE(echo);
   const ProgramEnd end = runProgram(*echo, {"first\nsecond $HOME; `exit 1` *"}, 10.0);
@@ -96,7 +96,7 @@ TEST(ChildProgram, GetsItsArgumentsAsTheyAre) {
   EXPECT_FALSE(findProgram("no-such-program-anywhere"));
 }
 
-TEST(ChildProgram, IsKilledWithWhatItStarted) {
+TEST(ChildProgram, TimeoutKillsDescendants) {
   const testing::ScratchFolder folder;
   const auto begin = std::chrono::steady_clock::now();
   const std::string alive = (folder.path() / "alive").string();

@@ -13,7 +13,7 @@ namespace live_loop_test {
 using testing::SlideScene;
 using testing::thingComesTo;
 
-TEST(LiveLoop, RobotsReactToTheNewestResults) {
+TEST(LiveLoop, RobotsReactToNewestResults) {
   SlideScene s("{repulsion: {range: 0.2, force: 100}}", thingComesTo(0.05));
   RunOptions options;
   options.start = 0.6;
@@ -31,7 +31,7 @@ TEST(LiveLoop, RobotsReactToTheNewestResults) {
   EXPECT_GT(live.robots[0].record.max_off_plan, 0.01);
 }
 
-TEST(LiveLoop, WhatIsBehindStopsARobot) {
+TEST(LiveLoop, StaleResultsStopRobot) {
   // The group of a robot's pairs that gives no results: here none at all does.
   SlideScene s("{stop: {input_age: 0.05}}");
   loop::ClosedLoop loop(*s.session, 0.0);
@@ -47,7 +47,7 @@ TEST(LiveLoop, WhatIsBehindStopsARobot) {
   EXPECT_NEAR(report[0].stops[0].t, 0.051, 1e-9);
 }
 
-TEST(LiveLoop, APairOfAReactingRobotThatNoGroupHasIsRefused) {
+TEST(LiveLoop, RejectsRobotPairOutsideGroups) {
   SlideScene s("{}");
   EXPECT_THROW(LiveLoop(*s.session, 0.0, {}), UsageError);
   LiveLoop both(*s.session, 0.0, {{PairId(0)}});
@@ -56,7 +56,7 @@ TEST(LiveLoop, APairOfAReactingRobotThatNoGroupHasIsRefused) {
   EXPECT_NEAR(results[0].distance, 0.5, 1e-3);
 }
 
-TEST(LiveLoop, ASceneTakesResultsInThePlaceOfItsOwn) {
+TEST(LiveLoop, SceneAcceptsExternalResults) {
   SlideScene s("{}", thingComesTo(0.05));
   session::Session& session = *s.session;
   scene::Scene& scene = session.scene();

@@ -79,7 +79,7 @@ void expectNear(const Row& live, const Row& step, const std::string& key) {
 
 class ShippedScene : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ShippedScene, LiveModeWritesWhatLockStepWrites) {
+TEST_P(ShippedScene, LiveModeMatchesLockStep) {
   const ScratchFolder folder;
   scene_file::SceneDescription scene =
       scene_file::loadScene(projectFile(std::string("data/scenes/") + GetParam() + ".yaml"));
@@ -129,14 +129,14 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                                            "two_people"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST(ShippedScenes, AllOfThemAreCompared) {
+TEST(ShippedScenes, AreAllCompared) {
   std::size_t shipped = 0;
   for (const auto& entry : std::filesystem::directory_iterator(projectFile("data/scenes")))
     shipped += entry.path().extension() == ".yaml";
   EXPECT_EQ(shipped, 11u) << "a scene that is new belongs into the list above";
 }
 
-TEST(LiveRun, InRealTimeTheForcesOfWhatTouchesAreThereFromTheFirstFrame) {
+TEST(LiveRun, RealTimeHasContactForcesFromFirstFrame) {
   // The thing overlaps the ball by 2 cm and nothing moves, so that no machine is too slow.
   SlideScene s("{}", testing::thingAt([](double) { return 0.08; }));
   const ScratchFolder folder;

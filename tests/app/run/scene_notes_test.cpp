@@ -27,7 +27,7 @@ const scene::SceneNote* noteOf(const std::vector<scene::SceneNote>& notes, const
   return it == notes.end() ? nullptr : &*it;
 }
 
-TEST(SceneNotes, AreReservationsBrokenLimitsAndRemarksTheWorstFirst) {
+TEST(SceneNotes, ListReservationsLimitsAndRemarksWorstFirst) {
   const testing::ScratchFolder folder;
   folder.write("slide.mech",
                "chain\n frame 1 0 0 d 0\nend_chain\nlimits\n limit 1 -1 1 0.5 21\nend_limits\n");
@@ -59,7 +59,7 @@ TEST(SceneNotes, AreReservationsBrokenLimitsAndRemarksTheWorstFirst) {
                      [](const scene::SceneNote& a, const scene::SceneNote& b) { return a.fails > b.fails; }));
 }
 
-TEST(SceneNotes, ASceneWithoutDoubtsHasNone) {
+TEST(SceneNotes, SoundSceneHasNone) {
   const testing::ScratchFolder folder;
   const auto notes = notesOfScene(folder,
                                   "objects:\n  - {name: a, shape: {sphere: {radius: 0.1}}}\n"

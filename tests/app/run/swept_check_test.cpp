@@ -16,9 +16,9 @@ std::shared_ptr<const structure::HapticStructure> build(const char* name, const 
 }
 
 /// A wall across x = 0, 2 cm thick, and a ball of 5 cm.
-class Fly : public ::testing::Test {
+class SweptCheckTest : public ::testing::Test {
  protected:
-  Fly() {
+  SweptCheckTest() {
     wall_ = scene_.addObject({"wall", "objects", build("wall", geometry::Cuboid{{0.02, 0.6, 0.6}}), 0.0});
     ball_ = scene_.addObject({"ball", "objects", build("ball", geometry::Sphere{0.05}), 0.0});
     scene_.addPair(wall_, ball_);
@@ -36,7 +36,7 @@ class Fly : public ::testing::Test {
   ObjectId wall_{0}, ball_{0};
 };
 
-TEST_F(Fly, WhatPassesByIsAsNearAsInClosedForm) {
+TEST_F(SweptCheckTest, PassingObjectMatchesClosedForm) {
   SweptCheck swept(scene_);
   const double limit = 0.2;
   EXPECT_EQ(swept.frame(0.0, at(0.0, {0.11, -1, 0}), {&limit, 1})[0].lower, kInfinity) << "nothing before";
@@ -49,7 +49,7 @@ TEST_F(Fly, WhatPassesByIsAsNearAsInClosedForm) {
   EXPECT_NEAR(between.t, 0.005, 0.0015 + 0.5e-5);
 }
 
-TEST_F(Fly, WhatIsCertainlyFarEnoughCostsNoQuery) {
+TEST_F(SweptCheckTest, DistantObjectNeedsNoQuery) {
   SweptCheck swept(scene_);
   const double limit = 0.1;
   swept.frame(0.0, at(0.0, {1.0, 0, 0}), {&limit, 1});
@@ -59,7 +59,7 @@ TEST_F(Fly, WhatIsCertainlyFarEnoughCostsNoQuery) {
   EXPECT_LE(between.lower, 0.84);
 }
 
-TEST_F(Fly, WhatGoesThroughIsBrokenOnlyForWhoLooksBetween) {
+TEST_F(SweptCheckTest, PassThroughIsFoundOnlyBetweenFrames) {
   for (const bool look : {false, true}) {
     DistanceCheck check(scene_, 0.01, false, look, "");
     check.frame(0.0, at(0.0, {0.4, 0, 0}));
@@ -76,7 +76,7 @@ TEST_F(Fly, WhatGoesThroughIsBrokenOnlyForWhoLooksBetween) {
   }
 }
 
-TEST_F(Fly, AJumpBackHasNothingBetween) {
+TEST_F(SweptCheckTest, BackwardJumpIsNotSwept) {
   SweptCheck swept(scene_);
   const double limit = 0.1;
   swept.frame(1.0, at(1.0, {0.4, 0, 0}), {&limit, 1});

@@ -20,7 +20,7 @@ PairsDescription rules(PairDefault standard, bool exclude_adjacent = true) {
   return r;
 }
 
-TEST(PairSelection, CountsOfTheDefaults) {
+TEST(PairSelection, DefaultsGiveExpectedCounts) {
   EXPECT_EQ(selectPairs(kBodies, rules(PairDefault::kAll, false), kAdjacent).size(), 21u);
   EXPECT_EQ(selectPairs(kBodies, rules(PairDefault::kAll), kAdjacent).size(), 18u);
   // 3 x 2 + 3 x 2 + 2 x 2: groups a, h and objects
@@ -29,7 +29,7 @@ TEST(PairSelection, CountsOfTheDefaults) {
   EXPECT_TRUE(selectPairs({}, rules(PairDefault::kAll), {}).empty());
 }
 
-TEST(PairSelection, PartsOfOnePersonOnlyWhereAsked) {
+TEST(PairSelection, SelfPairsOfPersonOnlyOnRequest) {
   // Two people of three parts, of which the first two are adjacent, and a thing.
   std::vector<SelectableBody> bodies;
   for (const char* person : {"p", "q"})
@@ -62,7 +62,7 @@ TEST(PairSelection, TwoArmsOfSevenLinksHave79Pairs) {
   EXPECT_EQ(selectPairs(bodies, rules(PairDefault::kAll), adjacent).size(), 79u);
 }
 
-TEST(PairSelection, PairsComeInOrder) {
+TEST(PairSelection, PairsAreSorted) {
   const auto pairs = selectPairs(kBodies, rules(PairDefault::kAll), kAdjacent);
   EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
   for (const auto& [a, b] : pairs) EXPECT_LT(a, b);
@@ -84,7 +84,7 @@ TEST(PairSelection, LaterRulesWin) {
   EXPECT_EQ(std::count(pairs.begin(), pairs.end(), std::pair(5, 6)), 0);
 }
 
-TEST(PairSelection, UnknownNamesAreRefusedWithTheNearest) {
+TEST(PairSelection, UnknownNamesAreRejectedWithSuggestion) {
   auto r = rules(PairDefault::kAll);
   r.exclude = {{"a0", "a1"}, {"a0", "h/haed"}};
   r.exclude_pos = {{"s.yaml", 7, 3}, {"s.yaml", 8, 3}};

@@ -79,7 +79,7 @@ threads:
 skipping: {rest: 0.01, horizon: 2.5, budget: 0.0005}
 )";
 
-TEST_F(SceneFile, EveryKeyIsUnderstood) {
+TEST_F(SceneFile, ReadsEveryKey) {
   const auto s = parse(kFull);
   EXPECT_EQ(s.file, path("scene.yaml"));
   EXPECT_EQ(s.defaults.haptic.voxel_size, 0.004);
@@ -165,7 +165,7 @@ TEST_F(SceneFile, EveryKeyIsUnderstood) {
   EXPECT_EQ(s.culling.budget, 0.0005);
 }
 
-TEST_F(SceneFile, TheLeastSceneHasTheDefaults) {
+TEST_F(SceneFile, MinimalSceneHasDefaults) {
   const auto s = parse("abstand: 1\n");
   EXPECT_EQ(s.defaults.haptic.voxel_size, structure::HapticOptions{}.voxel_size);
   EXPECT_EQ(s.defaults.stiffness, 1e6);
@@ -184,7 +184,7 @@ TEST_F(SceneFile, PathsAreRelativeToTheSceneFileOrAbsolute) {
   EXPECT_EQ(s.objects[1].mesh, path("link1.stl"));
 }
 
-TEST_F(SceneFile, AliasesAreWrittenOut) {
+TEST_F(SceneFile, AliasesAreExpanded) {
   const auto s = parse(
       "abstand: 1\nobjects:\n  - {name: a, shape: &ball {sphere: {radius: 0.1}}}\n  - {name: b, shape: "
       "*ball}\n");
@@ -311,7 +311,7 @@ void expectSame(const SceneDescription& a, const SceneDescription& b) {
   EXPECT_EQ(a.threads, b.threads);
 }
 
-TEST_F(SceneFile, DescribedScenesReadBackTheSame) {
+TEST_F(SceneFile, DescribedScenesRoundTrip) {
   for (const char* text :
        {kFull, "abstand: 1\n", "abstand: 1\npairs: {default: none}\nobjects: []\n",
         "abstand: 1\nobjects:\n  - {name: 'null', shape: {sphere: {radius: 1.0e-3}}, margin: 0}\n"
@@ -327,7 +327,7 @@ TEST_F(SceneFile, DescribedScenesReadBackTheSame) {
   }
 }
 
-TEST_F(SceneFile, APercentileTakesThePlaceOfHeightAndMass) {
+TEST_F(SceneFile, PercentileReplacesHeightAndMass) {
   const auto scene = parse(
       "abstand: 1\nhumans:\n  - {name: large, percentile: 95, sex: m}\n"
       "  - {name: heavy, percentile: 97.5, height: 1.8, mass: 95}\n  - {name: usual}\n");
@@ -345,7 +345,7 @@ TEST_F(SceneFile, APercentileTakesThePlaceOfHeightAndMass) {
   expectSame(scene, parse(described));
 }
 
-TEST_F(SceneFile, NamesPartsThatMayBeClamped) {
+TEST_F(SceneFile, ReadsClampedParts) {
   const auto scene =
       parse("abstand: 1\nhumans:\n  - {name: p, clamped: [torso, hand_left]}\n  - {name: q}\n");
   using enum humanmodel::BodyPart;
@@ -354,7 +354,7 @@ TEST_F(SceneFile, NamesPartsThatMayBeClamped) {
   expectSame(scene, parse(describeScene(scene)));
 }
 
-TEST_F(SceneFile, AReactionReadsBackTheSame) {
+TEST_F(SceneFile, ReactionRoundTrips) {
   folder_.write("arm.mech",
                 "mapping\ndof 0 1\ndof 1 2\nend_mapping\nchain\nframe 1 0 0 0 theta\n"
                 "frame 2 0 90 0 theta\nend_chain\n");
@@ -376,7 +376,7 @@ TEST_F(SceneFile, AReactionReadsBackTheSame) {
   expectSame(scene, parse(describeScene(scene)));
 }
 
-TEST_F(SceneFile, ShippedScenesReadBackTheSame) {
+TEST_F(SceneFile, ShippedScenesRoundTrip) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::projectFile("data/scenes"))) {
     if (entry.path().extension() != ".yaml") continue;
@@ -388,7 +388,7 @@ TEST_F(SceneFile, ShippedScenesReadBackTheSame) {
   EXPECT_GT(scenes, 0);
 }
 
-TEST_F(SceneFile, AnyPoseReadsBackWithinRounding) {
+TEST_F(SceneFile, PosesRoundTripWithinRounding) {
   SceneDescription scene;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     ObjectDescription o;
@@ -412,7 +412,7 @@ TEST_F(SceneFile, AnyPoseReadsBackWithinRounding) {
   }
 }
 
-TEST(YamlDocument, NodesKnowTheirPlaces) {
+TEST(YamlDocument, NodesHavePositions) {
   const auto root = config::parseYaml("# comment\na: [1, 'two']\nb:\n  - {c: ~}\n", "f");
   ASSERT_EQ(root.kind, config::YamlNode::Kind::kMap);
   ASSERT_EQ(root.keys.size(), 2u);

@@ -55,7 +55,7 @@ void expectRefused(const std::string& head, const std::vector<BadScene>& cases) 
   }
 }
 
-TEST(BadScenes, Yaml) {
+TEST(SceneErrors, RejectsBadYaml) {
   expectRefused("", {
                         {"{{{{", 1, 0, "YAML"},
                         {"", 1, 1, "no YAML value"},
@@ -68,15 +68,15 @@ TEST(BadScenes, Yaml) {
                         {"abstand: 1\n---\nabstand: 1\n", 0, 0, "second YAML document"},
                         {"abstand: 1\n]", 2, 0, "YAML"},
                         {"abstand: 1\nobjects: *nobody", 2, 0, "YAML"},
-                        {"abstand: 1\nobjects: &a [*a]", 2, 14, "alias inside"},
+                        {"abstand: 1\nobjects: &a [*a]", 2, 14, "recursive alias"},
                         {"abstand: 1\nobjects: !mine []", 2, 10, "tag"},
-                        {"abstand: 1\n? [a, b]\n: 1", 2, 3, "key that is no text"},
+                        {"abstand: 1\n? [a, b]\n: 1", 2, 3, "key that is not a scalar"},
                         {"abstand: 1\nna\x01me: 2", 2, 3, "control character"},
                         {"abstand: 1\nobjects: \"\\q\"", 2, 0, "YAML"},
                     });
 }
 
-TEST(BadScenes, TopLevel) {
+TEST(SceneErrors, RejectsBadTopLevel) {
   expectRefused("", {
                         {"objects: []\n", 1, 1, "abstand: 1"},
                         {"abstand: 2\n", 1, 10, "format version 1"},
@@ -109,7 +109,7 @@ TEST(BadScenes, TopLevel) {
                     });
 }
 
-TEST(BadScenes, Objects) {
+TEST(SceneErrors, RejectsBadObjects) {
   expectRefused(
       kObject,
       {
@@ -118,14 +118,14 @@ TEST(BadScenes, Objects) {
           {"  - {name: a}\n", 3, 5, "neither `mesh` and `shape`"},
           {"  - {name: a, structure: none.structure}\n", 3, 26, "found no file"},
           {"  - {name: a, structure: a, shape: {sphere: {radius: 1}}}\n", 3, 15,
-           "`structure` beside `shape`"},
+           "`structure` together with `shape`"},
           {"  - {name: a, mesh: a.stl, shape: {sphere: {radius: 1}}}\n", 3, 28, "both `mesh` and `shape`"},
           {"  - {name: a, mesh: missing.stl}\n", 3, 21, "missing.stl"},
           {"  - {name: a, mesh: missing.stl}\n", 3, 21, "relative to the folder"},
           {"  - {name: a, mesh: .}\n", 3, 21, "a folder"},
           {"  - {name: a, mesh: /dev/null}\n", 3, 21, "no regular file"},
           {"  - {name: a, mesh: a.stl, scale: 0}\n", 3, 35, "`scale`"},
-          {"  - {name: a, shape: {sphere: {radius: 1}}, scale: 2}\n", 3, 45, "beside a mesh only"},
+          {"  - {name: a, shape: {sphere: {radius: 1}}, scale: 2}\n", 3, 45, "with a mesh only"},
           {"  - {name: a, shape: sphere}\n", 3, 22, "expected a map"},
           {"  - {name: a, shape: {}}\n", 3, 22, "found 0 shapes"},
           {"  - {name: a, shape: {sphere: {radius: 1}, cuboid: {size: [1, 1, 1]}}}\n", 3, 22,
@@ -145,7 +145,7 @@ TEST(BadScenes, Objects) {
           {"  - {name: a, shape: {sphere: {radius: 1}}, pose: {quat: [0, 0, 0, 1]}}\n", 3, 52, "quat"},
           {"  - {name: a, shape: {sphere: {radius: 1}}, marign: 1}\n", 3, 45, "did you mean `margin`?"},
           {"  - {name: a, shape: {sphere: {radius: 1}}}\n  - {name: a, shape: {sphere: {radius: 1}}}\n", 4,
-           12, "taken already"},
+           12, "already used"},
           {"  - {name: '', shape: {sphere: {radius: 1}}}\n", 3, 12, "1 to 4096 characters"},
           {"  - {name: [a], shape: {sphere: {radius: 1}}}\n", 3, 12, "found a list"},
           {"  - {name: 'a,b', shape: {sphere: {radius: 1}}}\n", 3, 12, "no comma"},
@@ -154,14 +154,14 @@ TEST(BadScenes, Objects) {
       });
 }
 
-TEST(BadScenes, Mechanisms) {
+TEST(SceneErrors, RejectsBadMechanisms) {
   expectRefused(
       kMechanism,
       {
           {"  - {name: arm}\n", 3, 5, "found no `file`"},
           {"  - {name: objects, file: arm.mech}\n", 3, 12, "group of all single objects"},
           {"  - {name: arm, file: gone.urdf}\n", 3, 23, "gone.urdf"},
-          {"  - {name: arm, file: arm.mech}\n  - {name: arm, file: arm.mech}\n", 4, 12, "taken already"},
+          {"  - {name: arm, file: arm.mech}\n  - {name: arm, file: arm.mech}\n", 4, 12, "already used"},
           {"  - {name: arm, file: arm.mech, q: 1}\n", 3, 36, "expected a list"},
           {"  - {name: arm, file: arm.mech, q: [0, .inf]}\n", 3, 40, "finite"},
           {"  - {name: arm, file: still.mech, reaction: {}}\n", 3, 45, "nothing moves"},
@@ -188,11 +188,11 @@ TEST(BadScenes, Mechanisms) {
           {"  - {name: arm, file: arm.mech, links: [{name: l, frame: 1, mesh: b.stl}]}\n", 3, 67, "b.stl"},
           {"  - name: arm\n    file: arm.mech\n    links:\n      - {name: l, frame: 1, mesh: a.stl}\n"
            "      - {name: l, frame: 2, mesh: a.stl}\n",
-           7, 16, "taken already"},
+           7, 16, "already used"},
       });
 }
 
-TEST(BadScenes, Humans) {
+TEST(SceneErrors, RejectsBadHumans) {
   expectRefused(
       kHuman,
       {
@@ -225,13 +225,13 @@ TEST(BadScenes, Humans) {
           {"  - {name: p, recording: {file: a.stl, joint_map: no.map}}\n", 3, 51, "no.map"},
           {"  - {name: p, recording: {file: a.stl, marker_set: no.markers}}\n", 3, 52, "auto, none or a"},
           {"  - {name: p, recording: {file: a.stl, place: {yaw: left}}}\n", 3, 53, "finite number"},
-          {"  - {name: p}\n  - {name: p}\n", 4, 12, "taken already"},
+          {"  - {name: p}\n  - {name: p}\n", 4, 12, "already used"},
           {"  - {name: p}\nobjects:\n  - {name: p/head, shape: {sphere: {radius: 1}}}\n", 5, 12,
-           "taken already"},
+           "already used"},
       });
 }
 
-TEST(BadScenes, PairsAndThreads) {
+TEST(SceneErrors, RejectsBadPairsAndThreads) {
   expectRefused(
       "abstand: 1\nobjects: [{name: aa, shape: {sphere: {radius: 1}}}, {name: bb, shape: {sphere: {radius: "
       "1}}}]\n",
@@ -252,7 +252,7 @@ TEST(BadScenes, PairsAndThreads) {
       });
 }
 
-TEST(BadScenes, HugeAndNestedInput) {
+TEST(SceneErrors, RejectsHugeAndNestedInput) {
   SourcePos pos;
   const std::string head = "abstand: 1\nobjects: ";
   for (const char* open : {"[", "{a: ", "- "}) {
@@ -283,7 +283,7 @@ TEST(BadScenes, HugeAndNestedInput) {
   EXPECT_EQ(pos.line, 1003);
 }
 
-TEST(BadScenes, TheMessageIsOneLineAndAHint) {
+TEST(SceneErrors, MessageIsOneLineAndHint) {
   SourcePos pos;
   const auto message = errorOf("abstand: 1\nobjekts: []\n", pos);
   EXPECT_NE(

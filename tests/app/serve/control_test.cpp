@@ -34,7 +34,7 @@ std::vector<std::byte> control(std::uint32_t order, std::uint32_t group, std::ui
   return bytes;
 }
 
-TEST(ControlPacket, BytesAndJsonSayTheSame) {
+TEST(ControlPacket, BytesAndJsonAgree) {
   struct Case {
     std::vector<std::byte> bytes;
     const char* json;
@@ -68,7 +68,7 @@ TEST(ControlPacket, BytesAndJsonSayTheSame) {
   }
 }
 
-TEST(ControlPacket, WhatNamesNothingIsRefused) {
+TEST(ControlPacket, RejectsUnknownGroupsAndPairs) {
   Packet p = makePacket(kFormat);
   EXPECT_EQ(parsePacket(control(8, 0, 0, 0), kFormat, p), PacketFault::kIndex);
   EXPECT_EQ(parsePacket(control(2, 2, 0, 0), kFormat, p), PacketFault::kIndex);
@@ -121,7 +121,7 @@ class ControlledScene : public ::testing::Test {
   Packet packet_;
 };
 
-TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
+TEST_F(ControlledScene, StoppedGroupIsStaleAndStopsRobot) {
   joints(0.5, 0.01);
   ASSERT_EQ(report().robots[0].state, safety::StopState::kRunning);
   ASSERT_EQ(report().nearest[0].trust, Trust::kFresh);
@@ -143,7 +143,7 @@ TEST_F(ControlledScene, AStoppedGroupIsStaleAndStopsItsRobot) {
   EXPECT_EQ(report().robots[0].state, safety::StopState::kRunning);
 }
 
-TEST_F(ControlledScene, APairIsTakenOutAndPutBack) {
+TEST_F(ControlledScene, PairIsRemovedAndAdded) {
   joints(0.5, 0.01);
   const Control remove{ControlOrder::kRemove, kAllGroups, 1, 0}, add{ControlOrder::kAdd, 0, 0, 1};
   EXPECT_EQ(handle(add, 0.01), session::PairControl::Outcome::kInGroup);
@@ -178,7 +178,7 @@ TEST_F(ControlledScene, TorquesAreTurnedOffAndOn) {
   EXPECT_EQ(load<std::uint32_t>(bytes, 24) & 24u, 0u);
 }
 
-TEST_F(ControlledScene, TheAnswerSaysWhatTheGroupsDo) {
+TEST_F(ControlledScene, AnswerReportsGroupStates) {
   joints(0.5, 0.01);
   const auto outcome = handle({ControlOrder::kPause, 0}, 0.02);
   joints(0.5, 0.02);

@@ -44,7 +44,7 @@ std::vector<std::string> lines(LineInput& input) {
   return all;
 }
 
-TEST(LineInput, HandsOutWholeLinesOnly) {
+TEST(LineInput, ReturnsWholeLinesOnly) {
   Pipe pipe;
   LineInput input(pipe.reader(), 100);
   EXPECT_FALSE(input.next()) << "nothing is there, and it does not wait";
@@ -74,7 +74,7 @@ TEST(LineInput, SkipsLinesThatAreTooLong) {
 }
 
 /// However the bytes are cut, the lines are the same.
-TEST(LineInput, ForgetsNothingAtAnyCut) {
+TEST(LineInput, LinesAreIndependentOfChunkBoundaries) {
   std::mt19937 random(1);
   std::string text;
   std::vector<std::string> sent;
@@ -112,7 +112,7 @@ humanmodel::SkeletonFrame someone() {
   return frame;
 }
 
-TEST(SkeletonLine, IsReadBackBitByBit) {
+TEST(SkeletonLine, RoundTripsBitExactly) {
   const PacketFormat format{{}, {"operator", "visitor"}};
   Packet packet = makePacket(format);
   const humanmodel::SkeletonFrame frame = someone();
@@ -139,7 +139,7 @@ TEST(SkeletonLine, IsReadBackBitByBit) {
   EXPECT_FALSE(isLineName(std::string(kMaxNameBytes + 1, 'n')));
 }
 
-TEST(SkeletonLine, TheLongestFits) {
+TEST(SkeletonLine, LongestLineFitsBuffer) {
   humanmodel::SkeletonFrame frame;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
     frame.set(static_cast<humanmodel::Joint>(j), Vector3d::Constant(-1.2345678901234567e-300),
@@ -150,7 +150,7 @@ TEST(SkeletonLine, TheLongestFits) {
             0u);
 }
 
-TEST(SkeletonSender, NamesGoToPeopleAsTheyCome) {
+TEST(SkeletonSender, AssignsNamesInOrderOfAppearance) {
   UdpSocket server(parseAddress("127.0.0.1:0", "--bind"));
   SkeletonSender sender(describe(server.address()), {"operator", "visitor"});
   const PacketFormat format{{}, {"operator", "visitor"}};
@@ -186,7 +186,7 @@ TEST(SkeletonSender, NamesGoToPeopleAsTheyCome) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(SkeletonSender, RefusesWhatCannotBeSent) {
+TEST(SkeletonSender, RejectsInvalidAddressesAndNames) {
   EXPECT_THROW(SkeletonSender("127.0.0.1", {"a"}), UsageError);
   EXPECT_THROW(SkeletonSender("127.0.0.1:1", {"a\"b"}), UsageError);
   EXPECT_THROW(SkeletonSender("127.0.0.1:1", {"a", "a"}), UsageError);

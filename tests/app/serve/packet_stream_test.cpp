@@ -13,19 +13,19 @@ namespace packet_stream_test {
 const Address kHere = parseAddress("127.0.0.1:1000", "--bind");
 const Address kThere = parseAddress("127.0.0.1:1001", "--bind");
 
-struct Streamed : ::testing::Test {
+struct PacketStreamTest : ::testing::Test {
   PacketStream stream{0.1};
   StreamCounts counts;
   double t{0.0};
   bool take(std::uint32_t n, const Address& from = kHere) { return stream.take(n, t += 0.001, from, counts); }
 };
 
-TEST_F(Streamed, InOrderNothingIsCounted) {
+TEST_F(PacketStreamTest, InOrderPacketsCountNoFaults) {
   for (std::uint32_t n = 5; n < 500; ++n) EXPECT_TRUE(take(n));
   EXPECT_EQ(counts.late + counts.lost + counts.duplicates + counts.foreign, 0);
 }
 
-TEST_F(Streamed, LostLateAndTwice) {
+TEST_F(PacketStreamTest, CountsLostLateAndDuplicatePackets) {
   EXPECT_TRUE(take(10));
   EXPECT_TRUE(take(14));
   EXPECT_EQ(counts.lost, 3);
@@ -45,7 +45,7 @@ TEST_F(Streamed, LostLateAndTwice) {
   EXPECT_EQ(counts.late, 3);
 }
 
-TEST_F(Streamed, NumbersGoRound) {
+TEST_F(PacketStreamTest, SequenceNumbersWrapAround) {
   EXPECT_TRUE(take(0xfffffffe));
   EXPECT_TRUE(take(0xffffffff));
   EXPECT_TRUE(take(0));
@@ -55,7 +55,7 @@ TEST_F(Streamed, NumbersGoRound) {
   EXPECT_EQ(counts.duplicates, 1);
 }
 
-TEST_F(Streamed, BelongsToItsSenderUntilItIsSilent) {
+TEST_F(PacketStreamTest, AcceptsOtherSenderOnlyAfterSilence) {
   EXPECT_TRUE(take(1));
   EXPECT_FALSE(take(2, kThere));
   EXPECT_EQ(counts.foreign, 1);
@@ -65,7 +65,7 @@ TEST_F(Streamed, BelongsToItsSenderUntilItIsSilent) {
   EXPECT_EQ(counts.foreign, 2);
 }
 
-TEST_F(Streamed, BeginsAnewAfterSilence) {
+TEST_F(PacketStreamTest, RestartsAfterSilence) {
   EXPECT_TRUE(take(1000));
   EXPECT_FALSE(take(1));
   t += 0.2;
@@ -91,7 +91,7 @@ TEST(JointOwnership, EveryJointValueHasOneSender) {
   EXPECT_TRUE(owners.mayTake(0, 0.18, kHere));
 }
 
-TEST(ServeAddress, ReadsAndWrites) {
+TEST(ServeAddress, ParsesAndFormats) {
   for (const char* text : {"127.0.0.1:4780", "0.0.0.0:0", "[::1]:65535"})
     EXPECT_EQ(describe(parseAddress(text, "--bind")), text);
   for (const char* bad : {"", "localhost:1", "127.0.0.1", "127.0.0.1:", "127.0.0.1:65536", "127.0.0.1:1x",

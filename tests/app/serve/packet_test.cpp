@@ -56,7 +56,7 @@ PacketFault parse(std::string_view text) {
   return parse(text, packet);
 }
 
-TEST(ServePacket, JointsOfOneAndOfAllMechanisms) {
+TEST(ServePacket, ParsesJointsOfOneAndAllMechanisms) {
   Packet p = makePacket(kFormat);
   Bytes bytes = joints(0, {0.5, -1.25});
   store(bytes, 24, kFlagReset);
@@ -75,7 +75,7 @@ TEST(ServePacket, JointsOfOneAndOfAllMechanisms) {
   EXPECT_FALSE(p.reset);
 }
 
-TEST(ServePacket, EveryByteOfTheHeaderIsWhereTheManualSays) {
+TEST(ServePacket, HeaderLayoutMatchesManual) {
   // Written by hand from docs/serve.md, not by the functions of the program.
   const unsigned char raw[40] = {0x41, 0x42, 0x53, 0x54, 1, 0, 1, 0, 5, 0, 0,    0,   1, 0,
                                  0,    0,    0xe8, 3,    0, 0, 0, 0, 0, 0, 0,    0,   0, 0,
@@ -88,7 +88,7 @@ TEST(ServePacket, EveryByteOfTheHeaderIsWhereTheManualSays) {
   EXPECT_EQ(p.q[0], 1.5);
 }
 
-TEST(ServePacket, Skeleton) {
+TEST(ServePacket, ParsesSkeleton) {
   Packet p = makePacket(kFormat);
   Bytes bytes = skeleton(1);
   constexpr std::size_t kStates = kHeaderBytes + 24 * humanmodel::kJointCount;
@@ -103,7 +103,7 @@ TEST(ServePacket, Skeleton) {
   EXPECT_EQ(p.skeleton[humanmodel::Joint::kSpine], Vector3d(0.03, 0.04, 0.05));
 }
 
-TEST(ServePacket, WhatIsWrongIsNamed) {
+TEST(ServePacket, ReportsFaultOfBadPackets) {
   EXPECT_EQ(parse(Bytes{}), PacketFault::kSize);
   EXPECT_EQ(parse(Bytes(3)), PacketFault::kSize);
   EXPECT_EQ(parse(Bytes(64)), PacketFault::kMagic);
@@ -130,7 +130,7 @@ TEST(ServePacket, WhatIsWrongIsNamed) {
   EXPECT_EQ(parse(header(PacketType{9}, 0, 48)), PacketFault::kType);
 }
 
-TEST(ServePacket, Json) {
+TEST(ServePacket, ParsesJson) {
   Packet p = makePacket(kFormat);
   ASSERT_EQ(parse(R"({"type":"joints","seq":3,"time_us":12,"mechanism":"right_arm","q":[0.25]})", p),
             PacketFault::kNone);
@@ -157,7 +157,7 @@ TEST(ServePacket, Json) {
   EXPECT_FALSE(p.skeleton.has(humanmodel::Joint::kHead));
 }
 
-TEST(ServePacket, JsonTellsHowWellAJointIsKnown) {
+TEST(ServePacket, JsonCarriesJointStateAndSpread) {
   Packet p = makePacket(kFormat);
   const auto parsed = [&](const std::string& joints) {
     return parse(R"({"type":"skeleton","seq":1,"time_us":1,"person":"visitor","joints":{)" + joints + "}}",
@@ -182,7 +182,7 @@ TEST(ServePacket, JsonTellsHowWellAJointIsKnown) {
     EXPECT_EQ(parsed(bad), PacketFault::kJson) << bad;
 }
 
-TEST(ServePacket, BadJsonIsNamed) {
+TEST(ServePacket, ReportsFaultOfBadJson) {
   for (const char* bad :
        {"{", "{}", "{\"seq\":1}", R"({"type":"joints","seq":1,"time_us":1})",
         R"({"type":"joints","seq":1,"seq":2,"time_us":1,"q":[1,2,3]})",

@@ -34,7 +34,7 @@ defaults: {voxel: 0.02, point: 0.02}
 )";
 const char* kSlide = "chain\n    frame   1   0      0          d    0\nend_chain\n";
 
-struct Served : ::testing::Test {
+struct ServedSceneTest : ::testing::Test {
   abstand::testing::ScratchFolder folder;
   std::unique_ptr<ServedScene> scene;
   Packet packet;
@@ -71,7 +71,7 @@ struct Served : ::testing::Test {
   const RobotReport& robot() const { return scene->report().robots[0]; }
 };
 
-TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
+TEST_F(ServedSceneTest, JointValuesAreCheckedAgainstLimits) {
   slide += "limits\n limit 1 0.2 0.8 2 none\nend_limits\n";
   open(false);
   const mechanism::JointLimitWatch& limits = scene->robots()[0]->limits();
@@ -99,7 +99,7 @@ TEST_F(Served, JointValuesAreComparedWithTheRobotsLimits) {
   EXPECT_EQ(scene->session().mechanisms()[0]->q()[0], 0.4);
 }
 
-TEST_F(Served, OnlyTheSendersClockSaysHowFastARobotIs) {
+TEST_F(ServedSceneTest, RobotSpeedUsesSenderClock) {
   slide += "limits\n limit 1 none none 2 none\nend_limits\n";
   open(false);
   const mechanism::JointLimitWatch& limits = scene->robots()[0]->limits();
@@ -123,7 +123,7 @@ TEST_F(Served, OnlyTheSendersClockSaysHowFastARobotIs) {
   EXPECT_TRUE(anew.kept());
 }
 
-TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
+TEST_F(ServedSceneTest, BallOnPlateHasExpectedDistanceForceAndTorque) {
   open(false);
   joints(0.5, 0.01);
   scene->cycle(0.01);
@@ -146,7 +146,7 @@ TEST_F(Served, DistanceForceAndTorqueOfABallOnAPlate) {
   EXPECT_NEAR(scene->report().torque[0], w.force.z(), 1e-9 * w.force.norm());
 }
 
-TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
+TEST_F(ServedSceneTest, StalePersonStopsRobot) {
   open(true);
   // Nothing is known before the first packet.
   scene->cycle(0.005);
@@ -191,7 +191,7 @@ TEST_F(Served, AStalePersonStopsTheRobotAndIsNeverSafe) {
   EXPECT_GT(scene->report().separation[0].distance, 1.0);
 }
 
-TEST_F(Served, AnAdmittanceTellsPositions) {
+TEST_F(ServedSceneTest, ReportsAdmittanceOffset) {
   control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   reaction.repulsion->range = 0.2;
@@ -216,7 +216,7 @@ TEST_F(Served, AnAdmittanceTellsPositions) {
   EXPECT_TRUE(scene->report().offset.empty());
 }
 
-TEST(ServedMass, TorqueAndEnergyStopAreThoseOfTheClosedLoop) {
+TEST(ServedMass, TorqueAndEnergyStopMatchClosedLoop) {
   // A slide of 2 kg drives towards a ball that nobody moves, damped by a weak potential that cannot stop it.
   // The closed loop says where it is in every millisecond, and what it was told; served, it is told the same.
   const char* const reaction = "{repulsion: {range: 0.4, force: 0.35, damping: 1}}";
@@ -250,7 +250,7 @@ TEST(ServedMass, TorqueAndEnergyStopAreThoseOfTheClosedLoop) {
   EXPECT_TRUE(stopped);
 }
 
-TEST_F(Served, ARobotWithoutInertiaIsDampedByAConstantMassAndThatIsSaid) {
+TEST_F(ServedSceneTest, RemarksConstantMassForRobotWithoutInertia) {
   control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   open(false, reaction);
@@ -258,7 +258,7 @@ TEST_F(Served, ARobotWithoutInertiaIsDampedByAConstantMassAndThatIsSaid) {
   EXPECT_NE(scene->remarks()[0].find("constant mass of 5 kg"), std::string::npos) << scene->remarks()[0];
 }
 
-TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
+TEST_F(ServedSceneTest, EmergencyStopHoldsWhileClientMoves) {
   control::ReactionDescription reaction;
   reaction.repulsion.emplace();
   reaction.repulsion->range = 0.5;
@@ -301,7 +301,7 @@ TEST_F(Served, AClientThatIgnoresAnEmergencyStopStaysInOne) {
   EXPECT_EQ(robot().refusal, safety::ResetRefusal::kNone);
 }
 
-TEST_F(Served, BoundsWidenWithTheAgeOfASkeleton) {
+TEST_F(ServedSceneTest, BoundsWidenWithSkeletonAge) {
   open(true);
   person(0.5);
   joints(1.0, 0.5);
@@ -317,7 +317,7 @@ TEST_F(Served, BoundsWidenWithTheAgeOfASkeleton) {
   }
 }
 
-TEST_F(Served, BoundsWidenWithJointsThatTheSenderOnlyGuessed) {
+TEST_F(ServedSceneTest, BoundsWidenForInferredJoints) {
   open(true);
   person(0.5);
   joints(1.0, 0.5);
@@ -333,7 +333,7 @@ TEST_F(Served, BoundsWidenWithJointsThatTheSenderOnlyGuessed) {
   EXPECT_NEAR(guessed.bound - tracked.bound, humanmodel::kSpreadQuantile * humanmodel::kGuessedSpread, 1e-9);
 }
 
-TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
+TEST_F(ServedSceneTest, StaleJointsStopRobotAtStatedTime) {
   open(false);
   joints(0.5, 0.01);
   scene->cycle(0.01);
@@ -348,7 +348,7 @@ TEST_F(Served, StaleJointsStopTheRobotAtTheStatedTime) {
   EXPECT_EQ(scene->robots()[0]->stops().count(), 1u);
 }
 
-TEST_F(Served, APersonWhoComesNearerSlowsTheRobot) {
+TEST_F(ServedSceneTest, ApproachingPersonSlowsRobot) {
   open(true);
   // The ball stands; a person at its side leaves no room to move: the scale is 0 while it goes towards them.
   double least = 1.0;

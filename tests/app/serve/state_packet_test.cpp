@@ -31,7 +31,7 @@ StateReport example() {
   return r;
 }
 
-TEST(ServeState, EveryNumberIsWhereTheManualSays) {
+TEST(ServeState, LayoutMatchesManual) {
   // Offsets from docs/serve.md: 32 header, 32 server, 8 a person, 32 a mechanism, 8 a joint, 48 a link, 80 a
   // pair.
   const StateReport r = example();
@@ -63,7 +63,7 @@ TEST(ServeState, EveryNumberIsWhereTheManualSays) {
   EXPECT_EQ(load<double>(bytes, 248 + 16), -kInfinity);
 }
 
-TEST(ServeState, OffsetsOfAnAdmittanceStandAtTheEnd) {
+TEST(ServeState, AdmittanceOffsetsFollowPairs) {
   StateReport r = example();
   const std::size_t without = stateBytes(r);
   r.offset = {0.125, -0.25};
@@ -79,7 +79,7 @@ TEST(ServeState, OffsetsOfAnAdmittanceStandAtTheEnd) {
   EXPECT_NE(describeLayout(kFormat, kNames, r).find("arm \"left\".q1 offset, rad or m\n"), std::string::npos);
 }
 
-TEST(ServeState, ARefusedResetIsAFlagAndAReason) {
+TEST(ServeState, RefusedResetHasFlagAndReason) {
   StateReport r = example();
   r.robots[0].refusal = safety::ResetRefusal::kCause;
   std::vector<std::byte> bytes(4096);
@@ -90,7 +90,7 @@ TEST(ServeState, ARefusedResetIsAFlagAndAReason) {
   EXPECT_EQ(j["mechanisms"][0]["reset_refused"], "a cause asks for a stop");
 }
 
-TEST(ServeState, JsonSaysTheSame) {
+TEST(ServeState, JsonMatchesBinary) {
   const StateReport r = example();
   const PacketFormat format = quoted(kFormat);
   const StateNames names = quoted(kNames);
@@ -115,7 +115,7 @@ TEST(ServeState, JsonSaysTheSame) {
     EXPECT_EQ(writeStateJson(r, {}, format, names, std::span(bytes).first(room)), 0u);
 }
 
-TEST(ServeState, TheTableEndsWhereThePacketEnds) {
+TEST(ServeState, LayoutTableCoversWholePacket) {
   const StateReport r = example();
   const std::string text = describeLayout(kFormat, kNames, r);
   EXPECT_NE(text.find("state, the answer: " + std::to_string(stateBytes(r)) + " bytes"), text.npos);

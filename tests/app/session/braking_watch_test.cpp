@@ -62,7 +62,7 @@ double closedForm(const control::BrakingLawOptions& o, double v, double person) 
   return v * tr + 0.5 * v * v / a + person * (tr + v / a);
 }
 
-TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
+TEST(BrakingWatch, RequestsStopAtClosedFormDistance) {
   // Both come straight at each other, so the smallest distance is that at the end. 24 samples leave 3 mm at
   // most on ways of half a metre.
   constexpr double kSampling = 3e-3;
@@ -85,7 +85,7 @@ TEST(BrakingWatch, AsksForAStopWhereTheClosedFormDoes) {
       }
 }
 
-TEST(BrakingWatch, WhoStandsOrGoesAwayIsNotStopped) {
+TEST(BrakingWatch, DoesNotStopStandingOrRecedingRobot) {
   control::BrakingLawOptions o;
   Watched w(o);
   EXPECT_FALSE(w.check(0.001, 0.0)) << "a standing robot hits nobody";
@@ -96,7 +96,7 @@ TEST(BrakingWatch, WhoStandsOrGoesAwayIsNotStopped) {
   EXPECT_TRUE(alone.check(0.01, 1.0));
 }
 
-TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
+TEST(BrakingWatch, UsesObservedPersonSpeedIfFaster) {
   control::BrakingLawOptions o;
   o.path.deceleration = {2.0};
   o.path.reaction_time = 0.0;
@@ -107,14 +107,14 @@ TEST(BrakingWatch, WhoWasSeenFasterIsTakenAtThatSpeed) {
   EXPECT_TRUE(w.check(gap, v, 3.0)) << "0.25 s at 3 m/s are 75 cm";
 }
 
-TEST(BrakingWatch, JointsThatAreNotKnownAreACause) {
+TEST(BrakingWatch, UnknownJointsRequestStop) {
   Watched w(control::BrakingLawOptions{});
   const auto cause = w.check(0.3, kNaN);
   ASSERT_TRUE(cause);
   EXPECT_EQ(cause->value, -kInfinity);
 }
 
-TEST(BrakingWatch, WithoutACauseNoAdmissiblePersonIsHit) {
+TEST(BrakingWatch, WithoutStopNoAdmissiblePersonIsHit) {
   // Any person within the bounds, any phase: 200 random motions for each of 200 random beginnings.
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> one(0.0, 1.0);
@@ -153,7 +153,7 @@ TEST(BrakingWatch, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(BrakingWatch, ARobotThatBrakesAsItSaysStopsInFrontOfAPerson) {
+TEST(BrakingWatch, BrakingRobotStopsBeforePerson) {
   // Position-controlled, so that it stands at once when it is told to.
   const testing::ScratchFolder folder;
   folder.write("slide.mech",

@@ -15,7 +15,7 @@ std::string hashOf(const std::filesystem::path& file) {
   return hash.value().hex();
 }
 
-TEST(InputContent, IsThatOfTheSizeAndAllBytesHoweverLargeTheFile) {
+TEST(InputContent, HashCoversSizeAndAllBytes) {
   const ScratchFolder folder;
   constexpr std::size_t kBlock = std::size_t{1} << 20;
   for (const std::size_t bytes : {std::size_t{1}, kBlock - 1, kBlock, kBlock + 1, 3 * kBlock + 17}) {
@@ -31,7 +31,7 @@ TEST(InputContent, IsThatOfTheSizeAndAllBytesHoweverLargeTheFile) {
   }
 }
 
-TEST(InputContent, OfAFolderIsThatOfItsFilesByName) {
+TEST(InputContent, FolderHashCoversFilesByName) {
   const ScratchFolder a, b;
   for (const ScratchFolder* folder : {&a, &b}) folder->write("one", "1"), folder->write("two", "2");
   EXPECT_EQ(hashOf(a.path()), hashOf(b.path()));
@@ -39,7 +39,7 @@ TEST(InputContent, OfAFolderIsThatOfItsFilesByName) {
   EXPECT_NE(hashOf(a.path()), hashOf(b.path()));
 }
 
-TEST(InputContent, RefusesWhatIsNoFileOrEmpty) {
+TEST(InputContent, RejectsMissingAndEmptyFiles) {
   const ScratchFolder folder;
   EXPECT_THROW(hashOf(folder.path() / "gone"), ParseError);
   EXPECT_THROW(hashOf(folder.write("empty", "")), ParseError);

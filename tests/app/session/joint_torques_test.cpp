@@ -29,7 +29,7 @@ MechanismDriver slide(const testing::ScratchFolder& folder, const char* inertia,
 
 constexpr const char* kTwoKilograms = "inertia\nbody 1 2 0 0 0 0.002 0.002 0.002 0 0 0\nend_inertia\n";
 
-TEST(JointTorques, AreWeightAndInertiaAgainstTheMotion) {
+TEST(JointTorques, AreNegativeWeightAndInertia) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, kTwoKilograms);
   JointTorques torques(driver);
@@ -40,7 +40,7 @@ TEST(JointTorques, AreWeightAndInertiaAgainstTheMotion) {
   EXPECT_NEAR(parts[0].motion, -6.0, 1e-9);
 }
 
-TEST(JointTorques, OfARecordedMotionAreThoseOfItsSpline) {
+TEST(JointTorques, RecordedMotionUsesSplineAcceleration) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, kTwoKilograms, "t,q0\n0,0\n1,0.5\n2,0\n");
   JointTorques torques(driver);
@@ -59,7 +59,7 @@ TEST(JointTorques, OfARecordedMotionAreThoseOfItsSpline) {
   EXPECT_NEAR(parts[0].motion, 0.0, 1e-9) << "at rest after its end";
 }
 
-TEST(JointTorques, WithoutMassesAreNotKnownAndNotZero) {
+TEST(JointTorques, AreUnknownWithoutMasses) {
   const testing::ScratchFolder folder;
   const MechanismDriver driver = slide(folder, "");
   JointTorques torques(driver);

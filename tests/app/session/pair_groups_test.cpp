@@ -39,7 +39,7 @@ class PairGroups : public ::testing::Test {
   std::vector<std::string> remarks_;
 };
 
-TEST_F(PairGroups, WhatTheFileLeavesOutRunsInAGroupOfItsOwn) {
+TEST_F(PairGroups, UnlistedPairsFormGroupRest) {
   const auto groups = make({{{"l1", "p/hand"}}, {{"table", "l1"}, {"l2", "p/hand"}}});
   ASSERT_EQ(groups.size(), 3u);
   EXPECT_EQ(groups[0].name, "group 1");
@@ -51,14 +51,14 @@ TEST_F(PairGroups, WhatTheFileLeavesOutRunsInAGroupOfItsOwn) {
             "threads: 3 of 6 pairs are in no group, the first is `l1`, `l2`: they run in the group `rest`");
 }
 
-TEST_F(PairGroups, NothingIsSaidWhereNothingIsLeftOut) {
+TEST_F(PairGroups, NoRemarkIfAllPairsAreListed) {
   const auto groups = make({{{"l1", "l2"}, {"l1", "p/hand"}, {"l1", "table"}},
                             {{"l2", "p/hand"}, {"l2", "table"}, {"p/hand", "table"}}});
   EXPECT_EQ(groups.size(), 2u);
   EXPECT_TRUE(remarks_.empty());
 }
 
-TEST_F(PairGroups, ANamedPairThatTheSceneDoesNotCheckIsSaid) {
+TEST_F(PairGroups, RemarksListedPairsThatAreNotChecked) {
   const auto groups = make({{{"l1", "nobody"}, {"l1", "l2"}}});
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].pairs.size(), 1u);
@@ -67,7 +67,7 @@ TEST_F(PairGroups, ANamedPairThatTheSceneDoesNotCheckIsSaid) {
             "threads: 1 of the named pairs are not checked in this scene, the first is `l1`, `nobody`");
 }
 
-TEST_F(PairGroups, WithoutThreadsAreThoseOfTheBodies) {
+TEST_F(PairGroups, DefaultGroupsFollowBodies) {
   const auto groups = make({});
   ASSERT_EQ(groups.size(), 4u);
   EXPECT_EQ(groups[0].name, "left - left");

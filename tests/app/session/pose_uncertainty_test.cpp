@@ -73,7 +73,7 @@ double ageUncertainty(const std::string& name) {
   return object ? object->pose_age_uncertainty : kNaN;
 }
 
-TEST(Reach, SaysWhatOfItTheAgeOfThePoseAdds) {
+TEST(PoseUncertainty, ReportsShareOfPoseAge) {
   for (const double t : {0.0, 1.0, 2.0, 3.0}) {
     session().step(t);
     const double age = std::max(0.0, t - kSeen);
@@ -84,7 +84,7 @@ TEST(Reach, SaysWhatOfItTheAgeOfThePoseAdds) {
   }
 }
 
-TEST(Reach, ALostPartWidensAtItsSpeedAndOneNeverSeenIsAnywhere) {
+TEST(PoseUncertainty, StalePartGrowsAtItsSpeedUnseenPartIsInfinite) {
   for (const double t : {0.0, 0.5, 1.0, 1.5, 2.0, 3.0}) {
     session().step(t);
     const double age = std::max(0.0, t - kSeen);
@@ -107,7 +107,7 @@ run::CheckResult check(session::Session& watched, double limit) {
   return all;
 }
 
-TEST(Reach, LimitsAreWidenedByIt) {
+TEST(PoseUncertainty, WidensLimits) {
   // The ball is some 2.8 m from the lost hand, which could be there 1.3 s after it was seen.
   const run::CheckResult result = check(session(), 0.2);
   bool forearm = false;
@@ -133,7 +133,7 @@ TEST(Reach, LimitsAreWidenedByIt) {
   EXPECT_FALSE(broken("torso") || broken("forearm_right"));
 }
 
-TEST(Reach, TheRunSaysHowNearTheyMayHaveBeen) {
+TEST(PoseUncertainty, RunReportsMinClearance) {
   run::RunOptions run;
   run.end = kSeen;
   const run::RunSummary before = run::runScene(session(), run);
@@ -142,7 +142,7 @@ TEST(Reach, TheRunSaysHowNearTheyMayHaveBeen) {
   EXPECT_EQ(before.min_clearance->a, "p/calf_right");
 }
 
-TEST(Reach, AllocatesNothing) {
+TEST(PoseUncertainty, AllocatesNothing) {
   session().applyMotion(0.0);
   session().applyMotion(0.1);
   NoAlloc guard;

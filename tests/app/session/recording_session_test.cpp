@@ -32,7 +32,7 @@ std::unique_ptr<session::Session> openPerson(const ScratchFolder& folder,
   return std::make_unique<session::Session>(scene_file::loadScene(scene), options);
 }
 
-TEST(RecordingSession, APersonMovesTheSameAfterBvhTableAndCompact) {
+TEST(RecordingSession, PersonMotionIsSameForBvhTableAndCompact) {
   const ScratchFolder folder;
   const auto bvh = projectFile("data/scenes/hug_reach.bvh"), csv = folder.path() / "reach.csv",
              compact = folder.path() / "reach.rec";
@@ -58,7 +58,7 @@ TEST(RecordingSession, APersonMovesTheSameAfterBvhTableAndCompact) {
   }
 }
 
-TEST(RecordingSession, APersonMayMoveFasterThanRecorded) {
+TEST(RecordingSession, RecordingSpeedScalesTime) {
   const ScratchFolder folder;
   const auto bvh = projectFile("data/scenes/hug_reach.bvh");
   const auto slow = openPerson(folder, bvh), fast = openPerson(folder, bvh, 2.0);
@@ -73,7 +73,7 @@ TEST(RecordingSession, APersonMayMoveFasterThanRecorded) {
   }
 }
 
-TEST(RecordingSession, RefusesMarkersThatMoveNobody) {
+TEST(RecordingSession, RejectsUnusableMarkers) {
   const ScratchFolder folder;
   const auto trc =
       folder.write("a.trc",

@@ -54,7 +54,7 @@ class RobotScene : public ::testing::Test {
   testing::ScratchFolder folder_;
 };
 
-TEST_F(RobotScene, LinksComeFromTheRobot) {
+TEST_F(RobotScene, LinksComeFromRobotFile) {
   const auto s = parse(", margin: 0.1");
   EXPECT_EQ(names(s), (std::vector<std::string>{"m/a", "m/b", "m/b/2", "m/c"}));
   const auto& l = s.mechanisms[0].links;
@@ -67,7 +67,7 @@ TEST_F(RobotScene, LinksComeFromTheRobot) {
   EXPECT_EQ(s.mechanisms[0].settings.margin, 0.1);
 }
 
-TEST_F(RobotScene, DescribedItReadsBackTheSame) {
+TEST_F(RobotScene, DescriptionRoundTrips) {
   const auto s = parse(", margin: 0.1");
   const std::string described = scene_file::describeScene(s);
   const auto again = scene_file::parseScene(described, folder_.path() / "scene.yaml", {{}, false});
@@ -76,17 +76,17 @@ TEST_F(RobotScene, DescribedItReadsBackTheSame) {
   EXPECT_EQ(scene_file::describeScene(again), described);
 }
 
-TEST_F(RobotScene, VisualGeometryWhereItIsThere) {
+TEST_F(RobotScene, UsesVisualGeometryOnRequest) {
   const auto s = parse(", geometry: visual");
   EXPECT_EQ(names(s), (std::vector<std::string>{"m/a", "m/b", "m/c"}));
   EXPECT_TRUE(s.mechanisms[0].links[0].shape) << "nice.dae is missing: the collision box is taken";
   EXPECT_EQ(std::get<geometry::Sphere>(*s.mechanisms[0].links[1].shape).radius, 0.5);
   EXPECT_TRUE(std::any_of(s.remarks.begin(), s.remarks.end(), [](const std::string& r) {
-    return r.find("not all visual meshes") != std::string::npos && r.ends_with(": a");
+    return r.find("some visual meshes") != std::string::npos && r.ends_with(": a");
   }));
 }
 
-TEST_F(RobotScene, FramesHaveNames) {
+TEST_F(RobotScene, LinksReferToNamedFrames) {
   const auto s = parse(
       ", links: [{name: x, frame: b, shape: {sphere: {radius: 1}}}, {name: y, frame: 0, shape: {sphere: "
       "{radius: 1}}}]");
@@ -95,10 +95,10 @@ TEST_F(RobotScene, FramesHaveNames) {
                 .find("scene.yaml:3:54: error: found `bb` for `frame`"),
             std::string::npos)
       << refused(", links: [{name: x, frame: bb, shape: {sphere: {radius: 1}}}]");
-  EXPECT_NE(refused(", geometry: visual, links: []").find("beside `links`"), std::string::npos);
+  EXPECT_NE(refused(", geometry: visual, links: []").find("together with `links`"), std::string::npos);
 }
 
-TEST_F(RobotScene, ALinkWhoseGeometryIsAbsentIsMissingUnlessNamed) {
+TEST_F(RobotScene, LinkWithoutGeometryIsMissingUnlessBodiless) {
   const char* const robot =
       "<robot name='r'><link name='a'><visual><geometry><mesh filename='a.dae'/></geometry></visual></link>"
       "<link name='b'><visual><geometry><mesh filename='b.dae'/></geometry></visual></link><link name='c'>"
@@ -131,7 +131,7 @@ TEST_F(RobotScene, ALinkWhoseGeometryIsAbsentIsMissingUnlessNamed) {
   EXPECT_NE(refused(", bodiless: [d]").find("found `d` in `bodiless`"), std::string::npos);
 }
 
-TEST_F(RobotScene, ALinkWithNothingButAnUnreadVisualIsMissing) {
+TEST_F(RobotScene, LinkWithUnsupportedVisualOnlyIsMissing) {
   folder_.write("r.urdf",
                 "<robot name='r'><link name='a'><visual><geometry><capsule radius='1' length='1'/></geometry>"
                 "</visual></link><link name='b'><visual><geometry><capsule radius='1' length='1'/></geometry>"
@@ -146,7 +146,7 @@ TEST_F(RobotScene, ALinkWithNothingButAnUnreadVisualIsMissing) {
   EXPECT_TRUE(parse(", bodiless: [a]").mechanisms[0].missing.empty());
 }
 
-TEST_F(RobotScene, TheCentreOfALinkPlacesItsBody) {
+TEST_F(RobotScene, LinkCentrePlacesBody) {
   folder_.write("c.mech",
                 "chain\nframe 1 0 0 0 theta\nframe 2 1 0 0 theta\nend_chain\n"
                 "link\nid 1\ncenter 1 0 0 0.5  0 1 0 0  0 0 1 0.25\nend_link\n");
@@ -170,7 +170,7 @@ TEST_F(RobotScene, TheCentreOfALinkPlacesItsBody) {
   EXPECT_THROW(link("frame: 2, pose: center, " + rod), ParseError);
 }
 
-TEST_F(RobotScene, MissingCollisionMeshesAreListedAtOnce) {
+TEST_F(RobotScene, ListsAllMissingCollisionMeshes) {
   folder_.write("bad.urdf",
                 "<robot name='r'><link name='a'>\n<collision><geometry><mesh "
                 "filename='package://p/m/a.stl'/></geometry></collision>"
@@ -188,7 +188,7 @@ TEST_F(RobotScene, MissingCollisionMeshesAreListedAtOnce) {
   }
 }
 
-TEST_F(RobotScene, SrdfTakesPairsOutAndKeepsTheReason) {
+TEST_F(RobotScene, SrdfExcludesPairsAndKeepsReason) {
   folder_.write("r.srdf",
                 "<robot name='r'><disable_collisions link1='b' link2='a' reason='Never'/>"
                 "<disable_collisions link1='a' link2='nobody' reason='User'/></robot>");
@@ -204,7 +204,7 @@ TEST_F(RobotScene, SrdfTakesPairsOutAndKeepsTheReason) {
             2u);
 }
 
-TEST_F(RobotScene, AFileOfPairsTakesPairsOut) {
+TEST_F(RobotScene, PairsFileExcludesPairs) {
   folder_.write(
       "r.pairs",
       "# by "
@@ -222,7 +222,7 @@ TEST_F(RobotScene, AFileOfPairsTakesPairsOut) {
             std::string::npos);
 }
 
-TEST(PairsFile, MistakesHaveTheirPlace) {
+TEST(PairsFile, ReportsPositionOfErrors) {
   const struct {
     const char* text;
     int line;

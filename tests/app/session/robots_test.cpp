@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(All, RealRobotScenes,
                                            "kuka_iiwa14/model.urdf", "franka_panda/panda.urdf",
                                            "ur5/urdf/ur5_robot.urdf", "nao_humanoid/nao.urdf"));
 
-TEST(CollisionPairs, OfAShippedRobotAreThoseOfItsFile) {
+TEST(CollisionPairs, MatchPairsFileOfShippedRobot) {
   auto scene = scene_file::loadScene(testing::projectFile("data/scenes/arm6.yaml"));
   scene.objects.clear();
   scene.pairs.exclude = {{"arm6/base", "arm6/flange"}};

@@ -43,7 +43,7 @@ std::uint64_t runHash(session::Session& session) {
   return hash.value();
 }
 
-TEST(Session, SameBitsForAnyNumberOfThreads) {
+TEST(Session, IsBitIdenticalForAnyThreadCount) {
   auto session = openReach();
   const auto expected = runHash(*session);
   for (const int threads : {2, 3, 7, 16}) {
@@ -52,7 +52,7 @@ TEST(Session, SameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST(Session, TheCycleAllocatesNothing) {
+TEST(Session, CycleAllocatesNothing) {
   auto session = openReach();
   session->step(0.0);
   session->step(0.01);
@@ -61,7 +61,7 @@ TEST(Session, TheCycleAllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(Session, SaysHowManyStructuresThereWillBeAndNamesEach) {
+TEST(Session, ReportsPlannedStructuresByName) {
   session::SessionOptions options;
   options.threads = 1;
   std::size_t planned = 0;
@@ -106,13 +106,13 @@ TEST(Session, ForcesOfAllObjectsCancel) {
   EXPECT_GT(largest, 1.0);  // something did touch
 }
 
-TEST(Session, SecondRunOfTheSameSessionGivesTheSameNumbers) {
+TEST(Session, SecondRunGivesSameResults) {
   auto session = openReach();
   const auto first = runHash(*session);
   EXPECT_EQ(runHash(*session), first);
 }
 
-TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
+TEST(Session, CullingKeepsBounds) {
   // Certified distances hold for the exact surfaces; reported ones are off them by less than this.
   constexpr double kOnSurface = 1e-5;
   auto exact = openReach();
@@ -150,7 +150,7 @@ TEST(Session, WhatIsLeftOutStaysWithinTheBounds) {
   }
 }
 
-TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
+TEST(Session, SpeedsAreFromSceneOrDefaultsForCulling) {
   session::SessionOptions options;
   options.threads = 1;
   const auto scene = scene_file::loadScene(projectFile("data/scenes/hug_reach.yaml"));
@@ -169,7 +169,7 @@ TEST(Session, SpeedsAreTheScenesOrUsualOnesWherePairsMayRest) {
     EXPECT_EQ(resting.scene().find(link.name)->max_speed, 1.25) << link.name;
 }
 
-TEST(LiveSession, PlaysSeeksAndTakesMargins) {
+TEST(LiveSession, PlaysSeeksAndAppliesMargins) {
   loop::LiveSession live(openReach(), 0.0);
   view::SceneSnapshot snapshot;
   const auto waitFor = [&](auto condition) {

@@ -49,7 +49,7 @@ class TwoPeople : public ::testing::Test {
   }
 };
 
-TEST_F(TwoPeople, EveryBodyHasANameOfItsOwnAndTheGroupThatItBelongsTo) {
+TEST_F(TwoPeople, BodiesHaveUniqueNamesAndTheirGroup) {
   const auto session = openBoxes();
   std::set<std::string> names;
   std::map<std::string, int> groups;
@@ -72,7 +72,7 @@ TEST_F(TwoPeople, EveryBodyHasANameOfItsOwnAndTheGroupThatItBelongsTo) {
   EXPECT_EQ(joints, (std::map<std::string, int>{{"lwr", 7}, {"scara", 4}}));
 }
 
-TEST_F(TwoPeople, EachMeetsEveryOtherGroupAndNobodyItself) {
+TEST_F(TwoPeople, PairsCoverOtherGroupsOnly) {
   const auto session = openBoxes();
   std::map<std::pair<std::string, std::string>, int> pairs;
   for (const scene::Pair& p : session->scene().pairs()) {
@@ -87,7 +87,7 @@ TEST_F(TwoPeople, EachMeetsEveryOtherGroupAndNobodyItself) {
   EXPECT_EQ(pairs, expected);
 }
 
-TEST_F(TwoPeople, EachPersonAndEachRobotFollowsItsOwnMotion) {
+TEST_F(TwoPeople, PeopleAndRobotsFollowTheirOwnMotions) {
   const auto session = openBoxes();
   const auto at = [&](const std::string& name) { return session->scene().find(name)->X_WB.translation(); };
   session->step(0.0);
@@ -124,7 +124,7 @@ void add(StateHash& hash, const Vector3d& v) {
   for (int k = 0; k < 3; ++k) hash.add(v[k]);
 }
 
-TEST_F(TwoPeople, SameBitsForOneAndFourThreadsAndEffortsWhereContactIs) {
+TEST_F(TwoPeople, IsBitIdenticalForOneAndFourThreads) {
   const ScratchFolder folder;  // so that the second session need not build again
   ::setenv("ABSTAND_CACHE", folder.path().c_str(), 1);
   std::uint64_t expected = 0;

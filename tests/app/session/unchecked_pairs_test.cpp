@@ -30,7 +30,7 @@ const view::UncheckedPair* find(const view::SceneOutline& outline, int a, int b)
   return nullptr;
 }
 
-TEST(UncheckedPairs, TogetherWithThePairsTheyAreAll) {
+TEST(UncheckedPairs, ComplementCheckedPairs) {
   scene_file::PairsDescription rules;
   rules.dropped = {{"a", "p/head", "never near"}, {"p/torso", "a", ""}};
   rules.exclude = {{"arm/1", "b"}, {"arm/2", "b"}};
@@ -52,7 +52,7 @@ TEST(UncheckedPairs, TogetherWithThePairsTheyAreAll) {
   EXPECT_EQ(outline.unchecked.size(), 5u);
 }
 
-TEST(UncheckedPairs, ByDefaultPartsOfOnePersonAndWithinGroups) {
+TEST(UncheckedPairs, AreSelfPairsAndGroupPairsByDefault) {
   scene_file::PairsDescription rules;
   const view::SceneOutline all = outlineOf(rules, {});
   ASSERT_EQ(all.unchecked.size(), 1u);

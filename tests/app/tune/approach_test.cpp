@@ -23,7 +23,7 @@ const PartClearance& partOf(const TunedRecording& tuned, const std::string& name
   throw std::runtime_error(name);
 }
 
-TEST(Approach, TellsWhereAPersonStoppedAndTheHardestContactBefore) {
+TEST(ApproachTable, ReportsStopAndHardestContactBefore) {
   // 2.4 m away, the person comes 2.1 m at 0.7 m/s and stands; the robot stands all the time.
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.0, .person = 0.7, .stops_at = 3.0});
@@ -68,7 +68,7 @@ std::unique_ptr<session::Session> openHeavySlide(const testing::ScratchFolder& f
   return depth::openSession(scene_file::loadScene(scene), options);
 }
 
-TEST(Approach, OfAPartThatMayBeClampedKeepsQuasiStaticLimits) {
+TEST(ApproachTable, ClampedPartUsesQuasiStaticLimits) {
   const testing::ScratchFolder folder;
   const auto session = openHeavySlide(folder, {.robot = 0.0, .person = 0.7, .stops_at = 3.0});
   TuneOptions options;
@@ -101,7 +101,7 @@ TEST(Approach, OfAPartThatMayBeClampedKeepsQuasiStaticLimits) {
   EXPECT_GT(free, 0);
 }
 
-TEST(Approach, TakesThePartsThatTheSceneNamesAsClamped) {
+TEST(ApproachTable, UsesClampedPartsOfScene) {
   const testing::ScratchFolder folder;
   const auto slide = testing::writeSlide(folder, {.robot = 0.5, .seconds = 1.0});
   scene_file::SceneDescription scene = scene_file::loadScene(slide);
@@ -115,7 +115,7 @@ TEST(Approach, TakesThePartsThatTheSceneNamesAsClamped) {
             (std::vector<std::string>{"hand_left", "torso"}));
 }
 
-TEST(Approach, OfTheHeadIsExcluded) {
+TEST(ApproachTable, HeadContactIsExcluded) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.0, .person = 0.7, .stops_at = 3.0});
   TuneOptions options;
@@ -132,7 +132,7 @@ TEST(Approach, OfTheHeadIsExcluded) {
   EXPECT_EQ(heads, 1);
 }
 
-TEST(Separation, IsTheFormulaOfTheStandardAtEveryFrame) {
+TEST(SpeedSeparation, MatchesIsoFormulaAtEveryFrame) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.0});
   TuneOptions options;
@@ -161,7 +161,7 @@ TEST(Separation, IsTheFormulaOfTheStandardAtEveryFrame) {
   EXPECT_EQ(torso.separation.worst->permitted_speed, 0.0);
 }
 
-TEST(SpeedTable, TakesTheSlowestMomentOfEachSegment) {
+TEST(SpeedTable, UsesMinimumOfEachSegment) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.0});
   const TunedRecording tuned = tuneRecording(*session, {}, {}, "slide");
@@ -183,7 +183,7 @@ TEST(SpeedTable, TakesTheSlowestMomentOfEachSegment) {
   EXPECT_NEAR(cycleTime({{0.0, 1.0, 0.5, {}, 0.5, 1.0}, {1.0, 2.0, 1.0, {}, 1.0, 1.0}}), 3.0, 1e-12);
 }
 
-TEST(Separation, OfARobotThatStandsOrGoesAwayIsNotAsked) {
+TEST(SpeedSeparation, StandingOrRecedingRobotIsNotLimited) {
   const testing::ScratchFolder folder;
   for (const double speed : {0.0, -0.3}) {
     const auto session = testing::openSlide(folder, {.robot = speed, .person = 0.5});

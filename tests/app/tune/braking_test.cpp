@@ -13,7 +13,7 @@ namespace braking_test {
 // m: what the engine's warm and cold distances beyond 0.1 m may differ by, of the distance.
 constexpr double kFarShare = 0.011;
 
-TEST(BrakingClearance, IsNeverAboveWhatDenseSamplesFind) {
+TEST(BrakingClearance, IsNeverAboveDenseSampling) {
   session::SessionOptions options;
   options.threads = 1;
   options.rest = 0.0;

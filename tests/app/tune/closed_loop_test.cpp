@@ -116,22 +116,22 @@ void compareAll(const std::vector<MarginClip>& clips) {
             << " missed\n";
 }
 
-TEST(ClosedLoopOfMargins, AgreesOverPeopleWhoWalk) {
+TEST(MarginsAgainstClosedLoop, AgreeForWalkingPeople) {
   ASSERT_EQ(walkingClips().size(), 8u);
   compareAll(walkingClips());
 }
 
-TEST(ClosedLoopOfMargins, AgreesOverPeopleWhoReach) {
+TEST(MarginsAgainstClosedLoop, AgreeForReachingPeople) {
   ASSERT_EQ(reachingClips().size(), 6u);
   compareAll(reachingClips());
 }
 
-TEST(ClosedLoopOfMargins, AgreesOverShippedRobots) {
+TEST(MarginsAgainstClosedLoop, AgreeForShippedRobots) {
   ASSERT_EQ(robotClips().size(), 6u);
   compareAll(robotClips());
 }
 
-TEST(ClosedLoopOfMargins, AgreesOverRealCaptures) {
+TEST(MarginsAgainstClosedLoop, AgreeForRealCaptures) {
   const std::vector<MarginClip> clips = capturedClips();
   if (clips.empty()) GTEST_SKIP() << debianBvh("Boxing_Toes.bvh");
   compareAll(clips);

@@ -29,7 +29,7 @@ ClosestApproach::Verdict verdictOf(const std::vector<double>& clearance) {
   return closestApproaches({handOf(clearance)}, 0.0).front().verdict();
 }
 
-TEST(ClosestApproach, OfAPartThatIsSomewhereNotSeenIsNotKnown) {
+TEST(ClosestApproach, PartlyUnseenPartIsUnknown) {
   using Verdict = ClosestApproach::Verdict;
   EXPECT_EQ(verdictOf({0.3, 0.2}), Verdict::kApart);
   EXPECT_EQ(verdictOf({0.3, 0.0}), Verdict::kTouchPossible);
@@ -38,7 +38,7 @@ TEST(ClosestApproach, OfAPartThatIsSomewhereNotSeenIsNotKnown) {
   EXPECT_EQ(verdictOf({-kInfinity}), Verdict::kNotKnown) << "never seen";
 }
 
-TEST(ClosestApproach, DividesTheUncertaintyOfThePose) {
+TEST(ClosestApproach, SplitsPoseUncertaintyIntoShares) {
   constexpr double kCalibration = 0.01, kAge = 0.05;
   TunedRecording recording = handOf({0.4, 0.3, 0.35});
   PartClearance& hand = recording.pass.parts.front();
@@ -55,7 +55,7 @@ TEST(ClosestApproach, DividesTheUncertaintyOfThePose) {
   EXPECT_NEAR(c.clearance(), 0.3, 1e-12) << "and change nothing in it";
 }
 
-TEST(ClosestApproach, TakesNoMoreForTheAgeThanThereIs) {
+TEST(ClosestApproach, AgeShareIsAtMostPoseUncertainty) {
   TunedRecording recording = handOf({0.3});
   recording.pass.parts.front().age_uncertainty[0] = 1.0;
   const ClosestApproach c = closestApproaches({recording}, 0.0).front();

@@ -62,7 +62,7 @@ void expectSame(const margin::ExposureTime& a, const margin::ExposureTime& b, do
   EXPECT_NEAR(a.weighted, b.weighted, tolerance) << what;
 }
 
-TEST(ExposureTime, CountsBandsAndWeighsByTheDepthInThem) {
+TEST(ExposureTime, CountsBandsAndWeightsByDepth) {
   margin::ExposureTime e;
   e.add(0.15, 2.0);
   EXPECT_EQ(e.below, (std::array<double, 5>{0.0, 0.0, 0.0, 2.0, 2.0}));
@@ -81,7 +81,7 @@ TEST(ExposureTime, CountsBandsAndWeighsByTheDepthInThem) {
   EXPECT_FALSE(margin::isExposureKnown(-kInfinity, 0.0));
 }
 
-TEST(Exposure, IsTheTimeOfADrivingBallBelowEachBand) {
+TEST(Exposure, MovingBallMatchesClosedFormPerBand) {
   const Torso torso;
   const Exposure& e = driven().pass.exposure.parts[partIndex(driven(), "torso")];
   // The least distance falls with the ball's speed where the torso is straight behind it, which it is to
@@ -102,7 +102,7 @@ TEST(Exposure, IsTheTimeOfADrivingBallBelowEachBand) {
   EXPECT_NEAR(e.time, 5.0, kSums);
 }
 
-TEST(Exposure, IsTheTimeOfIntrusionsIntoAMarginOfTheBand) {
+TEST(Exposure, EqualsIntrusionTimeAtMarginOfBand) {
   for (std::size_t p = 0; p < driven().pass.parts.size(); ++p) {
     const PartClearance& part = driven().pass.parts[p];
     for (std::size_t b = 0; b < margin::kExposureBands.size(); ++b)
@@ -114,14 +114,14 @@ TEST(Exposure, IsTheTimeOfIntrusionsIntoAMarginOfTheBand) {
   }
 }
 
-TEST(Exposure, OfCellsAddsUpToThePart) {
+TEST(Exposure, CellsSumToPart) {
   std::map<std::size_t, margin::ExposureTime> sums;
   for (const BodyCell& c : driven().pass.exposure.body_cells) sums[c.part].add(c.spent);
   for (std::size_t p = 0; p < driven().pass.parts.size(); ++p)
     expectSame(sums[p], driven().pass.exposure.parts[p].spent, kSums, driven().pass.parts[p].part);
 }
 
-TEST(Exposure, LiesWhereTheNearestPointIs) {
+TEST(Exposure, LiesAtNearestPoint) {
   // Up to 30 mm before the torso: inside, nearest points of overlapping bodies are others.
   const TunedRecording tuned = tuneSlide({.robot = kRobot, .seconds = 4.35});
   const Torso torso;
@@ -154,7 +154,7 @@ TEST(Exposure, LiesWhereTheNearestPointIs) {
   }
 }
 
-TEST(Exposure, OfTheFloorIsThatOfBruteForce) {
+TEST(Exposure, FloorCellsMatchBruteForce) {
   std::map<std::tuple<int, int, int>, margin::ExposureTime> expected;
   std::vector<std::pair<double, std::map<std::tuple<int, int, int>, double>>> frames;
   TuneOptions options;
@@ -186,7 +186,7 @@ TEST(Exposure, OfTheFloorIsThatOfBruteForce) {
     expectSame(c.spent, expected.at({c.layer == FloorLayer::kPeople ? 0 : 1, c.x, c.y}), kSums, "cell");
 }
 
-TEST(Exposure, OfStretchesAddsUpToTheWholeBody) {
+TEST(Exposure, SegmentsSumToWholeBody) {
   for (const double length : {0.3, 1.0, 100.0}) {
     const ExposureTable table = exposureTable({driven()}, length, 0.2);
     EXPECT_EQ(table.phases.size(), static_cast<std::size_t>(std::ceil(5.0 / length)));
@@ -213,7 +213,7 @@ TEST(Exposure, OfStretchesAddsUpToTheWholeBody) {
   EXPECT_EQ(table.pairs.size(), table.parts.size());
 }
 
-TEST(Exposure, OfTwoRecordingsAddsUp) {
+TEST(Exposure, TwoRecordingsAddUp) {
   TunedRecording other = tuneSlide({.robot = kRobot, .person = 0.2, .seconds = 3.5});
   other.recording = "other";
   const ExposureTable a = exposureTable({driven()}, 1.0, 0.2), b = exposureTable({other}, 1.0, 0.2),
@@ -240,7 +240,7 @@ TEST(Exposure, OfTwoRecordingsAddsUp) {
   expectSame(total(both), sum(total(a), total(b)), kSums, "cells");
 }
 
-TEST(Exposure, OfWhatWasNotSeenIsCountedApart) {
+TEST(Exposure, CountsUnseenTimeSeparately) {
   // From 2 s on nothing is seen of the left arm below the shoulder, the right foot never was.
   const testing::ScratchFolder folder;
   testing::writeSlide(folder, {.robot = kRobot, .seconds = 5.0});
@@ -290,7 +290,7 @@ TEST(Exposure, OfWhatWasNotSeenIsCountedApart) {
   EXPECT_EQ(report::bodyHeatPicture(exposureTable({driven()}, 1.0, 0.2)).find("unseen"), std::string::npos);
 }
 
-TEST(Exposure, IsTheSameOutOfAFile) {
+TEST(Exposure, RoundTripsThroughFile) {
   const testing::ScratchFolder folder;
   const std::filesystem::path file = folder.path() / "result.h5";
   ContentHash hash;
@@ -321,7 +321,7 @@ TEST(Exposure, IsTheSameOutOfAFile) {
   }
 }
 
-TEST(ExposureMesh, IsAPersonOfUsualStatureAndTheSquaresOfTheFloor) {
+TEST(ExposureMesh, HasDefaultPersonAndFloorCells) {
   const testing::ScratchFolder folder;
   const ExposureTable table = exposureTable({driven()}, 1.0, 0.2);
   const mesh_file::ColouredMesh body = report::bodyHeatMesh(table);
@@ -346,7 +346,7 @@ TEST(ExposureMesh, IsAPersonOfUsualStatureAndTheSquaresOfTheFloor) {
   }
 }
 
-TEST(HeatScale, HasRoundBordersUpToTheLargestValue) {
+TEST(HeatScale, HasRoundBordersUpToMaximum) {
   const report::HeatScale scale(12.3);
   EXPECT_NEAR(scale.borders().back(), 10.0, 1e-12);
   EXPECT_NEAR(scale.borders().front(), 0.1, 1e-12);

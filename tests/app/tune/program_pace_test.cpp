@@ -34,7 +34,7 @@ void eachInterval(const mechanism::MotionTable& slow, const ProgramPace& pace, V
   }
 }
 
-TEST(ProgramPace, SlowsDownEvenlyBeforeASlowerStretch) {
+TEST(ProgramPace, DeceleratesEvenlyBeforeSlowerSegment) {
   // From 1 to 0.5 of 1 rad/s with 2 rad/s^2: 0.25 s, over (1 - 0.25) / (2 * 2) s of the program.
   const auto motions = straight(1.0);
   const ProgramPace pace = permittedProgram({{0.0, 1.0, 1.0}, {1.0, 2.0, 0.5}}, motions, 2.0);
@@ -50,7 +50,7 @@ TEST(ProgramPace, SlowsDownEvenlyBeforeASlowerStretch) {
               kPaceStep);
 }
 
-TEST(ProgramPace, OfAWholeProgramIsItsShare) {
+TEST(ProgramPace, UniformPaceScalesTime) {
   const ProgramPace pace = ProgramPace::uniform(1.0, 3.0, 0.25);
   EXPECT_DOUBLE_EQ(pace.cycleTime(), 8.0);
   EXPECT_DOUBLE_EQ(pace.clockAt(2.0), 5.0);
@@ -62,7 +62,7 @@ TEST(ProgramPace, OfAWholeProgramIsItsShare) {
   EXPECT_DOUBLE_EQ(slow.times()[2], 9.0);
 }
 
-TEST(ProgramPace, HasAFullSpeedWhereEverythingIsPermitted) {
+TEST(ProgramPace, IsFullSpeedWithoutLimits) {
   const auto motions = straight(1.0);
   const ProgramPace pace = permittedProgram({{0.0, 2.0, 1.0}}, motions, 2.0);
   EXPECT_NEAR(pace.cycleTime(), 2.0, kRounding * 4.0);
@@ -99,7 +99,7 @@ class RandomPrograms : public ::testing::TestWithParam<unsigned> {
   std::vector<PermittedPace> permitted_;
 };
 
-TEST_P(RandomPrograms, KeepTheirPath) {
+TEST_P(RandomPrograms, KeepPath) {
   const ProgramPace pace = permittedProgram(permitted_, motions_, kDeceleration);
   for (const ProgramMotion& m : motions_) {
     const mechanism::MotionTable slow = retimed(m.motion, pace);
@@ -126,7 +126,7 @@ TEST_P(RandomPrograms, KeepTheirPath) {
   }
 }
 
-TEST_P(RandomPrograms, AreNowhereFasterThanPermitted) {
+TEST_P(RandomPrograms, NeverExceedPermittedSpeed) {
   const ProgramPace pace = permittedProgram(permitted_, motions_, kDeceleration);
   for (const ProgramMotion& m : motions_) {
     const auto dof = static_cast<std::size_t>(m.motion.dof());
@@ -147,7 +147,7 @@ TEST_P(RandomPrograms, AreNowhereFasterThanPermitted) {
   }
 }
 
-TEST_P(RandomPrograms, ChangeTheirPaceNoHarderThanTold) {
+TEST_P(RandomPrograms, NeverExceedDeceleration) {
   const ProgramPace pace = permittedProgram(permitted_, motions_, kDeceleration);
   std::size_t changes = 0;
   for (const ProgramMotion& m : motions_) {

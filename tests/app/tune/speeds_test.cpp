@@ -42,7 +42,7 @@ struct ContactCase {
 
 class ContactSpeed : public ::testing::TestWithParam<ContactCase> {};
 
-TEST_P(ContactSpeed, IsTheClosedFormWhereTheyAreNearAndCloseIn) {
+TEST_P(ContactSpeed, MatchesClosedFormWhenNearAndApproaching) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, GetParam().speeds);
   const TuneOptions options = withLimits();
@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ContactCase{"robot_goes_away", {.robot = -0.2, .person = 1.0, .stops_at = 2.5}}),
     [](const auto& c) { return c.param.name; });
 
-TEST(ContactSpeed, OfAClampedPartAgainstAWallIsNone) {
+TEST(ContactSpeed, IsZeroForClampedPartAgainstWall) {
   // Of a clamped part no mass recoils, and a robot without masses counts as a wall.
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.1, .seconds = 22.0});
@@ -91,7 +91,7 @@ TEST(ContactSpeed, OfAClampedPartAgainstAWallIsNone) {
   EXPECT_GT(judged, 5u);
 }
 
-TEST(ContactSpeed, OfTheHeadIsThatOfTheDistanceAlone) {
+TEST(ContactSpeed, UsesSeparationForHead) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.2});
   const TunedRecording tuned = tuneRecording(*session, withLimits(), {}, "slide");
@@ -108,7 +108,7 @@ TEST(ContactSpeed, OfTheHeadIsThatOfTheDistanceAlone) {
   }
 }
 
-TEST(SpeedRules, TakeTheirOwnShareOfEachSegment) {
+TEST(SpeedRules, UseTheirOwnScalePerSegment) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.2});
   const std::vector<TunedRecording> all{tuneRecording(*session, withLimits(), {}, "slide")};
@@ -145,9 +145,9 @@ TEST(SpeedRules, TakeTheirOwnShareOfEachSegment) {
 }
 
 /// A ball on a rail, people from files, and what replays need.
-class SpeedProofs : public ::testing::Test {
+class SpeedProofTest : public ::testing::Test {
  protected:
-  SpeedProofs() : options_(withLimits()) {
+  SpeedProofTest() : options_(withLimits()) {
     // S_p = v (0.1 + 0.15): people who do as recorded, at any distance.
     auto& o = options_.pass.separation;
     o.person_speed = o.person_speed_near = 0.0;
@@ -197,7 +197,7 @@ class SpeedProofs : public ::testing::Test {
   std::vector<std::string> names_;  ///< of the last replay's runs
 };
 
-TEST_F(SpeedProofs, ARobotFastEnoughInItsOwnWayIsProvenAtOnce) {
+TEST_F(SpeedProofTest, AdmissibleProgramIsProvenAtOnce) {
   make({.robot = 0.2, .seconds = 4.0});
   for (const SpeedRule rule : {SpeedRule::kBoth, SpeedRule::kSeparation, SpeedRule::kContact}) {
     const SpeedProof proof = prove(rule);
@@ -210,7 +210,7 @@ TEST_F(SpeedProofs, ARobotFastEnoughInItsOwnWayIsProvenAtOnce) {
   }
 }
 
-TEST_F(SpeedProofs, OfContactSlowsDownToWhatTheLimitAllows) {
+TEST_F(SpeedProofTest, ContactRuleSlowsDownToLimit) {
   make({.robot = 0.5, .seconds = 4.2});
   const double allowed = allowedSpeedOf(options_, "torso");
   ASSERT_LT(allowed, 0.5);
@@ -227,7 +227,7 @@ TEST_F(SpeedProofs, OfContactSlowsDownToWhatTheLimitAllows) {
   EXPECT_EQ(names_, (std::vector<std::string>{"slide", "slide, round 2"}));
 }
 
-TEST_F(SpeedProofs, OfSeparationSlowsDownWithTheDistance) {
+TEST_F(SpeedProofTest, SeparationRuleSlowsDownWithDistance) {
   options_.pass.separation.intrusion = 0.05;
   make({.robot = 0.5, .seconds = 4.2});
   const SpeedProof proof = prove(SpeedRule::kSeparation);
@@ -241,7 +241,7 @@ TEST_F(SpeedProofs, OfSeparationSlowsDownWithTheDistance) {
   EXPECT_GT(proof.scales.back().scale, share * std::pow(0.98, proof.iterations - 1) - kEngine / 0.125);
 }
 
-TEST_F(SpeedProofs, SlowerRobotsMeetPeopleElsewhereAndAreSlowedDownFurther) {
+TEST_F(SpeedProofTest, IteratesWhenSlowerRobotMeetsPersonElsewhere) {
   // As recorded the robot rests after 1 m and 2 s, long before the person comes; slower it does not.
   make({.robot = 0.5, .person = 0.2, .stops_at = 5.5, .seconds = 6.0}, "t,q0\n0,0\n2,1\n");
   const auto table = speedTable(recorded_, 0.5, SpeedRule::kContact);
@@ -263,7 +263,7 @@ TEST_F(SpeedProofs, SlowerRobotsMeetPeopleElsewhereAndAreSlowedDownFurther) {
   EXPECT_LT(proof.scales[3].scale, 0.36);
 }
 
-TEST_F(SpeedProofs, APersonWhoAloneIsTooFastLeavesNoSpeed) {
+TEST_F(SpeedProofTest, FastPersonLeavesNoSpeed) {
   make({.robot = 0.5, .person = 0.4, .stops_at = 2.75, .seconds = 4.0}, "t,q0\n0,0\n2,1\n");
   auto table = speedTable(recorded_, 0.5, SpeedRule::kContact);
   for (SpeedSegment& s : table) s.speed_scale = std::min(s.speed_scale, 0.72);
@@ -276,7 +276,7 @@ TEST_F(SpeedProofs, APersonWhoAloneIsTooFastLeavesNoSpeed) {
   EXPECT_GE(proof.iterations, 1);
 }
 
-TEST_F(SpeedProofs, AStretchInWhichTheRobotHasToStandIsRefusedBeforeAReplay) {
+TEST_F(SpeedProofTest, RejectsForcedStandstillBeforeReplay) {
   options_.pass.separation = {};
   make({.robot = 0.5, .seconds = 4.2});
   const SpeedProof proof = prove(SpeedRule::kBoth);
@@ -288,7 +288,7 @@ TEST_F(SpeedProofs, AStretchInWhichTheRobotHasToStandIsRefusedBeforeAReplay) {
   EXPECT_TRUE(names_.empty());
 }
 
-TEST_F(SpeedProofs, AMomentBeforeTheRecordingIsMetToo) {
+TEST_F(SpeedProofTest, CoversTimeBeforeRecording) {
   // The program begins 3 s before the recording of 4 s.
   make({.robot = 0.2, .seconds = 4.0}, "t,q0\n-3,0\n3,0.6\n");
   const SpeedProof proof = prove(SpeedRule::kContact);
@@ -296,13 +296,13 @@ TEST_F(SpeedProofs, AMomentBeforeTheRecordingIsMetToo) {
   EXPECT_EQ(names_, (std::vector<std::string>{"slide, round 0", "slide"}));
 }
 
-TEST_F(SpeedProofs, AProgramOfNoMotionIsRefused) {
+TEST_F(SpeedProofTest, RejectsProgramWithoutMotion) {
   make({.robot = 0.2, .seconds = 1.0});
   folder_.write("go.csv", "t,q0\n0,0\n");
   EXPECT_THROW(programMotions(scene_file::loadScene(items_[0].scene)), UsageError);
 }
 
-TEST_F(SpeedProofs, TheTradeIsTheoryAtEachScale) {
+TEST_F(SpeedProofTest, TradeOffMatchesTheoryAtEachScale) {
   const double speed = 0.8, reaction = options_.pass.braking.reaction_time,
                deceleration = options_.pass.braking.deceleration, frame = 0.01;
   make({.robot = speed, .seconds = 4.0});

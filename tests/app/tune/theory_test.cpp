@@ -29,7 +29,7 @@ struct Theory {
 
 class TuneTheory : public ::testing::TestWithParam<Theory> {};
 
-TEST_P(TuneTheory, TheSmallestSafeMarginIsWhatBodiesNeedUntilTheRobotRests) {
+TEST_P(TuneTheory, SmallestSafeMarginMatchesStoppingDistance) {
   const Theory& theory = GetParam();
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, theory.speeds);
@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(EachTermByItself, TuneTheory,
                              Theory{{.robot = 0.5, .person = 0.7, .rate = 250.0}, {0.1, 1.5}, 0.02, "all"}),
                          [](const auto& theory) { return theory.param.name; });
 
-TEST(TuneTheory, ARobotThatStandsMissesNothing) {
+TEST(TuneTheory, StandingRobotMissesNothing) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.0, .person = 0.8});
   const TunedRecording tuned = tuneRecording(*session, {}, {}, "slide");
@@ -79,7 +79,7 @@ TEST(TuneTheory, ARobotThatStandsMissesNothing) {
   }
 }
 
-TEST(TuneTheory, AHandThatStopsShortNeverNeedsAStop) {
+TEST(TuneTheory, HandStoppingShortNeedsNoStop) {
   // The person comes 0.9 m and stands; the robot rests behind 1.0 m: 2.4 - 0.9 - 1.0 is left of the way.
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.25, .person = 0.9, .stops_at = 1.0});

@@ -18,7 +18,7 @@ WorstPhase of(const std::vector<WorstPhase>& all, const std::string& part) {
   throw std::runtime_error(part);
 }
 
-TEST(WorstPhase, IsTheLeastOverAllTimesOfBoth) {
+TEST(WorstPhase, IsMinimumOverAllTimePairs) {
   // The robot comes 1.2 m, the person 0.9 m, both at their own time: together they leave 0.3 m less the
   // bodies.
   const testing::ScratchFolder folder;
@@ -49,7 +49,7 @@ TEST(WorstPhase, IsTheLeastOverAllTimesOfBoth) {
   EXPECT_LT(w.phase, 4.0);
 }
 
-TEST(WorstPhase, IsNearerThanInStepWhereBothMissEachOther) {
+TEST(WorstPhase, IsNearerThanSynchronousRun) {
   // In step the person is gone before the robot comes; at another phase they touch.
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(folder, {.robot = 0.55, .person = -0.6, .seconds = 4.0});
@@ -67,7 +67,7 @@ TEST(WorstPhase, IsNearerThanInStepWhereBothMissEachOther) {
   EXPECT_NEAR(w.t_robot, 4.0, 0.02);
 }
 
-TEST(WorstPhase, EqualsTryingAllPhases) {
+TEST(WorstPhase, MatchesBruteForce) {
   const testing::ScratchFolder folder;
   const auto session = testing::openSlide(
       folder, {.robot = 0.2, .person = 0.3, .stops_at = 1.5, .rate = 20.0, .seconds = 2.0});
@@ -102,7 +102,7 @@ TEST(WorstPhase, EqualsTryingAllPhases) {
   }
 }
 
-TEST(BodyPath, ReachHoldsEveryPointAtEveryTime) {
+TEST(BodyPath, ReachBoundsEveryPoint) {
   BodyPath path({Vector3d(0.1, 0, 0), 0.3});
   const auto pose = [](double t) {
     Transform X = Transform::Identity();

@@ -13,7 +13,7 @@ struct Twin {
   long a{0}, b{0};
 };
 
-TEST(TripleBuffer, ReaderNeverSeesAHalfWrittenValue) {
+TEST(TripleBuffer, ReaderNeverSeesPartialValue) {
   TripleBuffer<Twin> buffer;
   std::atomic<bool> done{false};
   std::jthread writer([&] {

@@ -11,7 +11,7 @@
 namespace abstand {
 namespace files_test {
 
-TEST(TextFile, SaysWhatIsWrongWithAFile) {
+TEST(TextFile, RejectsUnreadableFiles) {
   testing::ScratchFolder d;
   EXPECT_THROW(readFile(d.path()), ParseError);
   EXPECT_THROW(readFile(d.path() / "none"), ParseError);
@@ -20,19 +20,19 @@ TEST(TextFile, SaysWhatIsWrongWithAFile) {
   EXPECT_EQ(readFile(d.write("good", "12345")), "12345");
 }
 
-TEST(ParseErrorText, IsOneLineWithPlaceAndHint) {
+TEST(ParseErrorText, IsOneLineWithPositionAndHint) {
   EXPECT_STREQ(ParseError({"a.mech", 3, 7}, "found x, expected y").what(),
                "a.mech:3:7: error: found x, expected y");
   EXPECT_STREQ(ParseError({"a.mech"}, "is empty", "look").what(), "a.mech: error: is empty\nhint: look");
 }
 
-TEST(NearestName, FindsTheTypo) {
+TEST(NearestName, FindsTypo) {
   const std::vector<std::string> known{"objects", "humans", "pairs"};
   EXPECT_EQ(nearestName("objekts", known), "objects");
   EXPECT_EQ(nearestName("zzzzzzzz", known), "");
 }
 
-TEST(OutputFile, IsThereWholeOrNotAtAll) {
+TEST(OutputFile, IsWrittenAtomically) {
   testing::ScratchFolder d;
   {
     OutputFile f(d.path() / "a");
@@ -48,7 +48,7 @@ TEST(OutputFile, IsThereWholeOrNotAtAll) {
   EXPECT_THROW(OutputFile(d.path() / "no" / "where"), UsageError);
 }
 
-TEST(OutputFolder, AppearsWholeOrNotAtAll) {
+TEST(OutputFolder, IsWrittenAtomically) {
   testing::ScratchFolder d;
   {
     OutputFolder set(d.path() / "a" / "b");
@@ -68,7 +68,7 @@ TEST(OutputFolder, AppearsWholeOrNotAtAll) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(d.path() / "a" / "b"), {}), 2);
 }
 
-TEST(MessageLine, HoldsNothingThatMovesACursor) {
+TEST(MessageLine, EscapesControlCharacters) {
   EXPECT_EQ(messageLine("plain \xc3\xa4\xe2\x82\xac"), "plain \xc3\xa4\xe2\x82\xac");
   EXPECT_EQ(messageLine("a\nb\r\tc"), "a b  c");
   EXPECT_EQ(messageLine(std::string_view("\x1b[31m\x7f\0\xff", 8)), "\\x1b[31m\\x7f\\x00\\xff");
@@ -83,7 +83,7 @@ TEST(MessageLine, HoldsNothingThatMovesACursor) {
   EXPECT_STREQ(ParseError({"a\x1b"}, "b\nc").what(), "a\\x1b: error: b c");
 }
 
-TEST(ProgressReport, WritesALineNowAndThenWhereNobodyWatches) {
+TEST(ProgressReport, WritesOccasionalLinesWithoutTerminal) {
   std::string out;
   double now = 100.0;
   const auto write = [&out](const std::string& text) { out += text; };

@@ -5,7 +5,7 @@
 namespace abstand {
 namespace number_test {
 
-TEST(Number, ReadsWhatPeopleWrite) {
+TEST(NumberText, ParsesCommonNotations) {
   EXPECT_EQ(parseDouble("1"), 1.0);
   EXPECT_EQ(parseDouble("-.5"), -0.5);
   EXPECT_EQ(parseDouble("+2e-3"), 0.002);
@@ -13,13 +13,13 @@ TEST(Number, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parseInt("42"), 42);
 }
 
-TEST(Number, RefusesTheRest) {
+TEST(NumberText, RejectsOtherText) {
   for (const char* bad : {"", "nan", "inf", "-inf", "1,5", "1.5x", " 1", "0x10", "1e999", "+-1", "--1"})
     EXPECT_FALSE(parseDouble(bad)) << bad;
   for (const char* bad : {"", "1.0", "99999999999", "a"}) EXPECT_FALSE(parseInt(bad)) << bad;
 }
 
-TEST(Number, ReadsBackTheSameDouble) {
+TEST(NumberText, DoublesRoundTrip) {
   for (double v : {0.1, 1.0 / 3.0, 1e-300, -123456.789, 5e-324}) EXPECT_EQ(parseDouble(formatDouble(v)), v);
 }
 

@@ -43,7 +43,7 @@ std::vector<const RegionLimits*> limitedRegions() {
   return all;
 }
 
-TEST(AllowedSpeed, OfForceAndEnergyIsTheClosedForm) {
+TEST(AllowedSpeed, ForceAndEnergyMatchClosedForm) {
   for (const RegionLimits* region : limitedRegions())
     for (const double kg : {2.0, 15.0, kInfinity}) {
       const AllowedSpeed v = allowedSpeed({region}, {{kg}}, kFast, flat(1.0));
@@ -60,7 +60,7 @@ TEST(AllowedSpeed, OfForceAndEnergyIsTheClosedForm) {
     }
 }
 
-TEST(AllowedSpeed, OfAClampedPartIsTheClosedFormWithoutTheFactorAndWithTheRobotsMassAlone) {
+TEST(AllowedSpeed, ClampedPartMatchesClosedForm) {
   for (const RegionLimits* region : limitedRegions())
     for (const double kg : {2.0, 15.0, kInfinity}) {
       const ContactPartner clamped{{kg}, ContactKind::kQuasiStatic};
@@ -79,7 +79,7 @@ TEST(AllowedSpeed, OfAClampedPartIsTheClosedFormWithoutTheFactorAndWithTheRobots
     }
 }
 
-TEST(AllowedSpeed, OfPressureOnAFlatFaceIsLinearInSpeed) {
+TEST(AllowedSpeed, FlatFacePressureIsLinearInSpeed) {
   // Pressure is F / A: half the area that carries the largest force allows half of its speed.
   for (const RegionLimits* region : limitedRegions()) {
     const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
@@ -94,7 +94,7 @@ TEST(AllowedSpeed, OfPressureOnAFlatFaceIsLinearInSpeed) {
   }
 }
 
-TEST(AllowedSpeed, OfACapIsAllOrNothing) {
+TEST(AllowedSpeed, CapPressureIsIndependentOfSpeed) {
   // Pressure is k / (pi R), whatever the speed.
   for (const RegionLimits* region : limitedRegions()) {
     const double most = region->transient.value * region->pressure();
@@ -107,7 +107,7 @@ TEST(AllowedSpeed, OfACapIsAllOrNothing) {
   }
 }
 
-TEST(AllowedSpeed, TakesFewEvaluationsAndNeverManyMoreThanBisection) {
+TEST(AllowedSpeed, PressureNeedsFewEvaluations) {
   const RegionLimits* region = limitedRegions().front();
   const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
   const double full = region->force.value / region->pressure();
@@ -129,7 +129,7 @@ TEST(AllowedSpeed, TakesFewEvaluationsAndNeverManyMoreThanBisection) {
       EXPECT_LE(evaluations(power, share), 4) << power << " " << share;
 }
 
-TEST(AllowedSpeed, TakesHardlyMoreThanBisectionWherePressureIsNoPower) {
+TEST(AllowedSpeed, NonPowerLawPressureNeedsFewExtraEvaluations) {
   const RegionLimits* region = limitedRegions().front();
   const double full = region->force.value / region->pressure();
   const double by_force = predictContact(*region, {0.0, {15.0}}).allowed_speed;
@@ -146,7 +146,7 @@ TEST(AllowedSpeed, TakesHardlyMoreThanBisectionWherePressureIsNoPower) {
   }
 }
 
-TEST(AllowedSpeed, IsNotAboveWhatIsWantedAndTakesTheWorstRegion) {
+TEST(AllowedSpeed, IsCappedAtRequestedSpeedAndWorstRegion) {
   const auto all = limitedRegions();
   double least = kInfinity;
   for (const RegionLimits* region : all)
@@ -156,7 +156,7 @@ TEST(AllowedSpeed, IsNotAboveWhatIsWantedAndTakesTheWorstRegion) {
   EXPECT_EQ(allowedSpeed(all, {{15.0}}, 0.0, flat(1.0)).speed, 0.0);
 }
 
-TEST(AllowedSpeed, OfTheHeadAndOfNothingKnownIsZero) {
+TEST(AllowedSpeed, IsZeroForHeadAndUnknownArea) {
   std::vector<const RegionLimits*> mixed = limitedRegions();
   for (const RegionLimits& r : shippedLimits().regions)
     if (r.excluded()) mixed.push_back(&r);
@@ -171,7 +171,7 @@ TEST(AllowedSpeed, OfTheHeadAndOfNothingKnownIsZero) {
   EXPECT_EQ(allowedSpeed(limitedRegions(), {{15.0}}, kFast, [](double) { return ContactArea{}; }).speed, 0.0);
 }
 
-TEST(SpeedShare, IsTheRobotsPartOfTheAllowedSpeed) {
+TEST(SpeedShare, IsRobotShareOfAllowedSpeed) {
   EXPECT_DOUBLE_EQ(speedShare(0.25, 0.5, 0.0), 0.5);
   EXPECT_DOUBLE_EQ(speedShare(0.25, 0.5, 0.1), 0.3);
   EXPECT_EQ(speedShare(0.25, 0.5, 0.25), 0.0);

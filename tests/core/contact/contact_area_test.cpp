@@ -67,7 +67,7 @@ geometry::TriangleMesh extruded(const std::vector<Eigen::Vector2d>& outline,
   return mesh;
 }
 
-TEST(ContactArea, OfABallIsItsCap) {
+TEST(ContactArea, BallMatchesSphericalCap) {
   for (const double r : {0.02, 0.05, 0.15}) {
     const ContactArea a = areaOf(geometry::Sphere{r}, {0, 0, r}, {0, 0, 1});
     expectBelow(a.area, M_PI * (2.0 * r * kX - kX * kX), kTessellated);
@@ -80,7 +80,7 @@ TEST(ContactArea, OfABallIsItsCap) {
   }
 }
 
-TEST(ContactArea, OfACylinderOnItsSideIsLengthTimesChord) {
+TEST(ContactArea, CylinderSideMatchesLengthTimesChord) {
   const double r = 0.05, length = 0.3;
   const ContactArea a = areaOf(geometry::Cylinder{r, length}, {r, 0, 0}, {1, 0, 0});
   const double half = std::sqrt(2.0 * r * kX - kX * kX), angle = std::acos(1.0 - kX / r);
@@ -88,7 +88,7 @@ TEST(ContactArea, OfACylinderOnItsSideIsLengthTimesChord) {
   expectBelow(a.volume, length * (r * r * angle - (r - kX) * half), kTessellatedVolume);
 }
 
-TEST(ContactArea, OfAFlatFaceIsTheWholeFace) {
+TEST(ContactArea, FlatFaceIsWholeFace) {
   const ContactArea a = areaOf(geometry::Cuboid{{0.1, 0.06, 0.2}}, {0.01, 0.02, 0.1}, {0, 0, 1});
   EXPECT_NEAR(a.area, 0.006, kExact * 0.006);
   EXPECT_NEAR(a.volume, 0.006 * kX, kExact * 0.006 * kX);
@@ -96,7 +96,7 @@ TEST(ContactArea, OfAFlatFaceIsTheWholeFace) {
   EXPECT_EQ(a.offset, 0.0);
 }
 
-TEST(ContactArea, OfAnEdgeAndACorner) {
+TEST(ContactArea, EdgeAndCornerMatchClosedForm) {
   const double length = 0.06;
   const geometry::Shape box = geometry::Cuboid{{0.1, length, 0.2}};
   const ContactArea edge = areaOf(box, {0.05, 0.01, 0.1}, {1, 0, 1});
@@ -110,13 +110,13 @@ TEST(ContactArea, OfAnEdgeAndACorner) {
   EXPECT_GT(corner.peakPressure(100.0), 10.0 * edge.peakPressure(100.0));
 }
 
-TEST(ContactArea, NeedsNoSpacingBelowTheIndentation) {
+TEST(ContactArea, IsIndependentOfPointSpacing) {
   // A blade of 0.2 mm, far below any pointshell's spacing: its end face is exact.
   const ContactArea a = areaOf(geometry::Cuboid{{2e-4, 0.05, 0.1}}, {0, 0, 0.05}, {0, 0, 1}, 1e-5);
   EXPECT_NEAR(a.area, 1e-5, kExact * 1e-5);
 }
 
-TEST(ContactArea, GrowsWithTheIndentationAndTurnsWithTheBody) {
+TEST(ContactArea, GrowsWithIndentationAndIsRotationInvariant) {
   const geometry::TriangleMesh mesh = testing::bumpyBall(0.1, 1e-3);
   const ContactSurface surface(*geometry::makeSurface(mesh));
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -141,7 +141,7 @@ TEST(ContactArea, GrowsWithTheIndentationAndTurnsWithTheBody) {
   }
 }
 
-TEST(ContactArea, IsWhatRaysSeeOfABumpyBall) {
+TEST(ContactArea, BumpyBallMatchesRayCasting) {
   // Columns along the approach, and the first triangle that each meets, by brute force. They see other hills
   // within the indentation too; on this ball and at this depth there is one patch.
   const geometry::TriangleMesh mesh = testing::bumpyBall(0.1, 1e-3);
@@ -170,7 +170,7 @@ TEST(ContactArea, IsWhatRaysSeeOfABumpyBall) {
   EXPECT_NEAR(a.volume, volume, 0.01 * volume);
 }
 
-TEST(ContactArea, IsThatOfThePointshellWhereItHasManyPoints) {
+TEST(ContactArea, MatchesDensePointshell) {
   // A point stands for an area a; seen along the approach it is a times the cosine of its normal, which
   // points inwards. Some 900 points in the cap; those at its rim count whole or not at all.
   const geometry::Shape ball = geometry::Sphere{0.1};
@@ -186,7 +186,7 @@ TEST(ContactArea, IsThatOfThePointshellWhereItHasManyPoints) {
   EXPECT_NEAR(exact.volume, volume, 0.02 * volume);
 }
 
-TEST(ContactArea, CountsWhatLiesBehindOnce) {
+TEST(ContactArea, CountsHiddenSurfaceOnce) {
   // An I-beam of 0.1 m on its side: flanges 40 and 60 mm wide, the web 10 mm; all of it is pressed in.
   const std::vector<Eigen::Vector2d> outline = {
       {-0.03, 0.0}, {0.03, 0.0},   {0.03, 0.005},  {0.005, 0.005},  {0.005, 0.015},  {0.02, 0.015},
@@ -223,7 +223,7 @@ PatchExtent extentBesideAllTriangles(const ContactSurface& surface, const Contac
   return visibleExtent(patch);
 }
 
-TEST(ContactArea, HasTheSameBitsAsBesideAllTrianglesWhateverWasAskedBefore) {
+TEST(ContactArea, IsBitIdenticalToExhaustiveSearch) {
   const ContactSurface torus(*geometry::makeSurface(testing::bumpyTorus(0.1, 0.04, 120, 40))),
       ball(*geometry::makeSurface(testing::bumpyBall(0.1, 1e-3)));
   bool hidden = false;
@@ -247,7 +247,7 @@ TEST(ContactArea, HasTheSameBitsAsBesideAllTrianglesWhateverWasAskedBefore) {
   EXPECT_TRUE(hidden) << "some patch lies partly behind other surface";
 }
 
-TEST(ContactArea, OfAThinPlateIsItsFaceHoweverDeep) {
+TEST(ContactArea, ThinPlateIsItsFaceAtAnyDepth) {
   const geometry::Shape plate = geometry::Cuboid{{0.1, 0.1, 0.002}};
   const ContactArea a = areaOf(plate, {0.0, 0.0, 0.001}, {0, 0, 1}, 0.02);
   EXPECT_NEAR(a.area, 0.01, kExact);
@@ -256,7 +256,7 @@ TEST(ContactArea, OfAThinPlateIsItsFaceHoweverDeep) {
   expectBelow(areaOf(geometry::Sphere{r}, {0, 0, r}, {0, 0, 1}, 0.025).area, M_PI * r * r, kTessellated);
 }
 
-TEST(ContactArea, LeavesNeighboursOut) {
+TEST(ContactArea, ExcludesNeighbouringPatches) {
   // Two fingers on a palm: pressed by less than their length, only the one that is touched counts.
   geometry::TriangleMesh fingers = cuboidMesh({0.01, 0.01, 0.05}, {0, 0, 0});
   append(fingers, cuboidMesh({0.01, 0.01, 0.05}, {0.03, 0, 0}));
@@ -265,7 +265,7 @@ TEST(ContactArea, LeavesNeighboursOut) {
   EXPECT_NEAR(contactArea(surface, {{0.029, 0, 0.025}, {0, 0, 1}, kX}).area, 1e-4, kExact);
 }
 
-TEST(ContactArea, FindsTheForemostPointBeyondTheContactPoint) {
+TEST(ContactArea, FindsForemostPointBeyondContactPoint) {
   // The normal points past the contact point: the patch is that of the edge, and the offset says so.
   const Vector3d n = Vector3d(std::sin(0.1), 0, std::cos(0.1));
   const ContactArea a = areaOf(geometry::Cuboid{{0.1, 0.06, 0.2}}, {0, 0, 0.1}, n);
@@ -274,7 +274,7 @@ TEST(ContactArea, FindsTheForemostPointBeyondTheContactPoint) {
   EXPECT_LT(a.area, 0.06 * 0.05);
 }
 
-TEST(ContactArea, OfAFaceOnARoundPersonIsThePersonsCap) {
+TEST(ContactArea, FlatFaceOnRoundBodyIsBodyCap) {
   // Depth x - rho^2 / 2R: A = 2 pi R x, V = pi R x^2, so that p_max = 2 F / A.
   for (const double radius : {0.01, 0.04, 0.1}) {
     const ContactArea a = areaOf(geometry::Cuboid{{0.4, 0.4, 0.2}}, {0.01, 0.02, 0.1}, {0, 0, 1}, kX, radius);
@@ -290,7 +290,7 @@ TEST(ContactArea, OfAFaceOnARoundPersonIsThePersonsCap) {
   expectBelow(blade.area, 0.002 * 2.0 * std::sqrt(2.0 * 0.04 * kX), 0.05);
 }
 
-TEST(ContactArea, OfNothingCertainIsNothing) {
+TEST(ContactArea, IsZeroForInvalidInput) {
   const ContactSurface ball(*geometry::makeSurface(geometry::Sphere{0.05}));
   const ContactPlace good{{0, 0, 0.05}, {0, 0, 1}, kX};
   ContactPlace bad = good;
@@ -312,7 +312,7 @@ TEST(ContactArea, OfNothingCertainIsNothing) {
   EXPECT_EQ(contactArea(ball, bad).area, 0.0);
 }
 
-TEST(ContactArea, SaysWhereAMeshIsNotClosed) {
+TEST(ContactArea, OpenMeshIsNotCertified) {
   geometry::TriangleMesh open = cuboidMesh({0.1, 0.1, 0.1}, {0, 0, 0});
   open.triangles.pop_back();
   const ContactSurface surface(*geometry::makeSurface(open));

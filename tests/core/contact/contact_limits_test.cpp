@@ -41,7 +41,7 @@ std::string changed(const std::string& behind, const std::string& from, const st
   return text.replace(at, from.size(), to);
 }
 
-TEST(ContactLimits, OfTheShippedTable) {
+TEST(ContactLimits, ShippedTableMatchesStandard) {
   struct Row {
     const char* region;
     double force, pressure, spring, mass;  // N, N/cm^2, N/mm, kg
@@ -73,7 +73,7 @@ TEST(ContactLimits, OfTheShippedTable) {
   }
 }
 
-TEST(ContactLimits, StatesEnergiesThatFollowFromForceAndSpring) {
+TEST(ContactLimits, EnergiesFollowFromForceAndSpring) {
   for (const RegionLimits& r : shippedLimits().regions) {
     ASSERT_TRUE(r.energy) << r.name;
     const double force = r.force.value * (r.excluded() ? 1.0 : r.transient.value);
@@ -82,13 +82,13 @@ TEST(ContactLimits, StatesEnergiesThatFollowFromForceAndSpring) {
   }
 }
 
-TEST(ContactLimits, ExcludesTheHeadAndNothingElse) {
+TEST(ContactLimits, ExcludesHeadOnly) {
   for (const RegionLimits& r : shippedLimits().regions)
     EXPECT_EQ(r.excluded(), r.name == "skull_forehead" || r.name == "face") << r.name;
   for (const RegionLimits* r : shippedLimits().regionsOf("head")) EXPECT_TRUE(r->excluded());
 }
 
-TEST(ContactLimits, CoversEveryPartOfTheModel) {
+TEST(ContactLimits, CoversEveryBodyPart) {
   for (const std::string_view part : humanmodel::partNames())
     EXPECT_FALSE(shippedLimits().regionsOf(part).empty()) << part;
   EXPECT_EQ(shippedLimits().regionsOf("torso").size(), 5u);  // neck, back, chest, abdomen, pelvis
@@ -100,7 +100,7 @@ TEST(ContactLimits, CoversEveryPartOfTheModel) {
   EXPECT_TRUE(shippedLimits().regionsOf("tail").empty());
 }
 
-TEST(ContactLimits, NamesTheEditionAndTheBytes) {
+TEST(ContactLimits, StampNamesEditionAndContent) {
   const ContactLimits& limits = shippedLimits();
   EXPECT_THAT(limits.stamp(), AllOf(HasSubstr("ISO/TS 15066:2016"), HasSubstr("iso_ts_15066_2016.yaml"),
                                     HasSubstr(limits.content.hex().substr(0, 12))));
@@ -109,13 +109,13 @@ TEST(ContactLimits, NamesTheEditionAndTheBytes) {
   EXPECT_NE(parseContactLimits(other, "t.yaml", humanmodel::partNames()).content, limits.content);
 }
 
-TEST(ContactLimits, ListsWhatShouldBeLookedUp) {
+TEST(ContactLimits, ListsDoubtfulValues) {
   const auto doubts = shippedLimits().doubts();
   EXPECT_THAT(doubts, ::testing::Contains(HasSubstr("skull_forehead, transient: ")));
   EXPECT_THAT(doubts, ::testing::Contains(HasSubstr("upper_arm_elbow, pressure, deltoid muscle: ")));
 }
 
-TEST(ContactLimitsFile, SaysWhatIsWrongAndWhere) {
+TEST(ContactLimitsFile, ReportsErrorsWithPosition) {
   struct Case {
     const char *behind, *from, *to, *line, *message;
   };
@@ -144,7 +144,7 @@ TEST(ContactLimitsFile, SaysWhatIsWrongAndWhere) {
   }
 }
 
-TEST(ContactLimitsFile, PointsAtTheNumber) {
+TEST(ContactLimitsFile, ReportsPositionOfNumber) {
   const std::string text = changed("name: chest", "n: 140", "n: -140");
   const std::size_t at = text.find("-140");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
@@ -153,7 +153,7 @@ TEST(ContactLimitsFile, PointsAtTheNumber) {
               HasSubstr("t.yaml:" + std::to_string(line) + ":" + std::to_string(column) + ":"));
 }
 
-TEST(ContactLimitsFile, FindsANumberOfAWrongColumnByItsEnergy) {
+TEST(ContactLimitsFile, FindsValueOfWrongColumnByEnergy) {
   // The chest's transient force in the quasi-static column: twice the force, four times the energy.
   EXPECT_THAT(errorOf(changed("name: chest", "n: 140", "n: 280")),
               AllOf(HasSubstr("found an energy of 1.568 J in region `chest`"), HasSubstr("= 6.272 J")));
@@ -164,7 +164,7 @@ TEST(ContactLimitsFile, FindsANumberOfAWrongColumnByItsEnergy) {
   EXPECT_EQ(errorOf(changed("name: chest", "    energy: {j: 1.568, source: computed}\n", "")), "no error");
 }
 
-TEST(ContactLimitsFile, SurvivesBrokenText) {
+TEST(ContactLimitsFile, HandlesBrokenText) {
   const std::string text = readFile(shippedFile());
   for (std::size_t i = 0; i < text.size(); i += 13) {
     std::string broken = text;
@@ -174,7 +174,7 @@ TEST(ContactLimitsFile, SurvivesBrokenText) {
   }
 }
 
-TEST(ContactLimitsFile, RefusesWhatIsNoTable) {
+TEST(ContactLimitsFile, RejectsOtherContent) {
   EXPECT_THAT(errorOf(""), HasSubstr("t.yaml"));
   EXPECT_THAT(errorOf("[1, 2]"), HasSubstr("expected a map"));
   EXPECT_THAT(errorOf("title: x"), HasSubstr("found no `sources`"));

@@ -54,7 +54,7 @@ SimulatedPeak simulate(double robot, double part, double spring, double speed) {
   return peak;
 }
 
-TEST(ImpactSimulation, AgreesInPeakForceAndEnergy) {
+TEST(ImpactSimulation, PeakForceAndEnergyMatchPrediction) {
   for (const RegionLimits& region : shippedLimits().regions)
     for (const double mass : {2.0, 10.0, 60.0})
       for (const double speed : {0.1, 1.0}) {
@@ -68,7 +68,7 @@ TEST(ImpactSimulation, AgreesInPeakForceAndEnergy) {
       }
 }
 
-TEST(ImpactSimulation, OfAClampedPartIsThatOfTheRobotAlone) {
+TEST(ImpactSimulation, ClampedPartHasRobotMassAlone) {
   // A body part that cannot go away: nearly all of the mass stands behind it.
   const RegionLimits& chest = shipped("chest");
   const SimulatedPeak peak = simulate(10.0, 1e6, chest.spring.value, 0.3);

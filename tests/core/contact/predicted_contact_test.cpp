@@ -18,7 +18,7 @@ PredictedContact at(std::string_view region, double speed, double mass,
   return predictContact(shipped(region), {speed, {mass, RobotMassSource::kPosture}, kind});
 }
 
-TEST(PredictedContact, AllowsTheSpeedsOfTheTable) {
+TEST(PredictedContact, AllowedSpeedsMatchTable) {
   struct Row {
     const char* region;
     double speed[4];  // m/s, of robots with 5, 10, 20 and 40 kg
@@ -40,7 +40,7 @@ TEST(PredictedContact, AllowsTheSpeedsOfTheTable) {
     }
 }
 
-TEST(PredictedContact, OfTheHandByHand) {
+TEST(PredictedContact, HandMatchesManualCalculation) {
   // m_H 0.6 kg, m_R 5.4 kg: mu = 0.54 kg. v = 1 m/s, K = 75 N/mm: E = 0.27 J, F = sqrt(40500) N, x = F / K.
   const PredictedContact c = at("hand_fingers", 1.0, 5.4);
   EXPECT_NEAR(c.reduced_mass, 0.54, kExact);
@@ -53,7 +53,7 @@ TEST(PredictedContact, OfTheHandByHand) {
   EXPECT_NEAR(c.share, 201.24611797498108 / 280.0, kExact);
 }
 
-TEST(PredictedContact, OfTheChestByHand) {
+TEST(PredictedContact, ChestMatchesManualCalculation) {
   // Two equal masses of 40 kg: mu = 20 kg. v = 0.5 m/s, K = 25 N/mm: E = 2.5 J of 1.568, F = 0.5 sqrt(500000)
   // N.
   const PredictedContact c = at("chest", 0.5, 40.0);
@@ -63,7 +63,7 @@ TEST(PredictedContact, OfTheChestByHand) {
   EXPECT_NEAR(c.share, 353.5533905932738 / 280.0, kExact);
 }
 
-TEST(PredictedContact, SharesOfForceSpeedAndEnergyAreOne) {
+TEST(PredictedContact, SharesOfForceSpeedAndEnergyAgree) {
   for (const RegionLimits& r : shippedLimits().regions) {
     if (r.excluded()) continue;
     const PredictedContact c = predictContact(r, {0.7, {12.0}});
@@ -73,7 +73,7 @@ TEST(PredictedContact, SharesOfForceSpeedAndEnergyAreOne) {
   }
 }
 
-TEST(PredictedContact, ClampsWithTheWholeRobotAndHalfTheLimit) {
+TEST(PredictedContact, ClampedPartHasRobotMassAndHalfLimit) {
   const PredictedContact clamped = at("chest", 0.2, 10.0, ContactKind::kQuasiStatic);
   EXPECT_NEAR(clamped.reduced_mass, 10.0, kExact);
   EXPECT_NEAR(clamped.allowed_force, 140.0, kExact);
@@ -81,7 +81,7 @@ TEST(PredictedContact, ClampsWithTheWholeRobotAndHalfTheLimit) {
   EXPECT_GT(clamped.share, 2.0 * at("chest", 0.2, 10.0).share);
 }
 
-TEST(PredictedContact, ExcludesTheHeadAtAnySpeed) {
+TEST(PredictedContact, ExcludesHeadAtAnySpeed) {
   for (const double speed : {0.0, 1e-9, 0.1, -1.0, kNaN}) {
     const PredictedContact c = at("face", speed, 5.0);
     EXPECT_TRUE(c.excluded);
@@ -91,7 +91,7 @@ TEST(PredictedContact, ExcludesTheHeadAtAnySpeed) {
   }
 }
 
-TEST(PredictedContact, TakesNothingUnknownForSafe) {
+TEST(PredictedContact, UnknownValuesAreNeverSafe) {
   EXPECT_EQ(at("chest", kNaN, 10.0).share, kInfinity);
   // A robot of unknown mass is a wall: mu = m_H.
   const PredictedContact wall = at("chest", 0.3, kInfinity);
@@ -104,14 +104,14 @@ TEST(PredictedContact, TakesNothingUnknownForSafe) {
   EXPECT_EQ(at("chest", -1.0, 10.0).force, 0.0);
 }
 
-TEST(PredictedContact, EstimatesTheRobotsMass) {
+TEST(PredictedContact, EstimatesRobotMass) {
   const RobotMass m = estimatedRobotMass(16.0, 2.0);
   EXPECT_EQ(m.kg, 10.0);
   EXPECT_EQ(sourceText(m.source), "m_R = M/2 + m_L (ISO/TS 15066:2016)");
   EXPECT_EQ(sourceText(RobotMassSource::kPosture), "effective mass of the posture");
 }
 
-TEST(PredictedContact, OfAPartIsThatOfItsWorstRegion) {
+TEST(PredictedContact, PartUsesWorstRegion) {
   // Of the torso, the chest allows the least force for its spring: v_max 0.63 m/s at 10 kg.
   const RegionContact torso = worstContact(shippedLimits().regionsOf("torso"), {0.5, {10.0}});
   ASSERT_TRUE(torso.region);

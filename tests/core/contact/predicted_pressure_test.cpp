@@ -18,7 +18,7 @@ ContactArea patch(double area, double volume, double x) {
   return a;
 }
 
-TEST(ContactPressure, OfClosedForms) {
+TEST(ContactPressure, PeakMatchesClosedForms) {
   const double x = 0.004, force = 120.0;
   // A flat face of 1 cm^2: the same pressure everywhere, 120 N/cm^2.
   EXPECT_NEAR(patch(1e-4, 1e-4 * x, x).peakPressure(force), 120e4, kExact * 120e4);
@@ -28,14 +28,14 @@ TEST(ContactPressure, OfClosedForms) {
   EXPECT_NEAR(patch(1e-4, 1e-4 * x / 3.0, x).peakPressure(force), 360e4, kExact * 360e4);
 }
 
-TEST(ContactPressure, IsInfiniteWhereNoAreaIsCertain) {
+TEST(ContactPressure, IsInfiniteWithoutCertainArea) {
   EXPECT_EQ(ContactArea{}.peakPressure(1.0), kInfinity);
   EXPECT_EQ(ContactArea{}.meanPressure(1.0), kInfinity);
   EXPECT_EQ(ContactArea{}.peakPressure(0.0), 0.0);
   EXPECT_EQ(patch(1e-4, 1e-7, 0.001).peakPressure(kNaN), kInfinity);
 }
 
-TEST(PredictedPressure, IsComparedWithTheSmallestLimitOfTheRegion) {
+TEST(PredictedPressure, UsesSmallestLimitOfRegion) {
   const RegionLimits& hand = shipped("hand_fingers");
   for (const ContactKind kind : {ContactKind::kTransient, ContactKind::kQuasiStatic}) {
     const double factor = kind == ContactKind::kTransient ? 2.0 : 1.0;
@@ -48,7 +48,7 @@ TEST(PredictedPressure, IsComparedWithTheSmallestLimitOfTheRegion) {
   }
 }
 
-TEST(NearestLimit, IsPressureOnASmallAreaAndForceOnALargeOne) {
+TEST(NearestLimit, IsPressureOnSmallAreaAndForceOnLargeArea) {
   const RegionLimits& hand = shipped("hand_fingers");
   const PredictedContact c = predictContact(hand, {0.5, {5.4}});
   // 280 N over 400 N/cm^2: 0.7 cm^2 of a flat face use both limits alike.
@@ -62,7 +62,7 @@ TEST(NearestLimit, IsPressureOnASmallAreaAndForceOnALargeOne) {
   EXPECT_EQ(nearestLimit(c).kind, LimitKind::kForce);
 }
 
-TEST(NearestLimit, OfTheHeadIsThatItIsExcluded) {
+TEST(NearestLimit, IsExclusionForHead) {
   const RegionLimits& face = shipped("face");
   const PredictedContact c = predictContact(face, {0.0, {5.4}});
   const PredictedPressure p = predictPressure(face, c, ContactArea{}, ContactKind::kTransient);

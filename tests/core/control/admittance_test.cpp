@@ -18,7 +18,7 @@ void run(Admittance& a, const std::vector<double>& efforts, int steps, double dt
   for (int i = 0; i < steps; ++i) a.update(efforts, dt);
 }
 
-TEST(Admittance, OfOneJointReachesItsSteadyState) {
+TEST(Admittance, ReachesSteadyState) {
   // 4 N m on 20 N m/rad: 0.2 rad.
   Admittance a({.inertia = {0.5}, .damping = {8.0}, .stiffness = {20.0}}, 1);
   run(a, {4.0}, 10000);
@@ -29,7 +29,7 @@ TEST(Admittance, OfOneJointReachesItsSteadyState) {
   EXPECT_NEAR(a.offset()[0], 0.0, 1e-6);
 }
 
-TEST(Admittance, WithoutASpringItDrifts) {
+TEST(Admittance, DriftsWithoutSpring) {
   // 4 N m on 8 N m s/rad: 0.5 rad/s.
   Admittance a({.inertia = {0.5}, .damping = {8.0}, .stiffness = {0.0}, .offset = {100.0}}, 1);
   run(a, {4.0}, 2000);
@@ -52,7 +52,7 @@ TEST(Admittance, FollowsTheDifferentialEquation) {
   }
 }
 
-TEST(Admittance, KeepsItsLimits) {
+TEST(Admittance, KeepsLimits) {
   Admittance a({.inertia = {0.1, 0.1},
                 .damping = {1.0},
                 .stiffness = {5.0},
@@ -99,7 +99,7 @@ TEST(Admittance, IsStableForEveryStep) {
   }
 }
 
-TEST(Admittance, IgnoresWhatIsNoNumberAndNoTime) {
+TEST(Admittance, IgnoresNonFiniteEffortAndTime) {
   Admittance a({}, 1);
   a.update(std::vector{kNaN}, kDt);
   EXPECT_EQ(a.velocity()[0], 0.0);
@@ -108,7 +108,7 @@ TEST(Admittance, IgnoresWhatIsNoNumberAndNoTime) {
   EXPECT_EQ(a.offset()[0], 0.0);
 }
 
-TEST(Admittance, AllocatesNothingAndChecksItsOptions) {
+TEST(Admittance, AllocatesNothingAndRejectsBadOptions) {
   Admittance a({}, 7);
   const std::vector<double> efforts(7, 1.0);
   const testing::NoAlloc guard;

@@ -114,13 +114,13 @@ Outcome punch(const ReactionDescription& description, double speed) {
   return outcome;
 }
 
-TEST(ClosedLoop, WithoutAvoidanceTheFistHits) {
+TEST(ClosedLoop, FistHitsWithoutAvoidance) {
   const Outcome o = punch({}, 1.0);
   EXPECT_LT(o.nearest, -0.02);
   EXPECT_EQ(o.farthest_joint, 0.0);
 }
 
-TEST(ClosedLoop, WithAvoidanceTheArmYieldsAndComesBack) {
+TEST(ClosedLoop, ArmYieldsAndReturnsWithAvoidance) {
   ReactionDescription d;
   d.repulsion = RepulsionOptions{.range = 0.15, .force = 150.0, .damping = 0.7};
   d.torque = TorqueLimitOptions{.limit = {120.0, 120.0, 60.0, 60.0, 30.0, 30.0, 20.0}};
@@ -131,13 +131,13 @@ TEST(ClosedLoop, WithAvoidanceTheArmYieldsAndComesBack) {
   EXPECT_EQ(o.state, safety::StopState::kRunning);
 }
 
-TEST(ClosedLoop, SaysTheSameEveryTime) {
+TEST(ClosedLoop, IsDeterministic) {
   ReactionDescription d;
   d.repulsion = RepulsionOptions{.range = 0.15, .force = 150.0};
   EXPECT_EQ(punch(d, 1.0).nearest, punch(d, 1.0).nearest);
 }
 
-TEST(ClosedLoop, ADoubledSpeedLeavesLessAndALimitTooLowIsHit) {
+TEST(ClosedLoop, HigherSpeedAndLowerLimitReduceClearance) {
   ReactionDescription d;
   d.repulsion = RepulsionOptions{.range = 0.15, .force = 150.0};
   EXPECT_LT(punch(d, 2.0).nearest, punch(d, 1.0).nearest);

@@ -9,7 +9,7 @@
 namespace abstand::control {
 namespace effective_mass_test {
 
-TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
+TEST(EffectiveMass, PointMassesAndLeversMatchClosedForm) {
   EffectiveMass mass(2);
   // Two carts of 2 kg and 6 kg pushed by one force at both: 1 / (1/2 + 1/6).
   ASSERT_TRUE(mass.factorize(Eigen::Vector2d(2.0, 6.0).asDiagonal().toDenseMatrix()));
@@ -24,7 +24,7 @@ TEST(EffectiveMass, OfPointMassesAndArmsIsTheClosedForm) {
   EXPECT_NEAR(arm.mass(lever), 1.2, 1e-12);
 }
 
-TEST(EffectiveMass, IsTheInverseQuadraticForm) {
+TEST(EffectiveMass, MatchesInverseQuadraticForm) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Random random(4, seed);
     const int dof = 1 + static_cast<int>(random.below(47));
@@ -44,7 +44,7 @@ TEST(EffectiveMass, IsTheInverseQuadraticForm) {
   }
 }
 
-TEST(EffectiveMass, OfWhatIsNoMassMatrixIsNotKnown) {
+TEST(EffectiveMass, IsUnknownForInvalidMassMatrix) {
   EffectiveMass mass(2);
   const double row[] = {1.0, 0.0};
   EXPECT_FALSE(mass.factorize(Eigen::MatrixXd(0, 0)));

@@ -34,7 +34,7 @@ void settle(GodObject& object, const Transform& X_WH, const std::vector<Vector3d
   }
 }
 
-TEST(GodObject, FollowsTheHandWhereNothingIs) {
+TEST(GodObject, FollowsHandInFreeSpace) {
   GodObject object({.gap = 0.0}, kBall);
   object.reset(Transform::Identity());
   Transform hand = fromXyzRpy({0.3, -0.2, 0.1}, {0.4, -0.3, 1.0});
@@ -43,7 +43,7 @@ TEST(GodObject, FollowsTheHandWhereNothingIs) {
   EXPECT_NEAR(object.wrench().force.norm(), 0.0, 1e-3);
 }
 
-TEST(GodObject, StaysOnAPlaneAndPushesBack) {
+TEST(GodObject, StaysOnPlaneAndPushesBack) {
   GodObject object({.stiffness = 1000.0, .force = 50.0, .gap = 0.0}, kBall);
   object.reset(at({0, 0, 0.1}));
   // The hand 3 cm into the plane z = 0, and 20 cm aside: there is no friction.
@@ -58,7 +58,7 @@ TEST(GodObject, StaysOnAPlaneAndPushesBack) {
   EXPECT_NEAR(object.wrench().force.norm(), 50.0, kExact);
 }
 
-TEST(GodObject, IsLiftedOutOfWhatItIsIn) {
+TEST(GodObject, IsLiftedOutOfPenetration) {
   GodObject object({.gap = 0.0, .step = 0.01}, kBall);
   object.reset(at({0, 0, 0.02}));
   object.update(at({0, 0, 0.02}), planes({Vector3d::UnitZ()}, object.pose()));
@@ -67,7 +67,7 @@ TEST(GodObject, IsLiftedOutOfWhatItIsIn) {
   EXPECT_NEAR(object.pose().translation().z(), 0.05, kExact);
 }
 
-TEST(GodObject, IsTheNearestAllowedPose) {
+TEST(GodObject, IsNearestAllowedPose) {
   // Projection on the cone of random planes through the origin: optimality by its conditions. The way from
   // the object to the hand is a sum of inward normals of the planes that it touches.
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -95,7 +95,7 @@ TEST(GodObject, IsTheNearestAllowedPose) {
   }
 }
 
-TEST(GodObject, TurnsAboutAContactOffItsCentre) {
+TEST(GodObject, TurnsAboutOffCentreContact) {
   // A rod along x held level, pressed down at one end only: it yields by turning as well as by rising.
   const geometry::EnclosingSphere rod{Vector3d::Zero(), 0.2};
   GodObject object({.gap = 0.0}, rod);
@@ -112,7 +112,7 @@ TEST(GodObject, TurnsAboutAContactOffItsCentre) {
   EXPECT_LT(object.wrench().torque.y(), 0.0) << "the hand is turned the same way, tip up";
 }
 
-TEST(GodObject, SlidesOverABoxWithoutSinkingIn) {
+TEST(GodObject, SlidesOverBoxWithoutPenetration) {
   const structure::HapticOptions options{.voxel_size = 0.01, .point_spacing = 0.01};
   const auto ball =
       structure::buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}), options, 2);
@@ -152,7 +152,7 @@ TEST(GodObject, SlidesOverABoxWithoutSinkingIn) {
   EXPECT_NEAR(object.pose().translation().z(), 0.12, 1e-3) << "beyond the box the hand has it back";
 }
 
-TEST(GodObject, ConstraintsComeFromEitherSide) {
+TEST(GodObject, ConstraintsComeFromEitherBody) {
   query::PairResult r;
   EXPECT_FALSE(constraintOf(r, true)) << "never filled";
   r.distance = 0.02;
@@ -169,7 +169,7 @@ TEST(GodObject, ConstraintsComeFromEitherSide) {
   EXPECT_NEAR(b->gap, 0.019, 1e-15);
 }
 
-TEST(GodObject, TakesTheNearestOfTooManyAndAllocatesNothing) {
+TEST(GodObject, KeepsNearestConstraintsWithoutAllocation) {
   GodObject object({.gap = 0.0, .step = 0.02}, kBall);
   object.reset(at({0, 0, 0.051}));
   std::vector<ContactConstraint> many(GodObject::kMaxConstraints,
@@ -181,7 +181,7 @@ TEST(GodObject, TakesTheNearestOfTooManyAndAllocatesNothing) {
   EXPECT_NEAR(object.pose().translation().z(), 0.05, kExact);
 }
 
-TEST(GodObject, SurvivesWhatIsNoPoseAndNoContact) {
+TEST(GodObject, IgnoresInvalidPosesAndContacts) {
   GodObject object({}, kBall);
   object.reset(at({0, 0, 0.2}));
   Transform broken = Transform::Identity();
@@ -196,7 +196,7 @@ TEST(GodObject, SurvivesWhatIsNoPoseAndNoContact) {
   EXPECT_NEAR(object.pose().translation().z(), 0.195, kExact);
 }
 
-TEST(GodObject, OptionsAreChecked) {
+TEST(GodObject, RejectsBadOptions) {
   EXPECT_THROW(GodObject({.stiffness = -1.0}, kBall), UsageError);
   EXPECT_THROW(GodObject({.step = 0.0}, kBall), UsageError);
 }

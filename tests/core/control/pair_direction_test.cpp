@@ -10,7 +10,7 @@
 namespace abstand::control {
 namespace pair_direction_test {
 
-TEST(PartingDirection, KeepsItsSenseInside) {
+TEST(PartingDirection, KeepsSignUnderPenetration) {
   query::PairResult r;
   EXPECT_EQ(partingDirection(r, Vector3d::UnitX()), Vector3d::UnitX());
   r.distance = 0.1;
@@ -28,7 +28,7 @@ TEST(PartingDirection, KeepsItsSenseInside) {
   EXPECT_EQ(partingDirection(r), Vector3d(0, 1, 0));
 }
 
-TEST(DistanceRow, IsTheRateOfTheDistance) {
+TEST(DistanceRow, MatchesRateOfDistance) {
   // A ball on the last frame of an arm and a ball in the room.
   const mechanism::Mechanism arm =
       robot_file::loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
@@ -63,7 +63,7 @@ TEST(DistanceRow, IsTheRateOfTheDistance) {
   }
 }
 
-TEST(FastestAlong, HoldsForEveryPointOfTheBody) {
+TEST(FastestAlong, BoundsEveryPointOfBody) {
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     Random random(14, seed);

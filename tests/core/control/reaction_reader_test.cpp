@@ -71,7 +71,7 @@ TEST(ReactionReader, ReadsEveryKey) {
   EXPECT_EQ(r.stop.policy.of(safety::StopReason::kUser), safety::StopResponse::kEmergency) << "as it was";
 }
 
-TEST(ReactionReader, WhatIsNotNamedDoesNotAct) {
+TEST(ReactionReader, OmittedLawsAreInactive) {
   const ReactionDescription r = read("{}");
   EXPECT_FALSE(r.torque || r.repulsion || r.proxy || r.admittance || r.speed || r.braking);
   EXPECT_EQ(r.stop.resume_after, kInfinity);
@@ -80,7 +80,7 @@ TEST(ReactionReader, WhatIsNotNamedDoesNotAct) {
   EXPECT_EQ(defaults.repulsion->range, RepulsionOptions{}.range);
 }
 
-TEST(ReactionReader, WrittenItReadsTheSame) {
+TEST(ReactionReader, RoundTrips) {
   for (const char* text :
        {kWhole, "{}", "repulsion: {}", "torque: {}\nspeed: {}\nstop: {joint_speed: [1, 2]}",
         "admittance: {}\nproxy: {}", "braking: {}"}) {
@@ -93,7 +93,7 @@ TEST(ReactionReader, WrittenItReadsTheSame) {
   EXPECT_THAT(describeReaction(read(kWhole), "      "), StartsWith("      torque: {"));
 }
 
-TEST(ReactionReader, SaysWhatIsWrongAndWhere) {
+TEST(ReactionReader, ReportsErrorsWithPosition) {
   struct Case {
     const char* text;
     const char* expected;

@@ -36,7 +36,7 @@ struct Cycle {
   }
 };
 
-TEST(Reaction, WithoutLawsDoesNothing) {
+TEST(Reaction, DoesNothingWithoutLaws) {
   Reaction reaction({}, 2, 4);
   Cycle c;
   c.efforts = {100.0, 100.0};
@@ -49,7 +49,7 @@ TEST(Reaction, WithoutLawsDoesNothing) {
   EXPECT_FALSE(out.brakes);
 }
 
-TEST(Reaction, AddsContactAndRepulsionAndCutsTheSum) {
+TEST(Reaction, AddsContactAndRepulsionAndLimitsSum) {
   ReactionDescription d;
   d.torque = TorqueLimitOptions{.gain = 2.0, .limit = {30.0}, .cut = TorqueCut::kEach};
   d.repulsion = RepulsionOptions{.range = 0.1, .force = 40.0, .damping = 0.0, .stop_share = 1.0};
@@ -68,7 +68,7 @@ TEST(Reaction, AddsContactAndRepulsionAndCutsTheSum) {
       << "a limit alone is no stop";
 }
 
-TEST(Reaction, DampsWithTheMassMatrix) {
+TEST(Reaction, DampsWithMassMatrix) {
   ReactionDescription d;
   d.repulsion = RepulsionOptions{.range = 0.1, .force = 40.0, .damping = 1.0};
   Reaction reaction(d, 2, 4);
@@ -89,7 +89,7 @@ TEST(Reaction, DampsWithTheMassMatrix) {
   EXPECT_NEAR(reaction.update(c.at(0.2), M).torque[0], 10.0, 1e-9);
 }
 
-TEST(Reaction, TooMuchEnergyIsAnEmergency) {
+TEST(Reaction, ExcessEnergyIsEmergencyStop) {
   ReactionDescription d;
   d.repulsion = RepulsionOptions{.range = 0.1, .force = 40.0, .mass = 5.0};
   d.admittance = AdmittanceOptions{};
@@ -117,7 +117,7 @@ TEST(Reaction, TooMuchEnergyIsAnEmergency) {
   EXPECT_FALSE(out.brakes);
 }
 
-TEST(Reaction, ScalesTheSpeedByPeopleOnly) {
+TEST(Reaction, ScalesSpeedByPeopleOnly) {
   ReactionDescription d;
   d.speed = SpeedScaleOptions{};
   Reaction reaction(d, 2, 4);
@@ -144,7 +144,7 @@ TEST(Reaction, ScalesTheSpeedByPeopleOnly) {
   EXPECT_NEAR(reaction.stops().cause().limit, 0.64 + 0.25 * 2.0 * 0.02, 1e-9);
 }
 
-TEST(Reaction, GoesOnSlowlyAfterAStop) {
+TEST(Reaction, ResumesSlowlyAfterStop) {
   ReactionDescription d;
   d.speed = SpeedScaleOptions{};
   d.stop.resume_after = 0.2;
@@ -203,7 +203,7 @@ TEST(Reaction, WatchesAgesDistancesAndSpeeds) {
   }
 }
 
-TEST(Reaction, SlowsForWhatNamesNoSpeed) {
+TEST(Reaction, SlowResponseHasDefaultSpeed) {
   ReactionDescription d;
   d.stop.policy.response[static_cast<std::size_t>(safety::StopReason::kLostPerson)] =
       safety::StopResponse::kSlow;
@@ -216,7 +216,7 @@ TEST(Reaction, SlowsForWhatNamesNoSpeed) {
   EXPECT_EQ(out.speed_scale, 0.3);
 }
 
-TEST(Reaction, TurnsTorquesIntoMotion) {
+TEST(Reaction, ConvertsTorquesToMotion) {
   ReactionDescription d;
   d.torque = TorqueLimitOptions{};
   d.admittance = AdmittanceOptions{.inertia = {0.5}, .damping = {8.0}, .stiffness = {20.0, 0.0}};
@@ -229,7 +229,7 @@ TEST(Reaction, TurnsTorquesIntoMotion) {
   EXPECT_EQ(out.offset[1], 0.5) << "its limit";
 }
 
-TEST(Reaction, HoldsAnObject) {
+TEST(Reaction, HoldsObject) {
   ReactionDescription d;
   d.proxy = GodObjectOptions{.gap = 0.0};
   Reaction reaction(d, 2, 4);
@@ -269,7 +269,7 @@ TEST(Reaction, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(Reaction, OptionsAreCheckedForItsJoints) {
+TEST(Reaction, RejectsOptionsOfWrongJointCount) {
   ReactionDescription d;
   d.torque = TorqueLimitOptions{.limit = {1.0, 2.0, 3.0}};
   EXPECT_THROW(Reaction(d, 2, 4), UsageError);

@@ -17,7 +17,7 @@ constexpr double kStep = 1e-6, kSlope = 1e-4;
 
 const RepulsionOptions kOptions{.range = 0.1, .force = 60.0, .damping = 0.7};
 
-TEST(Repulsion, IsTheCubicPotential) {
+TEST(Repulsion, MatchesCubicPotential) {
   const Repulsion law(kOptions);
   EXPECT_NEAR(law.potential(0.0), 60.0 * 0.1 / 3.0, kExact);
   EXPECT_NEAR(law.force(0.0), 60.0, kExact);
@@ -34,7 +34,7 @@ TEST(Repulsion, IsTheCubicPotential) {
   }
 }
 
-TEST(Repulsion, DampsByTheMassThatIsFelt) {
+TEST(Repulsion, DampsByEffectiveMass) {
   const Repulsion law(kOptions);
   // D = 2 * 0.7 * sqrt(600 * m).
   EXPECT_NEAR(law.update(0.05, -0.1, -0.1, 6.0).force, 15.0 + 0.1 * 1.4 * 60.0, 1e-9);
@@ -44,7 +44,7 @@ TEST(Repulsion, DampsByTheMassThatIsFelt) {
   EXPECT_NEAR(law.update(kNaN, 0.0, 0.0, 6.0).force, 60.0, kExact) << "an unknown distance is none";
 }
 
-TEST(Repulsion, AsksForAStopWhenTheEnergyIsTooMuch) {
+TEST(Repulsion, RequestsStopOnExcessEnergy) {
   RepulsionOptions o = kOptions;
   o.stop_distance = 0.02;
   o.stop_share = 0.5;
@@ -105,7 +105,7 @@ TEST(Repulsion, EnergyNeverGrows) {
   EXPECT_GT(bounced, 100);
 }
 
-TEST(Repulsion, WithoutDampingItGivesTheEnergyBack) {
+TEST(Repulsion, ConservesEnergyWithoutDamping) {
   const Repulsion law({.range = 0.1, .force = 60.0, .damping = 0.0});
   PointMass p{5.0, 0.1001, -0.5};
   const double first = p.energy(law);
@@ -120,7 +120,7 @@ TEST(Repulsion, WithoutDampingItGivesTheEnergyBack) {
   EXPECT_NEAR(nearest, 0.1 - std::cbrt(0.5 * 5.0 * 0.25 * 3.0 * 0.01 / 60.0), 1e-4);
 }
 
-TEST(Repulsion, TheStopComesInTimeForBrakes) {
+TEST(Repulsion, StopComesInTimeForBrakes) {
   // Too fast for the potential; from the moment of the stop on, brakes that can take 100 N.
   const Repulsion law({.range = 0.2, .force = 60.0, .damping = 0.7, .stop_share = 0.5});
   PointMass p{5.0, 0.3, -1.3};
@@ -139,13 +139,13 @@ TEST(Repulsion, TheStopComesInTimeForBrakes) {
   EXPECT_GT(p.x, 0.2 - 0.05);
 }
 
-TEST(Repulsion, OptionsAreChecked) {
+TEST(Repulsion, RejectsBadOptions) {
   EXPECT_THROW(Repulsion({.range = 0.0}), UsageError);
   EXPECT_THROW(Repulsion({.damping = kNaN}), UsageError);
   EXPECT_THROW(Repulsion({.range = 0.1, .stop_distance = 0.1}), UsageError);
 }
 
-TEST(Repulsion, WhoStandsIsNotToBeStopped) {
+TEST(Repulsion, StandingRobotRequestsNoStop) {
   // Inside, the potential has nothing left to take; roundings of a rate are no approach.
   const Repulsion r(RepulsionOptions{.range = 0.1, .force = 50.0});
   EXPECT_FALSE(r.update(-0.01, -1e-5, -1e-5, 2.0).stop);

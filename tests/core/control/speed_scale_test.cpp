@@ -28,7 +28,7 @@ double scaleOf(std::vector<Approach> pairs, const SpeedScaleOptions& o = example
   return law.update(pairs, kDt);
 }
 
-TEST(SpeedScale, IsThePermittedShare) {
+TEST(SpeedScale, IsPermittedShare) {
   // S_p = 0.99 + 0.25 v_r: at 1.115 m half a metre a second is permitted.
   EXPECT_NEAR(scaleOf({{1.115, 1.0, kNaN}}), 0.5, kExact);
   EXPECT_NEAR(scaleOf({{1.115, 2.0, kNaN}}), 0.25, kExact);
@@ -38,7 +38,7 @@ TEST(SpeedScale, IsThePermittedShare) {
   EXPECT_EQ(scaleOf({}), 1.0);
 }
 
-TEST(SpeedScale, DoesNotSlowWhatGoesAway) {
+TEST(SpeedScale, DoesNotSlowRecedingRobot) {
   EXPECT_EQ(scaleOf({{0.01, -0.5, kNaN}}), 1.0) << "however near";
   EXPECT_EQ(scaleOf({{0.01, 0.0, kNaN}}), 1.0);
   // As near, coming nearer ever so slowly, it stops.
@@ -52,7 +52,7 @@ TEST(SpeedScale, DoesNotSlowWhatGoesAway) {
   }
 }
 
-TEST(SpeedScale, TheWorstPairDecidesAndIsNamed) {
+TEST(SpeedScale, WorstPairDecidesAndIsReported) {
   SpeedScale law(example());
   const std::vector<Approach> pairs{
       {1.2, 1.0, kNaN}, {0.3, -1.0, kNaN}, {1.115, 1.0, kNaN}, {1.9, 2.0, kNaN}};
@@ -62,7 +62,7 @@ TEST(SpeedScale, TheWorstPairDecidesAndIsNamed) {
   EXPECT_EQ(law.planned(), 1.0);
 }
 
-TEST(SpeedScale, EveryPairKeepsItsDistanceAtTheScale) {
+TEST(SpeedScale, EveryPairKeepsDistanceAtScale) {
   SpeedScaleOptions o = example();
   o.separation.person_acceleration = 5.0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
@@ -95,12 +95,12 @@ TEST(SpeedScale, FallsAtOnceAndRisesSlowly) {
   EXPECT_EQ(law.scale(), 1.0);
 }
 
-TEST(SpeedScale, WhatIsNotKnownStops) {
+TEST(SpeedScale, UnknownValuesStop) {
   EXPECT_EQ(scaleOf({{kNaN, 1.0, kNaN}}), 0.0);
   EXPECT_EQ(scaleOf({{5.0, kNaN, kNaN}}), 0.0);
 }
 
-TEST(SpeedScale, AllocatesNothingAndChecksItsOptions) {
+TEST(SpeedScale, AllocatesNothingAndRejectsBadOptions) {
   SpeedScale law(example());
   const std::vector<Approach> pairs(100, Approach{1.1, 1.0, 0.5});
   const testing::NoAlloc guard;
@@ -116,7 +116,7 @@ TEST(SpeedScale, AllocatesNothingAndChecksItsOptions) {
 
 /// A robot on a line goes to and fro before a person who comes as fast as is assumed: when they meet, the
 /// robot stands. The person starts anywhere; the robot brakes within T_s after T_r.
-TEST(SpeedScale, TheRobotStandsBeforeThePersonArrives) {
+TEST(SpeedScale, RobotStandsBeforePersonArrives) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(10, seed);

@@ -11,7 +11,7 @@ namespace torque_limit_test {
 
 constexpr double kExact = 1e-12;
 
-TEST(TorqueLimit, GainsAndCutsEachJoint) {
+TEST(TorqueLimit, AppliesGainAndLimitPerJoint) {
   const TorqueLimit law({.gain = 0.5, .limit = {10.0, 20.0, 5.0}, .cut = TorqueCut::kEach}, 3);
   const std::vector<double> efforts{30.0, -60.0, 4.0};
   std::vector<double> torque(3);
@@ -19,7 +19,7 @@ TEST(TorqueLimit, GainsAndCutsEachJoint) {
   EXPECT_EQ(torque, (std::vector<double>{10.0, -20.0, 2.0}));
 }
 
-TEST(TorqueLimit, TogetherKeepsTheDirection) {
+TEST(TorqueLimit, JointLimitKeepsDirection) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     Random random(1, seed);
     std::vector<double> limits(7), efforts(7), torque(7);
@@ -45,7 +45,7 @@ TEST(TorqueLimit, TogetherKeepsTheDirection) {
   }
 }
 
-TEST(TorqueLimit, WhatIsNotFiniteIsZeroAndSaid) {
+TEST(TorqueLimit, NonFiniteIsZeroedAndReported) {
   for (const TorqueCut cut : {TorqueCut::kEach, TorqueCut::kTogether}) {
     const TorqueLimit law({.limit = {10.0}, .cut = cut}, 3);
     std::vector<double> torque{kNaN, 5.0, -kInfinity};
@@ -54,7 +54,7 @@ TEST(TorqueLimit, WhatIsNotFiniteIsZeroAndSaid) {
   }
 }
 
-TEST(TorqueLimit, OfZeroAllowsNothing) {
+TEST(TorqueLimit, ZeroLimitAllowsNothing) {
   const TorqueLimit law({.limit = {0.0, 5.0}}, 2);
   std::vector<double> torque{0.0, 3.0};
   EXPECT_EQ(law.cut(torque), -1);
@@ -64,7 +64,7 @@ TEST(TorqueLimit, OfZeroAllowsNothing) {
   EXPECT_EQ(torque, (std::vector<double>{0.0, 0.0}));
 }
 
-TEST(TorqueLimit, OptionsAreChecked) {
+TEST(TorqueLimit, RejectsBadOptions) {
   EXPECT_THROW(TorqueLimit({.gain = -1.0}, 2), UsageError);
   try {
     TorqueLimit({.limit = {1.0, 2.0, 3.0}}, 2);

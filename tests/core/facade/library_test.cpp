@@ -50,7 +50,7 @@ std::string errorOf(const std::function<void()>& work) {
   return "nothing";
 }
 
-TEST(Library, TwoSpheres) {
+TEST(Library, TwoSpheresMatchClosedForm) {
   const Structure a = Structure::build(Shape::sphere(0.05), kCoarse);
   const Structure b = Structure::build(Shape::sphere(0.08), kCoarse);
   for (const double apart : {0.01, 0.1, 0.7}) {
@@ -63,7 +63,7 @@ TEST(Library, TwoSpheres) {
   }
 }
 
-TEST(Library, TwoBoxesAndTheirTouch) {
+TEST(Library, TwoBoxesMatchClosedForm) {
   const Structure a = Structure::build(Shape::cuboid({0.2, 0.2, 0.2}), kCoarse);
   const Structure b = Structure::build(Shape::cuboid({0.1, 0.1, 0.1}), kCoarse);
   const PairResult apart = queryPair(a, at(0, 0, 0), b, at(0.2, 0.02, 0.0));
@@ -76,7 +76,7 @@ TEST(Library, TwoBoxesAndTheirTouch) {
   EXPECT_GT(pressed.contacts, 0);
 }
 
-TEST(Library, AMeshIsTheSameAsItsShape) {
+TEST(Library, MeshMatchesShape) {
   Mesh box;  // a cube of 0.1 m, its corners not shared
   const Structure shape = Structure::build(Shape::cuboid({0.1, 0.1, 0.1}), kCoarse);
   const Mesh shared = shape.mesh();
@@ -95,7 +95,7 @@ TEST(Library, AMeshIsTheSameAsItsShape) {
   EXPECT_NEAR(r.distance, 0.05, kExact);
 }
 
-TEST(Library, ABatchHasTheBitsOfSingleQueries) {
+TEST(Library, BatchIsBitIdenticalToSingleQueries) {
   const Structure a = Structure::build(Shape::capsule(0.05, 0.2), kCoarse);
   const Structure b = Structure::build(Shape::ellipsoid({0.05, 0.1, 0.07}), kCoarse);
   const std::vector<Pose> X_WA{at(0.1, 0.0, 0.0)}, X_WB = somePoses(400);
@@ -109,7 +109,7 @@ TEST(Library, ABatchHasTheBitsOfSingleQueries) {
   }
 }
 
-TEST(Library, ASequenceHasTheBitsOfAPairWithAState) {
+TEST(Library, SequenceIsBitIdenticalToStatefulPair) {
   const Structure a = Structure::build(Shape::capsule(0.05, 0.2), kCoarse);
   const Structure b = Structure::build(Shape::cuboid({0.1, 0.1, 0.1}), kCoarse);
   std::vector<Pose> path;
@@ -125,7 +125,7 @@ TEST(Library, ASequenceHasTheBitsOfAPairWithAState) {
   }
 }
 
-TEST(Library, SaysWhatIsWrong) {
+TEST(Library, RejectsInvalidArguments) {
   const Structure ball = Structure::build(Shape::sphere(0.05), kCoarse);
   Pose stretched = Pose::Identity();
   stretched.linear() *= 2.0;
@@ -149,7 +149,7 @@ TEST(Library, SaysWhatIsWrong) {
   EXPECT_TRUE(queryPoses(ball, one, ball, std::span<const Pose>{}).empty());
 }
 
-TEST(Library, AMechanismOfAFile) {
+TEST(Library, LoadsMechanism) {
   const Mechanism arm = Mechanism::load(testing::projectFile("data/robots/arm6/arm6.urdf"));
   ASSERT_EQ(arm.dof(), 6);
   const std::vector<double> q{0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
@@ -177,7 +177,7 @@ TEST(Library, AMechanismOfAFile) {
   EXPECT_THROW(arm.limits(6), std::runtime_error);
 }
 
-TEST(Library, KnowsItsVersionAndData) {
+TEST(Library, ReportsVersionAndDataDirectory) {
   EXPECT_NE(std::string(version()).find('.'), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(dataDirectory() / "robots"));
 }

@@ -24,7 +24,7 @@ PairSet threeSpheres() {
   return {{ball, ball, ball}, {{0, 1}, {0, 2}, {1, 2}}};
 }
 
-TEST(PairSetOfTheLibrary, FindsTheNearestPairAndTheContacts) {
+TEST(LibraryPairSet, FindsNearestPairAndContacts) {
   PairSet set = threeSpheres();
   ASSERT_EQ(set.size(), 3u);
   for (int frame = 0; frame < 20; ++frame) {
@@ -54,7 +54,7 @@ TEST(PairSetOfTheLibrary, FindsTheNearestPairAndTheContacts) {
   }
 }
 
-TEST(PairSetOfTheLibrary, RefusesWhatDoesNotFit) {
+TEST(LibraryPairSet, RejectsInvalidArguments) {
   const Structure ball = Structure::build(Shape::sphere(0.1), kCoarse);
   EXPECT_THROW(PairSet({ball}, {}), std::runtime_error);
   EXPECT_THROW(PairSet({ball}, {{0, 1}}), std::runtime_error);

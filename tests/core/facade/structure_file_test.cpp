@@ -68,7 +68,7 @@ void expectSame(const Structure& l, const Structure& r) {
   }
 }
 
-TEST(StructureFile, GivesTheSameBits) {
+TEST(StructureFile, RoundTripsBitExactly) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "body.structure";
   for (const auto field : {StructureOptions::Field::kLayered, StructureOptions::Field::kFloat,
@@ -90,7 +90,7 @@ TEST(StructureFile, GivesTheSameBits) {
   }
 }
 
-TEST(StructureFile, SaysWhatIsWrongWithAFile) {
+TEST(StructureFile, ReportsDamagedFiles) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "body.structure";
   Structure::build(Shape::sphere(0.05), kCoarse).save(file);
@@ -118,7 +118,7 @@ TEST(StructureFile, SaysWhatIsWrongWithAFile) {
   }
 }
 
-TEST(StructureFile, BelievesNothingOfAForgedBody) {
+TEST(StructureFile, RejectsForgedContent) {
   const testing::ScratchFolder folder;
   const fs::path file = folder.path() / "body.structure";
   Mesh tetrahedron;
@@ -148,7 +148,7 @@ TEST(StructureFile, BelievesNothingOfAForgedBody) {
   EXPECT_TRUE(isOneLine(forge(options + 20, std::int32_t{7}), file));
 }
 
-TEST(StructureFile, IsWrittenWholeOrNotAtAll) {
+TEST(StructureFile, IsWrittenAtomically) {
   const testing::ScratchFolder folder;
   const Structure ball = Structure::build(Shape::sphere(0.05), kCoarse);
   EXPECT_THROW(ball.save(folder.path() / "no" / "such" / "folder"), std::runtime_error);

@@ -105,20 +105,20 @@ void expectSmall(const std::shared_ptr<const geometry::Surface>& surface, int ce
   EXPECT_GT(near, 10);
 }
 
-TEST(FineMap, OfABall) { expectSmall(geometry::makeSurface(geometry::Sphere{0.5}), 1025); }
-TEST(FineMap, OfABallInLayers) {
+TEST(FineMap, BallIsSmall) { expectSmall(geometry::makeSurface(geometry::Sphere{0.5}), 1025); }
+TEST(FineMap, LayeredBallIsSmall) {
   expectSmall(geometry::makeSurface(geometry::Sphere{0.5}), 1025, structure::FieldKind::kLayered);
 }
-TEST(FineMap, OfACuboid) { expectSmall(geometry::makeSurface(geometry::Cuboid{{1.0, 0.6, 0.4}}), 1024); }
-TEST(FineMap, OfALink) {
+TEST(FineMap, CuboidIsSmall) { expectSmall(geometry::makeSurface(geometry::Cuboid{{1.0, 0.6, 0.4}}), 1024); }
+TEST(FineMap, LinkIsSmall) {
   const geometry::TriangleMesh link = mesh_file::loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
   expectSmall(geometry::makeSurface(link), 1024);
 }
-TEST(FineMap, OfALinkInLayers) {
+TEST(FineMap, LayeredLinkIsSmall) {
   const geometry::TriangleMesh link = mesh_file::loadMesh(projectFile("data/robots/lwr/link2.stl")).mesh;
   expectSmall(geometry::makeSurface(link), 1024, structure::FieldKind::kLayered);
 }
-TEST(FineMap, OfATorus) { expectSmall(geometry::makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
+TEST(FineMap, TorusIsSmall) { expectSmall(geometry::makeSurface(torus(0.3, 0.1, 96, 48)), 1024); }
 
 }  // namespace fine_map_test
 }  // namespace abstand::testing

@@ -37,7 +37,7 @@ Vector3f probe(const geometry::Surface& surface, std::uint64_t seed, double reac
       .cast<float>();
 }
 
-TEST(NearField, ErrorsAreWithinTheBound) {
+TEST(NearField, ErrorsAreWithinBound) {
   for (const auto& surface : bodies()) {
     const double h = surface->bounds().extent().maxCoeff() / 40.0;
     const VoxelGrid grid = makeGrid(surface->bounds(), h, 6);
@@ -63,7 +63,7 @@ TEST(NearField, ErrorsAreWithinTheBound) {
   }
 }
 
-TEST(NearField, DeepBlocksCarryNoSamplesAndKeepTheirBound) {
+TEST(NearField, DeepBlocksHaveNoSamplesAndKeepBound) {
   for (const auto& surface : bodies()) {
     const double h = surface->bounds().extent().maxCoeff() / 150.0;
     const VoxelGrid grid = makeGrid(surface->bounds(), h, 6);
@@ -102,7 +102,7 @@ TEST(NearField, DeepBlocksCarryNoSamplesAndKeepTheirBound) {
   }
 }
 
-TEST(NearField, IsMuchBetterWhereTheSurfaceIsSmooth) {
+TEST(NearField, ErrorIsSmallNearSmoothSurface) {
   // Within two voxels of a sphere of ten voxels' radius: the second derivative is 1 / r, so the error is
   // about 2 h^2 / (8 r) = h / 40; a quarter of a voxel is far more.
   const geometry::Shape sphere = geometry::Sphere{0.05};
@@ -123,7 +123,7 @@ TEST(NearField, IsMuchBetterWhereTheSurfaceIsSmooth) {
   EXPECT_LT(worst, 0.05 * kVoxel);
 }
 
-TEST(NearField, IsExactAtItsVertices) {
+TEST(NearField, IsExactAtVertices) {
   const auto surface = geometry::makeSurface(geometry::tessellate(geometry::Cylinder{0.05, 0.2}, 1e-3));
   const VoxelGrid grid = makeGrid(surface->bounds(), 0.01, 8);
   const NearField field(*surface, grid, kInfinity, 1);
@@ -138,7 +138,7 @@ TEST(NearField, IsExactAtItsVertices) {
   }
 }
 
-TEST(NearField, TheGradientIsTheSlopeOfTheSamples) {
+TEST(NearField, GradientMatchesSlopeOfSamples) {
   const auto surface = geometry::makeSurface(geometry::Ellipsoid{{0.1, 0.06, 0.08}});
   const NearField field(*surface, makeGrid(surface->bounds(), 0.01, 4), kInfinity, 1);
   constexpr float kStep = 1e-4f;
@@ -162,7 +162,7 @@ TEST(NearField, TheGradientIsTheSlopeOfTheSamples) {
   }
 }
 
-TEST(NearField, RejectsWhatIsNoPoint) {
+TEST(NearField, RejectsInvalidPoints) {
   const auto surface = geometry::makeSurface(geometry::Sphere{0.05});
   const NearField field(*surface, makeGrid(surface->bounds(), 0.005, 4), 0.01, 1);
   const testing::NoAlloc guard;
@@ -181,7 +181,7 @@ TEST(NearField, RejectsWhatIsNoPoint) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(NearField, DoesNotReadBeyondItsLastBlock) {
+TEST(NearField, DoesNotReadBeyondLastBlock) {
   // All around the rim, one float apart.
   const auto surface = geometry::makeSurface(geometry::Cuboid{{0.1, 0.1, 0.1}});
   const VoxelGrid grid = makeGrid(surface->bounds(), 0.00625, 7);
@@ -197,7 +197,7 @@ TEST(NearField, DoesNotReadBeyondItsLastBlock) {
   EXPECT_LT(inside, 40);
 }
 
-TEST(NearField, OpenMeshesNeverPromiseMoreThanTheDistance) {
+TEST(NearField, OpenMeshesNeverExceedDistance) {
   geometry::TriangleMesh open = geometry::tessellate(geometry::Sphere{0.05}, 1e-3);
   open.triangles.resize(open.triangles.size() * 3 / 4);
   const auto surface = geometry::makeSurface(open);
@@ -210,12 +210,12 @@ TEST(NearField, OpenMeshesNeverPromiseMoreThanTheDistance) {
   }
 }
 
-TEST(NearField, TooLargeAFieldIsRefused) {
+TEST(NearField, RejectsTooLargeField) {
   const auto surface = geometry::makeSurface(geometry::Cuboid{{5.0, 5.0, 5.0}});
   EXPECT_THROW(NearField(*surface, makeGrid(surface->bounds(), 0.0045, 0), kInfinity, 1), UsageError);
 }
 
-TEST(FarField, IsALowerBoundEverywhere) {
+TEST(FarField, IsLowerBoundEverywhere) {
   constexpr int kPoints = 100'000;  // over all bodies
   const auto all = bodies();
   for (const auto& surface : all) {
@@ -239,7 +239,7 @@ TEST(FarField, IsALowerBoundEverywhere) {
   }
 }
 
-TEST(FarField, IsALowerBoundAboutTheBunny) {
+TEST(FarField, IsLowerBoundAroundBunny) {
   const auto file = testing::sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
   const auto surface = geometry::makeSurface(mesh_file::loadMesh(file).mesh);
@@ -250,7 +250,7 @@ TEST(FarField, IsALowerBoundAboutTheBunny) {
   }
 }
 
-TEST(FarField, SurvivesAnyInput) {
+TEST(FarField, HandlesAnyInput) {
   const FarField field(*geometry::makeSurface(geometry::Sphere{0.05}), 0.01, 0.5, 1);
   const testing::NoAlloc guard;
   for (const float bad : {kFloatNaN, kFloatInfinity, -kFloatInfinity, 3e38f, -3e38f, 1e9f}) {

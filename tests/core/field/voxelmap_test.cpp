@@ -50,7 +50,7 @@ geometry::TriangleMesh hollowBall() {
   return hollow;
 }
 
-TEST(VoxelGrid, IsTheThesissGrid) {
+TEST(VoxelGrid, MatchesThesisGrid) {
   const VoxelGrid grid = makeGrid(geometry::bounds(geometry::Shape(geometry::Sphere{0.05})), 0.005, 20);
   EXPECT_EQ(grid.size, Vector3i(61, 61, 61));
   EXPECT_LT(grid.centre(30, 30, 30).norm(), 1e-15);
@@ -62,7 +62,7 @@ TEST(VoxelGrid, IsTheThesissGrid) {
                UsageError);
 }
 
-TEST(SurfaceVoxels, OfTrianglesAreThoseOfThePlainAxisTest) {
+TEST(SurfaceVoxels, TrianglesMatchSeparatingAxisTest) {
   // Triangles of any shape, slivers and triangles in the planes between voxels among them.
   constexpr double kSize = 0.1;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -94,7 +94,7 @@ Vector3d nearestOfVoxel(const Vector3d& c, double half, const Vector3d& p) {
   return p.cwiseMax((c.array() - half).matrix()).cwiseMin((c.array() + half).matrix());
 }
 
-TEST(SurfaceVoxels, OfASphereAreExact) {
+TEST(SurfaceVoxels, SphereIsExact) {
   constexpr double kRadius = 0.0503, kVoxel = 0.005;
   const VoxelSides sides = findVoxelSides(*geometry::makeSurface(geometry::Sphere{kRadius}), kVoxel, 1);
   forVoxels(sides.grid, [&](const Vector3i& p, std::size_t at) {
@@ -108,7 +108,7 @@ TEST(SurfaceVoxels, OfASphereAreExact) {
   });
 }
 
-TEST(SurfaceVoxels, OfShapesAgreeWithThoseOfTheirTriangles) {
+TEST(SurfaceVoxels, ShapesMatchTheirMeshes) {
   for (const geometry::Shape& shape : testing::someShapes()) {
     // No whole number of voxels: a mesh is a little smaller than its shape and might get one less.
     const double voxel = geometry::bounds(shape).extent().maxCoeff() / 30.3;
@@ -131,7 +131,7 @@ TEST(SurfaceVoxels, OfShapesAgreeWithThoseOfTheirTriangles) {
   }
 }
 
-TEST(Voxelmap, LayersCountStepsToTheSurface) {
+TEST(Voxelmap, LayersCountStepsToSurface) {
   const Voxelmap map(*geometry::makeSurface(geometry::Ellipsoid{{0.04, 0.02, 0.03}}), 0.004, 5, 1);
   std::vector<Vector3i> surface;
   forVoxels(map.grid, [&](const Vector3i& p, std::size_t) {
@@ -148,7 +148,7 @@ TEST(Voxelmap, LayersCountStepsToTheSurface) {
   EXPECT_EQ(solid, map.solid_voxels);
 }
 
-TEST(Voxelmap, LayersAreDistancesWithinAVoxel) {
+TEST(Voxelmap, LayersMatchDistancesWithinVoxel) {
   // In front of and behind the faces of a cuboid the steps run straight along the normal.
   constexpr double kVoxel = 0.01;
   const geometry::Shape cuboid = geometry::Cuboid{{0.2, 0.3, 0.4}};
@@ -197,7 +197,7 @@ TEST(Voxelmap, DoesNotDependOnThreads) {
 }
 
 /// Grids that end anywhere in a tile: exact near the surface, and elsewhere as near as the slack says.
-TEST(Voxelmap, InTilesIsAsAllAtOnce) {
+TEST(Voxelmap, TiledMatchesWhole) {
   const geometry::TriangleMesh link =
       mesh_file::loadMesh(testing::projectFile("data/robots/lwr/link2.stl")).mesh;
   const std::shared_ptr<const geometry::Surface> surfaces[] = {
@@ -225,7 +225,7 @@ TEST(Voxelmap, InTilesIsAsAllAtOnce) {
 }
 
 /// In cubes as all at once: shapes, a mesh, a mesh with a cavity, and grids that end anywhere in a cube.
-TEST(VoxelCounts, AreThoseOfAllVoxels) {
+TEST(VoxelCounts, MatchWholeGrid) {
   std::vector<std::shared_ptr<const geometry::Surface>> surfaces{
       geometry::makeSurface(hollowBall()),
       geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.06, 0.1}, 1e-4))};
@@ -241,7 +241,7 @@ TEST(VoxelCounts, AreThoseOfAllVoxels) {
   EXPECT_GE(with_inside, 5) << "thin shapes have none";
 }
 
-TEST(Voxelmap, ACavityIsOutside) {
+TEST(Voxelmap, CavityIsOutside) {
   const Voxelmap map(*geometry::makeSurface(hollowBall()), 0.01, 2, 1);
   const auto layerAt = [&](const Vector3d& p) { return map.at(map.grid.voxelOf(p)); };
   EXPECT_LT(layerAt({0.0, 0.0, 0.0}), 0);
@@ -256,7 +256,7 @@ struct RealMesh {
 
 class RealVoxelmap : public ::testing::TestWithParam<RealMesh> {};
 
-TEST_P(RealVoxelmap, HasASensibleInside) {
+TEST_P(RealVoxelmap, HasConsistentInside) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam().file);
   if (!exists(file)) GTEST_SKIP() << file;
   const auto surface = geometry::makeSurface(mesh_file::loadMesh(file).mesh);

@@ -8,7 +8,7 @@
 namespace abstand::geometry {
 namespace mesh_pieces_test {
 
-TEST(MeshPieces, OnePointOfEach) {
+TEST(MeshPieces, HaveOnePointEach) {
   TriangleMesh mesh;
   for (int n = 0; n < 5; ++n) {
     EXPECT_EQ(pieces(mesh).size(), static_cast<std::size_t>(n));

@@ -32,7 +32,7 @@ const Vector3d kAny = Vector3d::Constant(kNaN);
 
 class ShapeDistanceTable : public ::testing::TestWithParam<DistanceCase> {};
 
-TEST_P(ShapeDistanceTable, IsTheClosedForm) {
+TEST_P(ShapeDistanceTable, MatchesClosedForm) {
   const auto& c = GetParam();
   const auto found = distanceTo(c.shape, c.p);
   const double tolerance = kExact * (pairUncertainty(c.shape) + c.p.norm());
@@ -112,7 +112,7 @@ Vector3d hardPoint(const Shape& shape, std::uint64_t seed) {
   return p;
 }
 
-TEST(ShapeDistanceProperties, NearestLiesOnTheSurfaceAndSignsAreRight) {
+TEST(ShapeDistanceProperties, NearestIsOnSurfaceWithRightSign) {
   for (const auto& shape : someShapes()) {
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
       const Vector3d p = hardPoint(shape, seed);
@@ -129,7 +129,7 @@ TEST(ShapeDistanceProperties, NearestLiesOnTheSurfaceAndSignsAreRight) {
   }
 }
 
-TEST(ShapeDistanceProperties, NoPointOfTheSurfaceIsNearer) {
+TEST(ShapeDistanceProperties, NoSurfacePointIsNearer) {
   for (const auto& shape : someShapes()) {
     const double sagitta = pairUncertainty(shape) / 500.0;
     const auto mesh = tessellate(shape, sagitta);
@@ -145,7 +145,7 @@ TEST(ShapeDistanceProperties, NoPointOfTheSurfaceIsNearer) {
   }
 }
 
-TEST(ShapeDistanceProperties, ChangesNoFasterThanThePointMoves) {
+TEST(ShapeDistanceProperties, IsLipschitzContinuous) {
   for (const auto& shape : someShapes()) {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
       const Vector3d p = hardPoint(shape, 5 * (seed / 5) + 1);
@@ -158,7 +158,7 @@ TEST(ShapeDistanceProperties, ChangesNoFasterThanThePointMoves) {
   }
 }
 
-TEST(ShapeDistanceProperties, EllipsoidsNearestPointIsAtTheFootOfTheNormal) {
+TEST(ShapeDistanceProperties, EllipsoidNearestPointIsFootOfNormal) {
   // Twelve orders of magnitude between the axes, and points as near to the focal plane.
   const Vector3d axes[] = {
       {0.3, 0.1, 0.09}, {1, 1, 1e-3}, {1e-3, 1, 1e-3}, {1e6, 1, 1e-6}, {1, 1 - 1e-9, 1 + 1e-9}};
@@ -185,7 +185,7 @@ TEST(ShapeDistanceProperties, AllocatesNothing) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-TEST(ShapeArea, EllipsoidsFollowTheClosedFormsOfSpheroids) {
+TEST(ShapeArea, EllipsoidsMatchSpheroidClosedForms) {
   for (const double q : {0.001, 0.1, 0.9, 0.999999, 1.000001, 1.5, 10.0, 1000.0}) {
     // semi-axes 1, 1, q
     const double e = std::sqrt(std::abs(1.0 - q * q)) / std::max(1.0, q);
@@ -200,7 +200,7 @@ TEST(ShapeArea, EllipsoidsFollowTheClosedFormsOfSpheroids) {
   EXPECT_NEAR(surfaceArea(Ellipsoid{{3, 2, 1}}), 48.882146302582, 1e-11);
 }
 
-TEST(ShapeMass, IsTheClosedForm) {
+TEST(ShapeMass, MatchesClosedForm) {
   const auto box = massProperties(Shape{Cuboid{{1, 2, 3}}});
   EXPECT_NEAR(box.volume, 6, 1e-14);
   EXPECT_TRUE(box.inertia.isApprox(Vector3d(6.5, 5, 2.5).asDiagonal().toDenseMatrix(), 1e-14));
@@ -212,7 +212,7 @@ TEST(ShapeMass, IsTheClosedForm) {
   EXPECT_TRUE(massProperties(Shape{Ellipsoid{{0.2, 0.2, 0.2}}}).inertia.isApprox(ball.inertia, 1e-14));
 }
 
-TEST(ShapeText, IsReadAsItIsWritten) {
+TEST(ShapeText, ParsesDocumentedSyntax) {
   EXPECT_EQ(std::get<Sphere>(*parseShape("sphere:0.05")).radius, 0.05);
   EXPECT_EQ(std::get<Cuboid>(*parseShape("cuboid:1,2,3")).size, Vector3d(1, 2, 3));
   EXPECT_EQ(std::get<Ellipsoid>(*parseShape("ellipsoid:.1,2e-1,3")).semi_axes, Vector3d(0.1, 0.2, 3));
@@ -226,7 +226,7 @@ TEST(ShapeText, IsReadAsItIsWritten) {
     EXPECT_THROW(parseShape(wrong), UsageError) << wrong;
 }
 
-TEST(ShapeText, WhatTheMessageSays) {
+TEST(ShapeText, ReportsFoundAndExpected) {
   try {
     parseShape("cuboid:1,2");
     FAIL();

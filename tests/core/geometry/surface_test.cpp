@@ -92,13 +92,13 @@ void expectClosestPointsExact(const MeshSurface& surface, int count) {
 
 class MeshFiles : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(MeshFiles, ClosestPointsAgreeWithBruteForce) {
+TEST_P(MeshFiles, ClosestPointsMatchBruteForce) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam());
   if (!exists(file)) GTEST_SKIP() << file;
   expectClosestPointsExact(MeshSurface(mesh_file::loadMesh(file).mesh), 150);
 }
 
-TEST_P(MeshFiles, SidesAgreeWithExactWindingNumbers) {
+TEST_P(MeshFiles, SidesMatchExactWindingNumbers) {
   const auto file = testing::sharedData(std::string("meshes/") + GetParam());
   if (!exists(file)) GTEST_SKIP() << file;
   const MeshSurface surface(mesh_file::loadMesh(file).mesh);
@@ -140,7 +140,7 @@ TEST(MeshSurface, SliversAndFarCoordinatesStayExact) {
   expectClosestPointsExact(MeshSurface(moved(mesh, {1000.0, -2000.0, 500.0})), 50);
 }
 
-TEST(MeshSurface, DownhillOnAConvexMeshEndsAtTheNearestPoint) {
+TEST(MeshSurface, DescentOnConvexMeshFindsNearestPoint) {
   const MeshSurface egg(tessellate(Ellipsoid{{0.04, 0.05, 0.12}}, 1e-4));
   const MeshSurface cube(box(0.1));
   int walks = 0;
@@ -161,7 +161,7 @@ TEST(MeshSurface, DownhillOnAConvexMeshEndsAtTheNearestPoint) {
   EXPECT_GT(walks, 300);
 }
 
-TEST(MeshSurface, DownhillNeverGoesUpAndOpenMeshesAreSearched) {
+TEST(MeshSurface, DescentNeverIncreasesDistance) {
   TriangleMesh open = box(0.1);
   open.triangles.pop_back();
   const MeshSurface pierced(open), twins(together(box(0.1), moved(box(0.1), {0.3, 0.0, 0.0})));
@@ -176,7 +176,7 @@ TEST(MeshSurface, DownhillNeverGoesUpAndOpenMeshesAreSearched) {
   }
 }
 
-TEST(MeshSurface, TiesGiveTheSameAnswerWhateverTheHint) {
+TEST(MeshSurface, TiesAreIndependentOfHint) {
   const MeshSurface surface(box(2.0));
   for (std::uint32_t hint = 0; hint < 12; ++hint) {
     const SurfacePoint nearest = surface.closest(Vector3d::Zero(), hint);
@@ -185,7 +185,7 @@ TEST(MeshSurface, TiesGiveTheSameAnswerWhateverTheHint) {
   }
 }
 
-TEST(MeshSurface, SaysWhereNormalsMayDecide) {
+TEST(MeshSurface, ReportsWhereNormalsDecideSide) {
   const TriangleMesh sphere = tessellate(Sphere{1.0}, 0.01), small = tessellate(Sphere{0.3}, 0.01);
   struct Case {
     const char* what;
@@ -225,7 +225,7 @@ TEST(MeshSurface, PointsBetweenOverlappingBodiesAreInside) {
   EXPECT_FALSE(surface.inside({0.5, 0.95, 0.0}));
 }
 
-TEST(MeshSurface, MeshOfAShapeFollowsTheShape) {
+TEST(MeshSurface, MeshOfShapeMatchesShape) {
   constexpr double kSagitta = 2e-4;
   for (const Shape& shape : testing::someShapes()) {
     const auto exact = makeSurface(shape);
@@ -238,7 +238,7 @@ TEST(MeshSurface, MeshOfAShapeFollowsTheShape) {
   }
 }
 
-TEST(MeshSurface, RejectsWhatIsNoSurface) {
+TEST(MeshSurface, RejectsInvalidSurfaces) {
   EXPECT_THROW(makeSurface(TriangleMesh{}), UsageError);
   TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
   EXPECT_THROW(makeSurface(flat), UsageError);
@@ -249,7 +249,7 @@ TEST(MeshSurface, RejectsWhatIsNoSurface) {
   EXPECT_THROW(makeSurface(Shape(Sphere{-1.0})), UsageError);
 }
 
-TEST(MeshSurface, QueriesAllocateNothingAndSurviveAnyInput) {
+TEST(MeshSurface, QueriesHandleAnyInputWithoutAllocation) {
   const MeshSurface surface(tessellate(Sphere{1.0}, 0.001));
   const NoAlloc guard;
   for (const double v : {kNaN, kInfinity, -kInfinity, 1e300, 1e30, -1e18, 0.0}) {

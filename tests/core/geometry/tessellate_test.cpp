@@ -41,7 +41,7 @@ double leastAngle(const TriangleMesh& mesh) {
 /// Vertices are exact but for rounding, relative to the shape's size.
 constexpr double kRounding = 1e-14;
 
-TEST(Tessellate, IsClosedWithVerticesOnTheSurface) {
+TEST(Tessellate, IsClosedWithVerticesOnSurface) {
   for (const auto& shape : someShapes()) {
     for (const double part : {1.0, 0.05, 1e-3}) {
       SCOPED_TRACE(std::string(shapeName(shape)) + " " + std::to_string(part));
@@ -62,7 +62,7 @@ TEST(Tessellate, IsClosedWithVerticesOnTheSurface) {
   }
 }
 
-TEST(Tessellate, NoPointOfTheSurfaceIsFartherThanTheSagitta) {
+TEST(Tessellate, SurfaceIsWithinSagitta) {
   for (const auto& shape : someShapes()) {
     for (const double part : {0.02, 0.001}) {
       const double sagitta = part * pairUncertainty(shape);
@@ -84,7 +84,7 @@ TEST(Tessellate, HasCompactTriangles) {
   EXPECT_GT(leastAngle(tessellate(Cylinder{0.01, 3.0}, 1e-3)), 0.2);
 }
 
-TEST(Tessellate, HasAtLeast32TrianglesRound) {
+TEST(Tessellate, HasAtLeast32TrianglesAround) {
   for (const Shape& shape :
        std::vector<Shape>{Sphere{0.1}, Ellipsoid{{0.1, 0.2, 0.3}}, Cylinder{0.1, 0.2}, Capsule{0.1, 0.2}}) {
     const auto mesh = tessellate(shape, 1.0);
@@ -102,7 +102,7 @@ TEST(Tessellate, HasAtLeast32TrianglesRound) {
   }
 }
 
-TEST(Tessellate, MassesConvergeToTheExactOnes) {
+TEST(Tessellate, MassesConvergeToExact) {
   for (const auto& shape : someShapes()) {
     SCOPED_TRACE(shapeName(shape));
     const auto exact = massProperties(shape);
@@ -126,7 +126,7 @@ TEST(Tessellate, MassesConvergeToTheExactOnes) {
   }
 }
 
-TEST(Tessellate, RefusesWhatIsTooFine) {
+TEST(Tessellate, RejectsTooFineSagitta) {
   for (const double sagitta : {0.0, -1.0, kNaN, kInfinity, 1e-12}) {
     EXPECT_THROW(tessellate(Sphere{1.0}, sagitta), UsageError) << sagitta;
     EXPECT_THROW(tessellate(Cylinder{1.0, 1.0}, sagitta == 1e-12 ? 1e-16 : sagitta), UsageError) << sagitta;

@@ -25,7 +25,7 @@ TriangleMesh soup(const TriangleMesh& mesh, double jitter) {
   return out;
 }
 
-TEST(Weld, JoinsTheCornersOfASoup) {
+TEST(Weld, JoinsCornersOfTriangleSoup) {
   const auto ball = tessellate(Sphere{1.0}, 0.01);
   const double jitter = 1e-7;
   const auto welded = weld(soup(ball, jitter), 2 * std::sqrt(3.0) * jitter);
@@ -37,7 +37,7 @@ TEST(Weld, JoinsTheCornersOfASoup) {
   EXPECT_EQ(weld(soup(ball, jitter), 0.0).vertices.size(), 3 * ball.triangles.size());
 }
 
-TEST(Weld, KeptVerticesAreApartAndMovedOnesNear) {
+TEST(Weld, KeptVerticesAreFartherApartThanTolerance) {
   TriangleMesh mesh;
   for (std::uint64_t i = 0; i < 3000; ++i) mesh.vertices.push_back(testing::randomPoint(i, 1.0));
   for (std::uint32_t i = 0; i < 3000; i += 3) mesh.triangles.push_back({i, i + 1, i + 2});
@@ -49,7 +49,7 @@ TEST(Weld, KeptVerticesAreApartAndMovedOnesNear) {
   EXPECT_LT(welded.vertices.size(), 2900u);
 }
 
-TEST(Weld, DropsWhatCollapsesAndWhatNothingUses) {
+TEST(Weld, DropsCollapsedTrianglesAndUnusedVertices) {
   TriangleMesh mesh;
   mesh.vertices = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1e-9, 0}, {-0.0, 0, 0}};
   mesh.triangles = {{1, 2, 3}, {1, 2, 4}, {2, 2, 3}, {5, 2, 3}};
@@ -60,7 +60,7 @@ TEST(Weld, DropsWhatCollapsesAndWhatNothingUses) {
   EXPECT_TRUE(weld(TriangleMesh{}, 1.0).triangles.empty());
 }
 
-TEST(MeshMass, IsTheCuboidsForAnyPlace) {
+TEST(MeshMass, MatchesCuboidAtAnyPose) {
   // Rounding grows with the distance from the origin: 10 m times 2^-52, over sizes of 0.1 m.
   constexpr double kTolerance = 1e-13;
   const Cuboid box{{0.2, 0.3, 0.5}};
@@ -77,7 +77,7 @@ TEST(MeshMass, IsTheCuboidsForAnyPlace) {
   }
 }
 
-TEST(MeshMass, OfWhatIsNoSolidIsTheCentreOfTheArea) {
+TEST(MeshMass, OpenMeshHasAreaCentroid) {
   TriangleMesh sheet;  // a unit square in the plane z = 1
   sheet.vertices = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};

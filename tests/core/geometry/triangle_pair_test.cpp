@@ -28,7 +28,7 @@ bool isOn(const Vector3d& p, const geometry::TriangleCorners& t) {
   return verify::distancePointTriangle(p, t) < kRounding;
 }
 
-TEST(TrianglePair, AgreesWithEveryPairOfCornersEdgesAndFaces) {
+TEST(TrianglePair, MatchesBruteForceOverFeatures) {
   int cutting = 0;
   for (std::uint64_t i = 0; i < 20'000; ++i) {
     const geometry::TriangleCorners a = someTriangle(2 * i), b = someTriangle(2 * i + 1);
@@ -46,7 +46,7 @@ TEST(TrianglePair, AgreesWithEveryPairOfCornersEdgesAndFaces) {
   EXPECT_GT(cutting, 20);
 }
 
-TEST(TrianglePair, ParallelOnesAreAsFarAsTheirPlanes) {
+TEST(TrianglePair, ParallelTrianglesHavePlaneDistance) {
   const geometry::TriangleCorners a{Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)};
   for (const double x : {-0.3, 0.0, 0.2, 0.9}) {
     geometry::TriangleCorners b = a;

@@ -46,7 +46,7 @@ structure::HapticStructure withDeepBlocks(const structure::HapticStructure& whol
 
 /// Bodies that are turned and moved at random, apart and inside of each other, a few of them without a sane
 /// pose.
-TEST(SearchKernels, GiveTheSameBitsOnEveryMachine) {
+TEST(SearchKernels, VectorKernelsAreBitIdenticalForPoses) {
   const kernels::SearchKernels &fast = kernels::searchKernels(), &plain = kernels::kPortableKernels;
   if (&fast == &plain) GTEST_SKIP() << "this machine runs the portable ones";
   const structure::HapticStructure deep =
@@ -95,7 +95,7 @@ TEST(SearchKernels, GiveTheSameBitsOnEveryMachine) {
 }
 
 /// Any floats: of all sizes, zeros of both signs, infinities and NaN.
-TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
+TEST(SearchKernels, VectorKernelsAreBitIdenticalForAnyFloats) {
   const kernels::SearchKernels &fast = kernels::searchKernels(), &plain = kernels::kPortableKernels;
   if (&fast == &plain) GTEST_SKIP() << "this machine runs the portable ones";
   Random random(7, 0);
@@ -132,7 +132,7 @@ TEST(SearchKernels, GiveTheSameBitsForAnyNumbers) {
 
 /// What they say is right: the point without contacts that is the nearest by its sample, and what is outside
 /// of a ball.
-TEST(SearchKernels, TellTheNearestPoint) {
+TEST(SearchKernels, FindNearestPoint) {
   for (const structure::FieldKind kind : {structure::FieldKind::kMixed, structure::FieldKind::kFloat}) {
     const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, kind);
     const auto& F = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, kind);
@@ -173,7 +173,7 @@ TEST(SearchKernels, TellTheNearestPoint) {
 
 /// Where the inside carries no samples, spheres are left out by bounds of their own: no point within the
 /// margin is lost, and what is said to be proven is.
-TEST(SearchKernels, LoseNothingInDeepBlocks) {
+TEST(SearchKernels, LoseNoPointsInDeepBlocks) {
   const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, structure::FieldKind::kMixed);
   const structure::HapticStructure F =
       withDeepBlocks(structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed));
@@ -215,7 +215,7 @@ TEST(SearchKernels, LoseNothingInDeepBlocks) {
 
 /// The search that sums on its way sums the same, and what it says of the nearest point holds for the exact
 /// surface.
-TEST(SearchKernels, SearchWhileTheySum) {
+TEST(SearchKernels, CombinedSearchMatchesSumAndSearch) {
   constexpr float kMargin = 0.01f, kWatch = 0.02f;
   for (const structure::FieldKind kind : kKinds) {
     const auto& P = structureOf(geometry::Ellipsoid{{0.04, 0.05, 0.12}}, kind);
@@ -257,7 +257,7 @@ TEST(SearchKernels, SearchWhileTheySum) {
   }
 }
 
-TEST(SearchKernels, SupportIsTheLargestProduct) {
+TEST(SearchKernels, SupportIsLargestProduct) {
   std::vector<float> x, y, z;
   for (std::uint64_t i = 0; i < 64; ++i) {
     const Vector3f p = randomPose(i).translation().cast<float>();

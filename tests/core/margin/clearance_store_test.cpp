@@ -7,7 +7,7 @@
 namespace abstand::margin {
 namespace clearance_store_test {
 
-TEST(HalfFloat, ErrsOnItsSideAndByLittle) {
+TEST(HalfFloat, RoundsToStatedSideWithinOneStep) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-9.0, 3.0);
   for (int i = 0; i < 20000; ++i) {
@@ -28,7 +28,7 @@ TEST(HalfFloat, ErrsOnItsSideAndByLittle) {
   EXPECT_EQ(fromHalf(halfBelow(1e9)), 65504.0);
 }
 
-TEST(ClearanceStore, KeepsWhatItWasGiven) {
+TEST(ClearanceStore, ReturnsStoredValues) {
   for (const std::size_t frames : {1u, 255u, 256u, 257u, 900u}) {
     const StoredPairs pairs = storedPairs(3, 3, 4, frames);
     const ClearanceStore store = pairs.store();
@@ -53,7 +53,7 @@ TEST(ClearanceStore, KeepsWhatItWasGiven) {
   }
 }
 
-TEST(ClearanceStore, NeverPutsAPairFartherThanItIs) {
+TEST(ClearanceStore, NeverOverestimatesPairClearance) {
   const StoredPairs pairs = storedPairs(11, 3, 5, 700);
   const ClearanceStore store = pairs.store();
   std::size_t exact = 0;
@@ -72,7 +72,7 @@ TEST(ClearanceStore, NeverPutsAPairFartherThanItIs) {
   EXPECT_GT(exact, 700 * pairs.pairs() / 3);
 }
 
-TEST(ClearanceStore, LooksAtRangesAsFrameByFrame) {
+TEST(ClearanceStore, RangesMatchFrameByFrame) {
   const StoredPairs pairs = storedPairs(5, 2, 3, 1500);
   const ClearanceStore store = pairs.store();
   std::mt19937 random(2);
@@ -99,7 +99,7 @@ TEST(ClearanceStore, LooksAtRangesAsFrameByFrame) {
   }
 }
 
-TEST(ClearanceStore, FindsFramesByTheirTime) {
+TEST(ClearanceStore, FindsFramesByTime) {
   const ClearanceStore store = storedPairs(5, 1, 1, 600).store();
   EXPECT_EQ(store.frameAt(-1.0), 0u);
   EXPECT_EQ(store.frameAt(3.0), 300u);
@@ -107,7 +107,7 @@ TEST(ClearanceStore, FindsFramesByTheirTime) {
   EXPECT_EQ(store.frameAt(99.0), 599u);
 }
 
-TEST(ClearanceStore, NeedsFewBytesAFrame) {
+TEST(ClearanceStore, NeedsFewBytesPerFrame) {
   // Four for the clearance, two for each other number, and one where something was not seen; the link is the
   // same in all frames. A quarter more for what each chunk has once.
   const StoredPairs pairs = storedPairs(8, 28, 1, 2560);

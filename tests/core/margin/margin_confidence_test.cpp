@@ -9,14 +9,14 @@
 namespace abstand::margin {
 namespace margin_confidence_test {
 
-TEST(UnseenShare, IsTheRuleOfThree) {
+TEST(UnseenShare, MatchesRuleOfThree) {
   EXPECT_EQ(unseenShare(0), 1.0);
   EXPECT_NEAR(unseenShare(1), 0.95, 1e-12);
   EXPECT_NEAR(unseenShare(1000), 3.0 / 1000.0, 0.01 * 3.0 / 1000.0);
   EXPECT_LT(unseenShare(20, 0.9), unseenShare(20, 0.95));
 }
 
-TEST(UnseenShare, HoldsForTheLargestOfManySamples) {
+TEST(UnseenShare, HoldsForMaximumOfSamples) {
   // The largest of n uniform values is exceeded by a share 1 - max of unseen ones, which is larger than the
   // bound in 5 % of all samples.
   std::mt19937 random(3);
@@ -32,7 +32,7 @@ TEST(UnseenShare, HoldsForTheLargestOfManySamples) {
   EXPECT_NEAR(static_cast<double>(broken) / kSamples, 0.05, 3.0 * std::sqrt(0.05 * 0.95 / kSamples));
 }
 
-TEST(GumbelFit, FindsTheDistributionThatSamplesCameFrom) {
+TEST(GumbelFit, RecoversSampledDistribution) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const GumbelFit truth{0.3, 0.05, 0.0};
@@ -47,7 +47,7 @@ TEST(GumbelFit, FindsTheDistributionThatSamplesCameFrom) {
   EXPECT_NEAR(fit->probability(fit->quantile(0.99)), 0.99, 1e-12);
 }
 
-TEST(GumbelFit, NeedsDifferentValues) {
+TEST(GumbelFit, RequiresDifferentValues) {
   EXPECT_FALSE(fitGumbel(std::vector<double>{0.1, 0.2, 0.3, 0.4}));
   EXPECT_FALSE(fitGumbel(std::vector<double>{0.1, 0.1, 0.1, 0.1, 0.1, 0.1}));
   EXPECT_FALSE(fitGumbel(std::vector<double>{0.1, 0.2, 0.3, 0.4, INFINITY}));

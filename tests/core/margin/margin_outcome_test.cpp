@@ -22,7 +22,7 @@ ClearanceTrack trackOf(std::vector<double> clearance) {
   return track;
 }
 
-TEST(MarginOutcome, OfAPersonWhoStaysOutsideIsNothing) {
+TEST(MarginOutcome, PersonOutsideCausesNoStop) {
   const MarginOutcome o = outcome(trackOf({0.5, 0.4, 0.5}), 0.3, {});
   EXPECT_EQ(o.stops, 0);
   EXPECT_EQ(o.missed_stops, 0);
@@ -45,7 +45,7 @@ TEST(MarginOutcome, CountsStopsTimesAndFalseStops) {
   EXPECT_NEAR(*o.lead_time, 0.1, kRounding);
 }
 
-TEST(MarginOutcome, AStopThatComesTooLateIsMissed) {
+TEST(MarginOutcome, LateStopIsMissed) {
   ClearanceTrack track = trackOf({0.5, 0.2, 0.5});
   track.braking[1] = -0.02;
   EXPECT_EQ(outcome(track, 0.3, {}).missed_stops, 1);
@@ -55,7 +55,7 @@ TEST(MarginOutcome, AStopThatComesTooLateIsMissed) {
   EXPECT_EQ(outcome(track, 0.3, {.limit = 0.05}).missed_stops, 1) << "at the limit counts as broken";
 }
 
-TEST(MarginOutcome, ATouchBetweenFramesOutsideIsMissed) {
+TEST(MarginOutcome, TouchBetweenFramesIsMissed) {
   ClearanceTrack track = trackOf({0.5, 0.4, 0.4, 0.5});
   track.between[1] = -0.01;
   const MarginOutcome o = outcome(track, 0.3, {});
@@ -65,7 +65,7 @@ TEST(MarginOutcome, ATouchBetweenFramesOutsideIsMissed) {
   EXPECT_EQ(o.min_clearance, -0.01);
 }
 
-TEST(MarginOutcome, WhatIsNotSeenIsInsideEveryMarginAndNoFalseStop) {
+TEST(MarginOutcome, UnseenFramesAreInsideAndNoFalseStop) {
   ClearanceTrack track = trackOf({0.5, -kInfinity, 0.5});
   const MarginOutcome o = outcome(track, 0.0, {});
   EXPECT_EQ(o.stops, 1);
@@ -79,7 +79,7 @@ TEST(MarginOutcome, RestartTimesDoNotCountTwice) {
   EXPECT_NEAR(outcome(track, 0.3, {.restart_time = 0.15}).stopped_time, 0.2 + 0.25, kRounding);
 }
 
-TEST(MarginOutcome, OfSeveralRecordingsIsTheirSum) {
+TEST(MarginOutcome, RecordingsAddUp) {
   MarginOutcome all = outcome(trackOf({0.5, 0.2, 0.5}), 0.3, {});
   all.add(outcome(trackOf({0.5, 0.1, 0.1, 0.5, 0.5}), 0.3, {}));
   EXPECT_EQ(all.stops, 2);
@@ -87,7 +87,7 @@ TEST(MarginOutcome, OfSeveralRecordingsIsTheirSum) {
   EXPECT_NEAR(all.stopped_time, 0.3, kRounding);
 }
 
-TEST(Intrusions, HaveTheirFramesAndAreJudgedAsInTheOutcome) {
+TEST(Intrusions, MatchMarginOutcome) {
   ClearanceTrack track = trackOf({0.5, 0.2, 0.5, 0.25, 0.1, -0.01});
   track.braking[1] = -0.02;
   track.braking[3] = 0.05;
@@ -109,7 +109,7 @@ TEST(Intrusions, HaveTheirFramesAndAreJudgedAsInTheOutcome) {
   EXPECT_NEAR(*all[1].lead_time, 0.1, kRounding);
 }
 
-TEST(ClearanceTrack, RefusesWhatIsNoTrack) {
+TEST(ClearanceTrack, RejectsInvalidTracks) {
   ClearanceTrack track = trackOf({0.5, 0.4});
   EXPECT_NO_THROW(validate(track));
   track.t[1] = 0.0;
@@ -121,7 +121,7 @@ TEST(ClearanceTrack, RefusesWhatIsNoTrack) {
   EXPECT_THROW(validate(track), UsageError);
 }
 
-TEST(ClearanceTrack, LeastOfSeveralIsTheLeastOfEachFrame) {
+TEST(ClearanceTrack, LeastOfSeveralIsMinimumPerFrame) {
   const ClearanceTrack a = trackOf({0.5, 0.1}), b = trackOf({0.2, 0.4});
   const ClearanceTrack* both[] = {&a, &b};
   EXPECT_EQ(leastOf(both).clearance, (std::vector<double>{0.2, 0.1}));

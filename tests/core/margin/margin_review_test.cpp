@@ -68,7 +68,7 @@ std::vector<double> someMargins(std::mt19937& random, std::size_t parts, std::si
   return margins;
 }
 
-TEST(MarginReview, IsTheOutcomeOfEveryFrame) {
+TEST(MarginReview, MatchesFrameByFrameOutcome) {
   for (const std::size_t frames : {1u, 256u, 257u, 1400u})
     for (std::uint32_t seed = 0; seed < 6; ++seed) {
       const StoredPairs pairs = storedPairs(seed, 4, 3, frames);
@@ -85,7 +85,7 @@ TEST(MarginReview, IsTheOutcomeOfEveryFrame) {
     }
 }
 
-TEST(MarginReview, CountsMoreWhereMarginsOfLinksDifferByMore) {
+TEST(MarginReview, IsConservativeWhereLinkMarginsDiffer) {
   const StoredPairs pairs = storedPairs(4, 3, 3, 900);
   std::mt19937 random(4);
   for (int n = 0; n < 20; ++n) {
@@ -104,7 +104,7 @@ TEST(MarginReview, CountsMoreWhereMarginsOfLinksDifferByMore) {
   }
 }
 
-TEST(MarginReview, FindsTheIntrusionsOfEachPart) {
+TEST(MarginReview, FindsIntrusionsOfEachPart) {
   for (std::uint32_t seed = 20; seed < 26; ++seed) {
     const StoredPairs pairs = storedPairs(seed, 3, 2, 1300);
     const ClearanceStore store = pairs.store();
@@ -136,7 +136,7 @@ TEST(MarginReview, FindsTheIntrusionsOfEachPart) {
   }
 }
 
-TEST(MarginReview, FindsWhatCameNearWithoutComingInside) {
+TEST(MarginReview, FindsNearMisses) {
   for (std::uint32_t seed = 40; seed < 46; ++seed) {
     const StoredPairs pairs = storedPairs(seed, 3, 2, 1300);
     const std::vector<double> margins{0.05, 0.2, 0.3, 0.02, 0.1};
@@ -160,7 +160,7 @@ TEST(MarginReview, FindsWhatCameNearWithoutComingInside) {
   }
 }
 
-TEST(MarginReviewer, KeepsOnlyWhatStays) {
+TEST(MarginReviewer, IncrementalReviewMatchesFullReview) {
   const StoredPairs pairs = storedPairs(9, 4, 3, 1300);
   const ClearanceStore all = pairs.store();
   ClearanceStore store(pairs.layout);
@@ -196,7 +196,7 @@ TEST(MarginReview, OrdersEventsByTime) {
   }
 }
 
-TEST(MarginReview, OfNothingIsEmpty) {
+TEST(MarginReview, IsEmptyWithoutFrames) {
   const ClearanceStore store(storedPairs(1, 2, 2, 1).layout);
   const MarginReview result = review(store, std::vector<double>{0.1, 0.1, 0.1, 0.1}, {});
   EXPECT_TRUE(result.events.empty());

@@ -10,7 +10,7 @@ namespace margin_rules_test {
 
 MarginRules parsed(const std::string& text) { return parseMarginRules(text, "m.yaml", {"head", "torso"}); }
 
-TEST(MarginRules, APairTakesTheLargerMarginOrTheSum) {
+TEST(MarginRules, PairUsesLargerMarginOrSum) {
   const std::string margins =
       "margins:\n  - {part: head, margin: 0.1, robot_time: 0.2}\n  - {link: arm/l, margin: 0.3}\n"
       "  - {part: torso, link: arm/l, margin: 0.05}\n";
@@ -25,7 +25,7 @@ TEST(MarginRules, APairTakesTheLargerMarginOrTheSum) {
   EXPECT_FALSE(sum.of("torso", "other"));
 }
 
-TEST(MarginRules, TheTextIsReadAsItWasWritten) {
+TEST(MarginRules, TextRoundTrips) {
   const MarginRules rules{"x",
                           {{"head", "", {1.0 / 3.0, 0.0, 0.1}}, {"", "a \"b\"/l", {0.0, 0.0, 0.0}}},
                           PairMargin{0.2, 0.0, 0.0},
@@ -37,7 +37,7 @@ TEST(MarginRules, TheTextIsReadAsItWasWritten) {
   EXPECT_EQ(read.of("head", "x")->margin, 1.0 / 3.0);
 }
 
-TEST(MarginRules, ErrorsNameThePlace) {
+TEST(MarginRules, ErrorsHavePositions) {
   const std::pair<const char*, const char*> cases[] = {
       {"abstand_margins: 1\ncombine: both\ndefault: {margin: 0}\n", "m.yaml:2:"},
       {"abstand_margins: 2\n", "m.yaml:1:"},

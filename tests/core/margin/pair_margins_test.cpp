@@ -101,7 +101,7 @@ std::vector<std::vector<PairMargin>> randomSets(std::uint32_t seed, std::size_t 
   return sets;
 }
 
-TEST(PairMarginSets, AreJudgedAsTheirDefinitionsSay) {
+TEST(PairMarginSets, MatchDefinitionFrameByFrame) {
   for (const int frames : {1, 2, 63, 64, 65, 900})
     for (std::uint32_t seed = 0; seed < 10; ++seed) {
       const PairTracks tracks = tracksOf(seed, 5, frames);
@@ -116,7 +116,7 @@ TEST(PairMarginSets, AreJudgedAsTheirDefinitionsSay) {
     }
 }
 
-TEST(PairMarginSets, OfOneMarginForAllPairsAreTheLeastOfAllTracks) {
+TEST(PairMarginSets, UniformMarginMatchesLeastTrack) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const PairTracks tracks = tracksOf(seed, 3, 700);
     const ClearanceTrack* all[] = {&tracks.of[0], &tracks.of[1], &tracks.of[2]};
@@ -136,7 +136,7 @@ TEST(PairMarginSets, OfOneMarginForAllPairsAreTheLeastOfAllTracks) {
   }
 }
 
-TEST(PairMarginSets, StopWhereAnyPairIsInsideItsOwn) {
+TEST(PairMarginSets, StopIfAnyPairIsInsideItsMargin) {
   PairTracks tracks;
   tracks.of.push_back({{0, 1, 2, 3}, {0.5, 0.3, 0.3, 0.5}, {0.3, 0.3, 0.3, kInfinity}, {0.2, 0.2, 0.2, 0.2}});
   tracks.of.push_back(
@@ -153,7 +153,7 @@ TEST(PairMarginSets, StopWhereAnyPairIsInsideItsOwn) {
   EXPECT_EQ(got[2].stopped_time, 1.0);
 }
 
-TEST(PairMarginSets, TellTheirStops) {
+TEST(PairMarginSets, ReportStops) {
   const PairTracks tracks = tracksOf(7, 3, 500);
   PairMarginSets sets({{{0.3, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {});
   long stops[2] = {0, 0}, missed[2] = {0, 0};
@@ -172,14 +172,14 @@ TEST(PairMarginSets, TellTheirStops) {
   EXPECT_GT(stops[0], 0);
 }
 
-TEST(PairMarginSets, RefuseWhatDoesNotFit) {
+TEST(PairMarginSets, RejectInvalidSets) {
   EXPECT_THROW(PairMarginSets({}, {}), UsageError);
   EXPECT_THROW(PairMarginSets({{{0.1, 0, 0}}, {}}, {}), UsageError);
   EXPECT_THROW(PairMarginSets({{{-0.1, 0, 0}}}, {}), UsageError);
   EXPECT_THROW(PairMarginSets({{{0.1, kInfinity, 0}}}, {}), UsageError);
 }
 
-TEST(SafeMarginWatch, IsTheSmallestSafeMarginFromTheFirstFrameThatCanBeJudged) {
+TEST(SafeMarginWatch, MatchesSmallestSafeMarginFromFirstJudgedFrame) {
   const MarginOptions options{0.01, 0.0};
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     const PairTracks tracks = tracksOf(200 + seed, 1, 300);

@@ -10,7 +10,7 @@
 namespace abstand::margin {
 namespace proposed_margin_test {
 
-TEST(ProposedMargin, IsTheSmallestSafeMarginOfEachPart) {
+TEST(ProposedMargin, IsSmallestSafeMarginPerPart) {
   int decided = 0;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const StoredPairs pairs = storedPairs(seed, 3, 2, 700);
@@ -33,7 +33,7 @@ TEST(ProposedMargin, IsTheSmallestSafeMarginOfEachPart) {
   EXPECT_GT(decided, 0);
 }
 
-TEST(PartOutcome, IsThatOfThePartsTrack) {
+TEST(PartOutcome, MatchesOutcomeOfTrack) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const StoredPairs pairs = storedPairs(seed, 3, 2, 700);
     const ClearanceStore store = pairs.store();

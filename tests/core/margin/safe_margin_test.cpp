@@ -24,7 +24,7 @@ ClearanceTrack randomTrack(std::uint32_t seed) {
   return from(track, firstJudgedFrame(track, {}));
 }
 
-TEST(SafeMargin, EveryMarginAboveItMissesNothingAndItselfMissesSomething) {
+TEST(SafeMargin, IsLargestMarginThatMissesStops) {
   int decided = 0;
   for (std::uint32_t seed = 0; seed < 300; ++seed) {
     const ClearanceTrack track = randomTrack(seed);
@@ -42,7 +42,7 @@ TEST(SafeMargin, EveryMarginAboveItMissesNothingAndItselfMissesSomething) {
   EXPECT_GT(decided, 100) << "do the tracks decide anything?";
 }
 
-TEST(SafeMargin, IsTheClearanceOneFrameBeforeTheStopThatCameTooLate) {
+TEST(SafeMargin, IsClearanceOneFrameBeforeLateStop) {
   const ClearanceTrack track{
       {0, 1, 2, 3}, {0.5, 0.4, 0.2, 0.3}, {0.4, 0.2, 0.2, kInfinity}, {0.3, 0.2, -0.1, 0.1}};
   const SafeMargin safe = smallestSafeMargin(track, {});
@@ -52,7 +52,7 @@ TEST(SafeMargin, IsTheClearanceOneFrameBeforeTheStopThatCameTooLate) {
   EXPECT_DOUBLE_EQ(safe.sampling, 0.2);
 }
 
-TEST(SafeMargin, IsInfiniteWhereTheFirstFrameIsTooNear) {
+TEST(SafeMargin, IsInfiniteIfFirstFrameIsTooNear) {
   const ClearanceTrack track{{0, 1, 2}, {0.1, 0.4, 0.5}, {0.1, 0.4, kInfinity}, {-0.1, 0.2, 0.4}};
   EXPECT_EQ(smallestSafeMargin(track, {}).margin, kInfinity);
   EXPECT_EQ(firstJudgedFrame(track, {}), 1u);

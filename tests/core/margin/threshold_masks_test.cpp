@@ -10,7 +10,7 @@
 namespace abstand::margin {
 namespace threshold_masks_test {
 
-TEST(ThresholdMasks, AreTheComparisonWithEachValue) {
+TEST(ThresholdMasks, MatchComparisonWithEachValue) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> step(-3, 20);  // coarse: values repeat, and thresholds hit them
   for (std::size_t count : {0, 1, 2, 31, 32, 33, 63, 64})

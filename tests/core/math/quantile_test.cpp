@@ -9,7 +9,7 @@
 namespace abstand {
 namespace quantile_test {
 
-TEST(Quantile, OfFourValuesTheCustomsDiffer) {
+TEST(Quantile, DefinitionsDifferForFourValues) {
   const std::vector<double> values{3, 1, 2, 4};
   EXPECT_EQ(lowerQuantile(values, 0.5), 2.0);
   EXPECT_EQ(upperQuantile(values, 0.5), 3.0);
@@ -17,12 +17,12 @@ TEST(Quantile, OfFourValuesTheCustomsDiffer) {
   EXPECT_EQ(nearestQuantile(values, 0.4), 2.0);
 }
 
-TEST(Quantile, OfFiveValuesTheMiddleIsThatOfAll) {
+TEST(Quantile, MedianOfFiveIsSameInAllDefinitions) {
   for (const auto quantile : {lowerQuantile, upperQuantile, nearestQuantile})
     EXPECT_EQ(quantile({5, 1, 4, 2, 3}, 0.5), 3.0);
 }
 
-TEST(Quantile, TheEndsAreTheSmallestAndTheLargest) {
+TEST(Quantile, EndsAreMinimumAndMaximum) {
   for (const auto quantile : {lowerQuantile, upperQuantile, nearestQuantile}) {
     EXPECT_EQ(quantile({7, 5, 9}, 0.0), 5.0);
     EXPECT_EQ(quantile({7, 5, 9}, 1.0), 9.0);
@@ -31,7 +31,7 @@ TEST(Quantile, TheEndsAreTheSmallestAndTheLargest) {
   }
 }
 
-TEST(Quantile, IsWhatCountingFinds) {
+TEST(Quantile, MatchesCounting) {
   for (int n = 1; n <= 12; ++n) {
     std::vector<double> values(static_cast<std::size_t>(n));
     std::iota(values.begin(), values.end(), 1.0);

@@ -11,7 +11,7 @@ namespace turn_between_test {
 
 constexpr double kRounding = 1e-12;
 
-TEST(TurnBetween, TurnsOneOntoTheOtherByTheAngleBetweenThem) {
+TEST(TurnBetween, RotatesByAngleBetweenDirections) {
   for (std::uint64_t k = 0; k < 1000; ++k) {
     Random random(7, k);
     const Vector3d from = random.direction(), to = random.direction();
@@ -22,7 +22,7 @@ TEST(TurnBetween, TurnsOneOntoTheOtherByTheAngleBetweenThem) {
   }
 }
 
-TEST(TurnBetween, TurnsAHalfTurnBetweenOpposites) {
+TEST(TurnBetween, RotatesOppositesByHalfTurn) {
   // Nearly opposite is taken for opposite within the rounding of a cosine: its root, in radians.
   const double kRoot = 1e-6;
   for (std::uint64_t k = 0; k < 100; ++k) {

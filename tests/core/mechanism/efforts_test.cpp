@@ -34,7 +34,7 @@ struct Bent {
   }
 };
 
-TEST(JointEfforts, OfAForceAcrossALeverAreForceTimesLever) {
+TEST(JointEfforts, LeverForceMatchesForceTimesLever) {
   // Three links of 1.1 m stretched out along x, pushed along y at the third joint.
   const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   MechanismState state;
@@ -50,7 +50,7 @@ TEST(JointEfforts, OfAForceAcrossALeverAreForceTimesLever) {
   EXPECT_NEAR(efforts[1], 11.0, kExact);
 }
 
-TEST(JointEfforts, OfAPrismaticJointAreForceAlongIt) {
+TEST(JointEfforts, PrismaticEffortIsForceAlongAxis) {
   const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/example.mech"));
   MechanismState state;
   forward(m, std::vector(3, 0.0), state);
@@ -60,7 +60,7 @@ TEST(JointEfforts, OfAPrismaticJointAreForceAlongIt) {
   EXPECT_NEAR(efforts[1], -5.0, kExact);
 }
 
-TEST(JointEfforts, AreTheTransposedJacobianTimesTheWrench) {
+TEST(JointEfforts, MatchTransposedJacobianTimesWrench) {
   for (const char* file : {"data/robots/lwr/lwr4.mech", "data/scenes/example.mech", "data/scenes/chain.mech"})
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       SCOPED_TRACE(::testing::Message() << file << " " << seed);
@@ -82,7 +82,7 @@ TEST(JointEfforts, AreTheTransposedJacobianTimesTheWrench) {
     }
 }
 
-TEST(JointEfforts, DoAsMuchWorkAsTheForce) {
+TEST(JointEfforts, PowerMatchesForce) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Bent b("data/robots/lwr/lwr4.mech", seed);

@@ -53,7 +53,7 @@ double drift(const Mechanism& m, std::uint64_t seed, double h) {
   return worst;
 }
 
-TEST(ForwardDynamics, UndoesInverseDynamics) {
+TEST(ForwardDynamics, InvertsInverseDynamics) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomRobot(seed, 12, seed % 2 == 0);
@@ -72,7 +72,7 @@ TEST(ForwardDynamics, UndoesInverseDynamics) {
 // Halving the step divides the error of a fourth-order method by 16, where rounding does not show yet.
 constexpr double kMinFall = 12.0;
 
-TEST(ForwardDynamics, KeepsEnergyToTheOrderOfTheStep) {
+TEST(ForwardDynamics, ConservesEnergyToOrderOfStep) {
   struct Case {
     const char* name;
     Mechanism mechanism;

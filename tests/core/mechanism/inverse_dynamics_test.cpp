@@ -27,7 +27,7 @@ std::vector<double> efforts(const Mechanism& m, std::span<const double> q, std::
   return tau;
 }
 
-TEST(InverseDynamics, OfAPendulumIsItsClosedForm) {
+TEST(InverseDynamics, PendulumMatchesClosedForm) {
   const double m = 1.7, l = 0.6, g = 9.80665;
   for (const double q : {-2.0, -0.3, 0.0, 0.8, 3.0})
     for (const double qdd : {-4.0, 0.0, 2.5})
@@ -35,7 +35,7 @@ TEST(InverseDynamics, OfAPendulumIsItsClosedForm) {
                   m * l * l * qdd + m * g * l * std::sin(q), kExact);
 }
 
-TEST(InverseDynamics, OfADoublePendulumIsItsClosedForm) {
+TEST(InverseDynamics, DoublePendulumMatchesClosedForm) {
   // [Craig, Introduction to Robotics, 6.7], with angles from the vertical.
   const double m0 = 1.3, l0 = 0.5, m1 = 0.7, l1 = 0.4, g = 9.80665;
   const Mechanism mechanism = doublePendulum(m0, l0, m1, l1);
@@ -55,7 +55,7 @@ TEST(InverseDynamics, OfADoublePendulumIsItsClosedForm) {
   }
 }
 
-TEST(InverseDynamics, OfASlideOnATurntableIsItsClosedForm) {
+TEST(InverseDynamics, SlideOnTurntableMatchesClosedForm) {
   // A mass m at distance x on an arm that turns about the vertical z: m x^2 qdd0 + 2 m x v1 v0; m a - m x
   // v0^2. The slide points along x and up by 30 degrees, so it also lifts.
   Mechanism m;
@@ -71,7 +71,7 @@ TEST(InverseDynamics, OfASlideOnATurntableIsItsClosedForm) {
   EXPECT_NEAR(tau[1], mass * (a1 - c * c * s * v0 * v0 + 9.80665 * std::sin(up)), kExact);
 }
 
-TEST(InverseDynamics, FollowsLagrangesEquations) {
+TEST(InverseDynamics, MatchesLagrangeEquations) {
   for (const bool mimic : {false, true})
     for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
       SCOPED_TRACE(::testing::Message() << (mimic ? "mimic " : "") << seed);
@@ -87,7 +87,7 @@ TEST(InverseDynamics, FollowsLagrangesEquations) {
     }
 }
 
-TEST(InverseDynamics, TakesWhatWrenchesDoOffTheMotors) {
+TEST(InverseDynamics, ExternalWrenchesReduceMotorEfforts) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomRobot(seed, 9, seed % 2 == 0);
@@ -117,7 +117,7 @@ TEST(InverseDynamics, TakesWhatWrenchesDoOffTheMotors) {
   }
 }
 
-TEST(InverseDynamics, GivesThePowerThatEnergyGains) {
+TEST(InverseDynamics, PowerMatchesEnergyRate) {
   // q(t) = q + qd t + qdd t^2 / 2; energy by poses and velocities alone.
   constexpr double kStep = 1e-5;
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
@@ -146,7 +146,7 @@ TEST(InverseDynamics, GivesThePowerThatEnergyGains) {
   }
 }
 
-TEST(InverseDynamics, HasGravityAndBiasAsItsParts) {
+TEST(InverseDynamics, GravityAndBiasMatchSpecialCases) {
   const RigidTree tree = makeRigidTree(sevenAxisArm());
   const auto q = randomValues(7, 1, 0, 2.0), qd = randomValues(7, 1, 100, 2.0);
   TreeState state;
@@ -174,7 +174,7 @@ TEST(InverseDynamics, AllocatesNothingInSteadyState) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(RigidTree, HasTheFramesWhereForwardKinematicsHasThem) {
+TEST(RigidTree, FramesMatchForwardKinematics) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     SCOPED_TRACE(seed);
     Mechanism m = randomRobot(seed, 12, seed % 2 == 0);

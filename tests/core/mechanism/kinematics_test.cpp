@@ -55,7 +55,7 @@ Mechanism randomTree(std::uint64_t seed) {
   return m;
 }
 
-TEST(ForwardKinematics, IsTheProductOfTheElementaryTransforms) {
+TEST(ForwardKinematics, MatchesProductOfElementaryTransforms) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomTree(seed);
@@ -75,7 +75,7 @@ TEST(ForwardKinematics, IsTheProductOfTheElementaryTransforms) {
   }
 }
 
-TEST(ForwardKinematics, OfListing31IsItsClosedForm) {
+TEST(ForwardKinematics, ThesisListing31MatchesClosedForm) {
   const Mechanism m = robot_file::loadMechanism(testing::projectFile("data/scenes/example.mech"));
   const double q0 = 0.3, q1 = 0.12, q2 = -0.8;
   MechanismState state;
@@ -87,7 +87,7 @@ TEST(ForwardKinematics, OfListing31IsItsClosedForm) {
   EXPECT_TRUE(state.X_BF[3].translation().isApprox(tip_B, kExact));
 }
 
-TEST(Jacobian, AgreesWithDifferences) {
+TEST(Jacobian, MatchesFiniteDifferences) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomTree(seed);
@@ -132,7 +132,7 @@ TEST(Kinematics, AllocatesNothingInSteadyState) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(KinematicsDeathTest, StopsWhenTheMechanismWasNotPrepared) {
+TEST(KinematicsDeathTest, AbortsOnUnpreparedMechanism) {
   Mechanism m;
   m.frames.emplace_back();
   MechanismState state;

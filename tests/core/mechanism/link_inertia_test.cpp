@@ -20,7 +20,7 @@ double difference(const LinkInertia& a, const LinkInertia& b) {
                    (a.inertia_F - b.inertia_F).cwiseAbs().maxCoeff()});
 }
 
-TEST(LinkInertia, OfTwoHalvesIsThatOfTheWhole) {
+TEST(LinkInertia, HalvesSumToWhole) {
   const LinkInertia left = boxMass(2.0, {0.5, 0.2, 0.3}, {-0.25, 0.1, 0.0}),
                     right = boxMass(2.0, {0.5, 0.2, 0.3}, {0.25, 0.1, 0.0});
   EXPECT_LT(difference(together(left, right), boxMass(4.0, {1.0, 0.2, 0.3}, {0.0, 0.1, 0.0})), kExact);
@@ -28,7 +28,7 @@ TEST(LinkInertia, OfTwoHalvesIsThatOfTheWhole) {
   EXPECT_EQ(difference(together({}, left), left), 0.0);
 }
 
-TEST(LinkInertia, SeenFromElsewhereAndBackIsTheSame) {
+TEST(LinkInertia, TransformRoundTrips) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Transform X = randomPose(seed);
     const LinkInertia body = boxMass(3.0, {0.5, 0.2, 0.3}, {-0.2, 0.1, 0.4});
@@ -36,7 +36,7 @@ TEST(LinkInertia, SeenFromElsewhereAndBackIsTheSame) {
   }
 }
 
-TEST(LinkInertia, OfASolidIsItsDensityTimesItsVolume) {
+TEST(LinkInertia, SolidHasDensityTimesVolume) {
   const geometry::MassProperties solid =
       geometry::massProperties(geometry::tessellate(geometry::Cuboid{{0.5, 0.2, 0.3}}, 0.01));
   Transform X_FS = Transform::Identity();
@@ -46,7 +46,7 @@ TEST(LinkInertia, OfASolidIsItsDensityTimesItsVolume) {
             1e-9);  // a mass of 81 kg
 }
 
-TEST(LinkInertia, IsJudged) {
+TEST(LinkInertia, FaultsAreReported) {
   LinkInertia body = boxMass(1.0, {0.1, 0.2, 0.3}, {0, 0, 0});
   EXPECT_EQ(inertiaFault(body), "");
   EXPECT_EQ(inertiaFault({}), "");

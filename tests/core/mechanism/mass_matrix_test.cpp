@@ -29,7 +29,7 @@ struct Posed {
   }
 };
 
-TEST(MassMatrix, HasNewtonEulersColumns) {
+TEST(MassMatrix, ColumnsMatchNewtonEuler) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     SCOPED_TRACE(seed);
     Posed p(randomRobot(seed, 12, seed % 2 == 0), seed);
@@ -47,7 +47,7 @@ TEST(MassMatrix, HasNewtonEulersColumns) {
   }
 }
 
-TEST(MassMatrix, IsLagrangesAndPositiveDefinite) {
+TEST(MassMatrix, MatchesKineticEnergyAndIsPositiveDefinite) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomRobot(seed, 12, seed % 2 == 0);
@@ -70,7 +70,7 @@ TEST(MassMatrix, IsLagrangesAndPositiveDefinite) {
   }
 }
 
-TEST(MassMatrix, OfAHumanoidIsSolved) {
+TEST(MassMatrix, HumanoidIsFactorized) {
   Posed p(humanoid(), 3);
   ASSERT_EQ(p.tree.dof, 47);
   ASSERT_EQ(factor(p.state.mass), -1);
@@ -79,7 +79,7 @@ TEST(MassMatrix, OfAHumanoidIsSolved) {
             kExact * p.state.mass.M.cwiseAbs().maxCoeff());
 }
 
-TEST(MassMatrix, NamesADofThatMovesNoMass) {
+TEST(MassMatrix, ReportsDofWithoutMass) {
   Mechanism m = doublePendulum(1.0, 0.5, 0.0, 0.4);
   Posed p(m, 1);
   EXPECT_EQ(factor(p.state.mass), 1);
@@ -93,7 +93,7 @@ TEST(MassMatrix, NamesADofThatMovesNoMass) {
   EXPECT_EQ(factor(carried.state.mass), -1);
 }
 
-TEST(EffectiveMass, IsItsClosedForm) {
+TEST(EffectiveMass, RodMatchesClosedForm) {
   // A rod with a mass m at l, pushed at r across: m l^2 / r^2; along the rod: a wall.
   const double mass = 1.5, l = 0.8, r = 0.5;
   Posed p(pendulum(mass, l), 1);
@@ -109,7 +109,7 @@ TEST(EffectiveMass, IsItsClosedForm) {
   EXPECT_EQ(at(Vector3d::UnitY()), kInfinity);
 }
 
-TEST(EffectiveMass, IsForceOverTheAccelerationThatItCauses) {
+TEST(EffectiveMass, MatchesForceOverAcceleration) {
   for (std::uint64_t seed = 0; seed < kRobots; ++seed) {
     SCOPED_TRACE(seed);
     const Mechanism m = randomRobot(seed, 10, seed % 2 == 0);

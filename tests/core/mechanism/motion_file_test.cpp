@@ -36,14 +36,14 @@ TEST(MotionFile, IsLinearBetweenRowsAndClampedOutside) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(MotionFile, TakesWhatSpreadsheetsWrite) {
+TEST(MotionFile, ReadsSpreadsheetVariants) {
   const MotionTable table = parseMotion("\xEF\xBB\xBFt, q0\r\n0, 1\r\n\r\n1e0 ,\t2\r\n\r\n", "m.csv", 1);
   std::vector<double> q(1);
   table.at(0.25, q);
   EXPECT_DOUBLE_EQ(q[0], 1.25);
 }
 
-TEST(MotionFile, IsWrittenToTheLastBit) {
+TEST(MotionFile, RoundTripsBitExactly) {
   const std::vector<double> t{-0.1, 1.0 / 3.0, 2e3}, q{0.1, -kPi, 1e-300, 0.0, 1.0 / 7.0, 1e9};
   const MotionTable again = parseMotion(formatMotion({t, q, 2}), "again.csv", 2);
   EXPECT_THAT(again.times(), ::testing::ElementsAreArray(t));
@@ -66,7 +66,7 @@ struct BadCase {
 };
 class BadMotion : public ::testing::TestWithParam<BadCase> {};
 
-TEST_P(BadMotion, IsRefusedWithItsPlace) {
+TEST_P(BadMotion, IsRejectedWithPosition) {
   const auto& c = GetParam();
   try {
     parseMotion(c.text, "m.csv", 2);
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadMotion,
                                            BadCase{"t,q0,q1\n1,1,1\n1,1,1\n", 3, 1, "rising"},
                                            BadCase{"t,q0,q1\n1,1,1\n0.5,1,1\n", 3, 1, "0.5"}));
 
-TEST(MotionFile, OfTheShippedScenesIsReadAndStaysSlow) {
+TEST(MotionFile, ShippedMotionsAreReadAndSlow) {
   struct Case {
     const char* file;
     int dof;
@@ -123,7 +123,7 @@ TEST(MotionFile, OfTheShippedScenesIsReadAndStaysSlow) {
   }
 }
 
-TEST(MotionFile, NamesTheFile) {
+TEST(MotionFile, ErrorsNameFile) {
   testing::ScratchFolder folder;
   const auto file = folder.write("bad.csv", "t\n");
   try {

@@ -34,7 +34,7 @@ void expectBreach(const LimitBreach& b, LimitKind kind, double value, double lim
   EXPECT_EQ(b.count, count);
 }
 
-TEST(MotionLimits, BetweenRowsTheSlopeIsTheVelocity) {
+TEST(MotionLimits, VelocityIsSlopeBetweenRows) {
   const Mechanism m = slide();
   // At 0.4 m/s, 0.6 m/s and -0.7 m/s.
   const MotionTable motion({0.0, 1.0, 3.0, 5.0}, {0.0, 0.4, 1.6, 0.2}, 1);
@@ -45,7 +45,7 @@ TEST(MotionLimits, BetweenRowsTheSlopeIsTheVelocity) {
   expectBreach(found[1], LimitKind::kVelocity, -0.7, -0.5, 3.0, 1.0, 2);
 }
 
-TEST(MotionLimits, OnlyTheTimeThatIsAskedForCounts) {
+TEST(MotionLimits, OnlyRequestedTimeCounts) {
   const Mechanism m = slide();
   const MotionTable motion({0.0, 1.0, 3.0}, {0.0, 0.4, 1.6}, 1);
   EXPECT_TRUE(breaches(m, motion, MotionLine::kLinear, 0.0, 1.0).empty());
@@ -59,7 +59,7 @@ TEST(MotionLimits, OnlyTheTimeThatIsAskedForCounts) {
   expectBreach(after[0], LimitKind::kPosition, 1.6, 1.0, 4.0, 4.0, 1);
 }
 
-TEST(MotionLimits, ASmoothMotionHasAccelerationsAndEfforts) {
+TEST(MotionLimits, SmoothMotionHasAccelerationsAndEfforts) {
   // From rest to rest over 0.6 m in 2 s: a = 6 d / T^2 (1 - 2 s) of s = t / T, v = 6 d / T (s - s^2).
   const MotionTable motion({0.0, 2.0}, {0.0, 0.6}, 1);
   const auto found = breaches(slide(), motion, MotionLine::kSmooth, 0.0, 2.0);
@@ -75,7 +75,7 @@ TEST(MotionLimits, ASmoothMotionHasAccelerationsAndEfforts) {
   EXPECT_TRUE(breaches(slide(""), motion, MotionLine::kSmooth, 0.5, 1.5).empty());
 }
 
-TEST(MotionLimits, LimitsAreThoseOfTheDofNotOfTheJoint) {
+TEST(MotionLimits, LimitsApplyToDofNotJoint) {
   const Mechanism m = slide("mapping\n dof 0 1 0.2 -2\nend_mapping\n");
   // The joint's value is 0.2 - 2 q: q is within -0.4 and 0.6, and 0.25 /s.
   const MotionTable motion({0.0, 4.0}, {0.0, -0.5}, 1);

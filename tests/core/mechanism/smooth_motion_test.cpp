@@ -29,7 +29,7 @@ MotionTable randomTable(std::uint64_t seed, int rows) {
   return {t, randomValues(2 * rows, seed, 100, 2.0), 2};
 }
 
-TEST(SmoothMotion, GoesThroughItsRowsSmoothlyFromRestToRest) {
+TEST(SmoothMotion, InterpolatesRowsSmoothlyFromRestToRest) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const MotionTable table = randomTable(seed, 2 + static_cast<int>(seed % 7));
@@ -52,7 +52,7 @@ TEST(SmoothMotion, GoesThroughItsRowsSmoothlyFromRestToRest) {
   }
 }
 
-TEST(SmoothMotion, HasTheRatesOfItsOwnValues) {
+TEST(SmoothMotion, RatesMatchFiniteDifferences) {
   constexpr double kStep = 1e-5;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const SmoothMotion motion(randomTable(seed, 6));
@@ -65,7 +65,7 @@ TEST(SmoothMotion, HasTheRatesOfItsOwnValues) {
   }
 }
 
-TEST(SmoothMotion, OfACubicFromRestToRestIsThatCubic) {
+TEST(SmoothMotion, ReproducesCubicFromRestToRest) {
   // q = 3 t^2 - 2 t^3 from 0 to 1, sampled anywhere.
   std::vector<double> t{0.0, 0.1, 0.35, 0.8, 1.0}, q;
   for (const double x : t) q.push_back(x * x * (3 - 2 * x));

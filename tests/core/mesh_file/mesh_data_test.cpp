@@ -26,7 +26,7 @@ class RealMesh : public ::testing::TestWithParam<Known> {};
 /// The lists give extents and volumes with four to six digits.
 constexpr double kListed = 1e-3;
 
-TEST_P(RealMesh, IsWhatIsKnownOfIt) {
+TEST_P(RealMesh, MatchesKnownProperties) {
   const auto& known = GetParam();
   const auto file = sharedData(std::string("meshes/") + known.file);
   if (!exists(file)) GTEST_SKIP() << file;
@@ -72,13 +72,13 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(RealMeshes, PointsWithoutFacesAreRefused) {
+TEST(RealMeshes, RejectsPointsWithoutFaces) {
   const auto file = sharedData("meshes/points_emptyface.ply");
   if (!exists(file)) GTEST_SKIP() << file;
   EXPECT_THROW(loadMesh(file), ParseError);
 }
 
-TEST(RealMeshes, OfRobotsAreRead) {
+TEST(RealMeshes, ReadsRobotMeshes) {
   const auto folder = sharedData("robots");
   if (!exists(folder)) GTEST_SKIP() << folder;
   std::size_t read = 0;
@@ -99,7 +99,7 @@ TEST(RealMeshes, OfRobotsAreRead) {
   EXPECT_GT(read, 100u);
 }
 
-TEST(RealMeshes, ALinkIsTheSameInStlAndCollada) {
+TEST(RealMeshes, LinkIsSameInStlAndCollada) {
   const auto dae = sharedData("robots/kuka_lwr4plus/arm_segment_a.dae");
   const auto stl = sharedData("robots/kuka_lwr4plus/meshes_arm/arm_segment_a.stl");
   if (!exists(dae) || !exists(stl)) GTEST_SKIP() << dae;

@@ -81,7 +81,7 @@ std::string binaryPly(bool big) {
   return s;
 }
 
-TEST(MeshFile, ReadsATetrahedronInEveryFormat) {
+TEST(MeshFile, ReadsTetrahedronInEveryFormat) {
   std::string stl = "solid vertex 1 2\n";
   for (std::size_t i = 0; i < kCorners.size(); i += 3) {
     if (i % 9 == 0) stl += " facet normal 0 0 1\n  outer loop\n";
@@ -150,7 +150,7 @@ std::string objOfPolygon(const std::vector<std::pair<double, double>>& corners) 
   return obj + bottom + "\n" + top + "\n";
 }
 
-TEST(MeshFile, CutsLargePolygons) {
+TEST(MeshFile, TriangulatesLargePolygons) {
   // With more corners, triangles of star and comb are flat by the tolerance of cleaning, 1e-6 of the extent.
   constexpr int kFewCorners = 2'000, kPolygonCorners = 20'000;
   std::vector<std::pair<double, double>> star, comb, frame, spiral;
@@ -204,7 +204,7 @@ const std::string kTriangles =
 <p>0 0 2 0 1 0 0 0 1 0 3 0 1 0 2 0 3 0 2 0 0 0 3 0</p></triangles>)";
 const std::string kInstance = R"(<node><instance_geometry url="#g"/></node>)";
 
-TEST(MeshFileDae, AppliesTheUnitAndLeavesTheAxes) {
+TEST(MeshFileDae, AppliesUnitAndKeepsAxes) {
   expectTetrahedron(parseMesh(dae("", kTriangles, kInstance), "dae", "f"), 1.0);
   const auto inches = parseMesh(dae(R"(<unit meter="0.0254"/>)", kTriangles, kInstance), "dae", "f");
   expectTetrahedron(inches, 0.0254);
@@ -214,7 +214,7 @@ TEST(MeshFileDae, AppliesTheUnitAndLeavesTheAxes) {
   EXPECT_NEAR(geometry::bounds(inches.mesh).upper.y(), 0.0254, 1e-15);
 }
 
-TEST(MeshFileDae, AppliesTheTransformsOfNodes) {
+TEST(MeshFileDae, AppliesNodeTransforms) {
   const auto m =
       parseMesh(dae("", kTriangles,
                     R"(<node><translate>10 0 0</translate><rotate>0 0 1 90</rotate><scale>2 1 1</scale>
@@ -232,7 +232,7 @@ TEST(MeshFileDae, AppliesTheTransformsOfNodes) {
   EXPECT_TRUE(mirrored.report.remarks.empty());
 }
 
-TEST(MeshFileDae, KnowsItsPrimitives) {
+TEST(MeshFileDae, ReadsAllPrimitives) {
   const std::string input = R"(<input semantic="VERTEX" source="#v" offset="0"/>)";
   for (const std::string& primitives :
        {"<polylist>" + input + "<vcount>3 3 3 3</vcount><p>0 2 1 0 1 3 1 2 3 2 0 3</p></polylist>",
@@ -242,7 +242,7 @@ TEST(MeshFileDae, KnowsItsPrimitives) {
     expectTetrahedron(parseMesh(dae("", primitives, kInstance), "dae", "f"), 1.0);
 }
 
-TEST(MeshFileDae, RefusesWhatUnfoldsWithoutEnd) {
+TEST(MeshFileDae, RejectsUnboundedInstances) {
   std::string nodes = dae("", kTriangles, R"(<node id="m"><instance_node url="#m"/></node>)");
   EXPECT_THROW(parseMesh(nodes, "dae", "f"), ParseError);
   // 2^60 tetrahedra in a few lines
@@ -258,7 +258,7 @@ TEST(MeshFileDae, RefusesWhatUnfoldsWithoutEnd) {
   EXPECT_THROW(parseMesh(deep, "dae", "f"), ParseError);
 }
 
-TEST(MeshFile, CutsConcavePolygonsWithinTheirOutline) {
+TEST(MeshFile, TriangulatesConcavePolygonsWithinOutline) {
   // A prism over an L of area 3 and height 1; its L is one polygon of 6 corners, with a seventh on a side.
   const auto m = parseMesh(
       "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 1 0\n"
@@ -272,7 +272,7 @@ TEST(MeshFile, CutsConcavePolygonsWithinTheirOutline) {
   EXPECT_EQ(m.report.degenerate_triangles, 0u);
 }
 
-TEST(MeshFile, KeepsAClosedMeshClosedWhenItDropsFlatTriangles) {
+TEST(MeshFile, DroppingFlatTrianglesKeepsMeshClosed) {
   // The tetrahedron with a vertex in the middle of the side from 1 to 2: one face has it, the other is
   // joined to it by a flat triangle.
   const auto m = parseMesh(
@@ -286,14 +286,14 @@ TEST(MeshFile, KeepsAClosedMeshClosedWhenItDropsFlatTriangles) {
   EXPECT_THAT(m.report.remarks, Contains("2 degenerate triangles were dropped."));
 }
 
-TEST(MeshFile, TurnsWhatIsInsideOut) {
+TEST(MeshFile, CorrectsInsideOutMeshes) {
   const auto m =
       parseMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n", "obj", "f");
   expectTetrahedron(m, 1.0);
   EXPECT_THAT(m.report.remarks, Contains(HasSubstr("was inside out")));
 }
 
-TEST(MeshFile, DoubtsTheUnit) {
+TEST(MeshFile, RemarksUnlikelySize) {
   EXPECT_THAT(parseMesh(kObj, "obj", "f", 350.0).report.remarks,
               Contains("The mesh is 350 m large: probably millimetres, scale: 0.001"));
   EXPECT_THAT(parseMesh(kObj, "obj", "f", 1e-4).report.remarks, Contains(HasSubstr("0.0001 m small")));
@@ -306,7 +306,7 @@ struct Bad {
   const char* says;
 };
 
-TEST(MeshFile, RefusesBadContentByName) {
+TEST(MeshFile, RejectsBadContentWithFileName) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   auto not_finite = kCorners;
   not_finite[10] = nan;
@@ -401,7 +401,7 @@ TEST(MeshFile, ReadsOtherFormatsThroughAssimp) {
   EXPECT_NEAR(geometry::surfaceArea(m.mesh), 1.5 + std::sqrt(3.0) / 2, 1e-6);
 }
 
-TEST(MeshFile, RefusesBadPlacesAndScales) {
+TEST(MeshFile, RejectsBadPathsAndScales) {
   const ScratchFolder d;
   EXPECT_THROW(loadMesh(d.path()), ParseError);
   EXPECT_THROW(loadMesh(d.path() / "none.stl"), ParseError);
@@ -410,7 +410,7 @@ TEST(MeshFile, RefusesBadPlacesAndScales) {
     EXPECT_THROW(parseMesh(kObj, "obj", "f", scale), UsageError);
 }
 
-TEST(MeshFile, IsReadAsItWasSaved) {
+TEST(MeshFile, RoundTrips) {
   const ScratchFolder d;
   const auto mesh = geometry::tessellate(geometry::Capsule{0.1, 0.3}, 1e-3);
   saveMesh(mesh, d.path() / "a.obj");

@@ -49,7 +49,7 @@ TEST(BoxLcp, IsSolvedAtAnySize) {
     }
 }
 
-TEST(BoxLcp, HasTheOneSolutionThatTryingAllFinds) {
+TEST(BoxLcp, MatchesExhaustiveSearch) {
   constexpr Eigen::Index kRows = 4;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
@@ -86,7 +86,7 @@ TEST(BoxLcp, HasTheOneSolutionThatTryingAllFinds) {
   }
 }
 
-TEST(BoxLcp, RowsThatSayTheSameShareTheAnswer) {
+TEST(BoxLcp, EqualRowsShareSolution) {
   // Two joints that mimic each other, at their stops at once; of equal and of different urgency.
   for (const double second : {1.0, 0.5}) {
     BoxLcp p;

@@ -18,7 +18,7 @@ Vector3d vector(std::uint64_t seed, std::uint64_t stream, double size) {
   return {v[0], v[1], v[2]};
 }
 
-TEST(ContactDamping, NeverFeedsEnergyNorPulls) {
+TEST(ContactDamping, NeverAddsEnergyOrPulls) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const Contact contact{vector(seed, 0, 100.0), vector(seed, 10, 5.0), vector(seed, 20, 1.0),
@@ -36,7 +36,7 @@ TEST(ContactDamping, NeverFeedsEnergyNorPulls) {
   }
 }
 
-TEST(ContactDamping, IsItsClosedForm) {
+TEST(ContactDamping, MatchesClosedForm) {
   const Contact contact{Vector3d(0, 0, 50), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   ContactMotion motion;
   const ContactOptions options{.dissipation = 2.0, .friction = 0.4, .creep = 0.001, .patch = 0.1};
@@ -64,7 +64,7 @@ TEST(ContactDamping, IsItsClosedForm) {
   EXPECT_TRUE(contactDamping(contact, motion, options, kStep).torque.isApprox(Vector3d(0, 0, -5), kExact));
 }
 
-TEST(ContactPoint, IsOnTheLineOfTheForceNearTheBodies) {
+TEST(ContactPoint, IsOnForceLineNearBodies) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Vector3d force = vector(seed, 0, 10.0), at = vector(seed, 10, 1.0), center = vector(seed, 20, 1.0);
     const Contact contact{force, (at - center).cross(force), center, vector(seed, 30, 1.0)};

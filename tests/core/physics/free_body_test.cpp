@@ -19,7 +19,7 @@ constexpr double kStep = 0.001;  // s
 
 Transform at(double x, double y, double z) { return Transform(Eigen::Translation3d(x, y, z)); }
 
-TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMass) {
+TEST(FreeBody, FallsAndRotatesAboutCentreOfMass) {
   // v = g t exactly, and half a step's velocity more than g t^2 / 2 in position.
   PhysicsWorld world;
   const mechanism::LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0.5, 0, 0});
@@ -35,7 +35,7 @@ TEST(FreeBody, FallsAndTurnsAboutItsCentreOfMass) {
   EXPECT_NEAR(world.time(), 1.0, 1e-12);
 }
 
-TEST(FreeBody, IsPushedByWrenchesAboutAnyPoint) {
+TEST(FreeBody, AcceptsWrenchesAboutAnyPoint) {
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
   const mechanism::LinkInertia body = boxMass(2.0, {0.2, 0.3, 0.4}, {0, 0, 0});
   world.addFreeBody(body, at(1, 2, 3));
@@ -99,8 +99,8 @@ struct DropCase {
 };
 void PrintTo(const DropCase& c, std::ostream* out) { *out << c.name; }
 
-class Drop : public ::testing::TestWithParam<DropCase> {};
-INSTANTIATE_TEST_SUITE_P(Onto, Drop,
+class DroppedBox : public ::testing::TestWithParam<DropCase> {};
+INSTANTIATE_TEST_SUITE_P(Onto, DroppedBox,
                          ::testing::Values(DropCase{"flat", 1e6, 0.1, {0, 0, 0}},
                                            DropCase{"tilted", 1e6, 0.2, {0.4, 0.3, 0.2}},
                                            DropCase{"on a corner", 1e6, 0.5, {0.9, 0.6, 0}},
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Onto, Drop,
                            return name;
                          });
 
-TEST_P(Drop, ComesToRestOnATableByOurForces) {
+TEST_P(DroppedBox, ComesToRestOnTable) {
   Dropped bodies;
   PhysicsWorld world;
   const mechanism::LinkInertia mass = boxMass(1.0, {0.12, 0.1, 0.08}, {0, 0, 0});
@@ -131,7 +131,7 @@ TEST_P(Drop, ComesToRestOnATableByOurForces) {
   EXPECT_NEAR(bodies.pair.force_a.z(), 9.80665, 0.2);
 }
 
-TEST(Drop, WithoutDissipationNeverRisesAboveWhereItStarted) {
+TEST(DroppedBox, NeverRisesAboveStartWithoutDissipation) {
   // A penalty force alone is elastic: no energy is lost, and none comes from nowhere.
   Dropped bodies;
   PhysicsWorld world;
@@ -152,7 +152,7 @@ TEST(Drop, WithoutDissipationNeverRisesAboveWhereItStarted) {
   EXPECT_GT(highest, 0.08);
 }
 
-TEST(PhysicsWorld, HandsABoxToAnArmAndTheForceBack) {
+TEST(PhysicsWorld, ArmAndBoxExchangeOppositeForces) {
   // Newton's third law through both kinds of bodies: a push between the hand and the box changes the momentum
   // of the box by as much as it takes from the hand.
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
@@ -170,7 +170,7 @@ TEST(PhysicsWorld, HandsABoxToAnArmAndTheForceBack) {
   EXPECT_NEAR(n.dot(world.velocityAt(hand, p_W).linear), kStep * contact.force_a.norm() * mobility, 1e-4);
 }
 
-TEST(PhysicsWorld, DropsWhatIsNoNumberAndSurvivesAnyForce) {
+TEST(PhysicsWorld, DropsNonFiniteForcesAndHandlesAny) {
   PhysicsWorld world;
   for (const auto solver : {MechanismSolver::kJointed, MechanismSolver::kReduced})
     world.addMechanism(sevenAxisArm(), Transform::Identity(), {.solver = solver});
@@ -195,7 +195,7 @@ TEST(PhysicsWorld, DropsWhatIsNoNumberAndSurvivesAnyForce) {
   EXPECT_TRUE(isPose(world.pose({-1, 0})));
 }
 
-TEST(PhysicsWorld, RefusesBodiesThatAreNone) {
+TEST(PhysicsWorld, RejectsInvalidBodies) {
   PhysicsWorld world;
   EXPECT_THROW(world.addFreeBody({}, Transform::Identity()), UsageError);
   EXPECT_THROW(world.addFreeBody(pointMass(1.0, {0, 0, 0}), Transform::Identity()), UsageError);
@@ -204,7 +204,7 @@ TEST(PhysicsWorld, RefusesBodiesThatAreNone) {
   EXPECT_THROW(world.addFreeBody(boxMass(1, {1, 1, 1}, {0, 0, 0}), bad), UsageError);
 }
 
-TEST(PhysicsWorld, GivesTheSameBitsOnAnyThread) {
+TEST(PhysicsWorld, IsBitIdenticalOnAnyThread) {
   const auto run = [] {
     PhysicsWorld world;
     world.addMechanism(sevenAxisArm(), Transform::Identity());

@@ -36,7 +36,7 @@ std::string list(const std::vector<mechanism::LimitBreach>& breaches) {
   return text;
 }
 
-TEST_P(JointLimitsIn, HoldWhateverTheMotorsAreToldToDo) {
+TEST_P(JointLimitsIn, HoldForAnyMotorCommand) {
   // Efforts up to five times the limits, changed every 50 ms, drive the arm about its whole range.
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const mechanism::Mechanism m = lwr();
@@ -59,7 +59,7 @@ TEST_P(JointLimitsIn, HoldWhateverTheMotorsAreToldToDo) {
   }
 }
 
-TEST_P(JointLimitsIn, HoldWhileTheHandIsPushed) {
+TEST_P(JointLimitsIn, HoldWhileHandIsPushed) {
   // 20 N on the hand, that the motors can hold against; they are told to do nothing but to carry gravity.
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const mechanism::Mechanism m = lwr();
@@ -78,7 +78,7 @@ TEST_P(JointLimitsIn, HoldWhileTheHandIsPushed) {
   }
 }
 
-TEST_P(JointLimitsIn, YieldToWhatIsStrongerThanTheMotors) {
+TEST_P(JointLimitsIn, YieldToForcesBeyondMotors) {
   // 3 kN on the hand: no motor can hold the velocity, so it is broken, and efforts are not.
   const mechanism::Mechanism m = lwr();
   PhysicsWorld world;
@@ -95,7 +95,7 @@ TEST_P(JointLimitsIn, YieldToWhatIsStrongerThanTheMotors) {
     EXPECT_EQ(b.kind, mechanism::LimitKind::kVelocity) << list({b});
 }
 
-TEST_P(JointLimitsIn, LeaveAloneWhatKeepsThem) {
+TEST_P(JointLimitsIn, DoNotAffectMotionWithinLimits) {
   // Far from its limits an arm moves with and without them alike.
   const mechanism::Mechanism m = lwr();
   PhysicsWorld with, without;
@@ -117,7 +117,7 @@ TEST_P(JointLimitsIn, LeaveAloneWhatKeepsThem) {
   }
 }
 
-TEST_P(JointLimitsIn, AccelerationsToo) {
+TEST_P(JointLimitsIn, HoldForAccelerations) {
   mechanism::Mechanism m = lwr();
   for (auto& f : m.frames) f.limits.acceleration = 3.0;
   PhysicsWorld world;
@@ -136,7 +136,7 @@ TEST_P(JointLimitsIn, AccelerationsToo) {
   EXPECT_TRUE(watch.kept()) << list(watch.breaches());
 }
 
-TEST(JointLimiter, DoesNotAllocate) {
+TEST(JointLimiter, AllocatesNothing) {
   const mechanism::Mechanism m = lwr();
   PhysicsWorld world;
   world.addMechanism(m, Transform::Identity(), {.solver = MechanismSolver::kReduced});
@@ -150,7 +150,7 @@ TEST(JointLimiter, DoesNotAllocate) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(VelocityBounds, StopInFrontOfThePositionLimit) {
+TEST(VelocityBounds, StopBeforePositionLimit) {
   // A joint that always goes as fast as it may comes to rest at its limit, never beyond, and never slows down
   // harder than it can.
   for (const double braking : {0.5, 5.0, 500.0}) {
@@ -169,7 +169,7 @@ TEST(VelocityBounds, StopInFrontOfThePositionLimit) {
   }
 }
 
-TEST(VelocityBounds, OnlyLeadBackFromBeyondALimit) {
+TEST(VelocityBounds, LeadBackFromBeyondLimit) {
   const mechanism::DofLimits limits{-1.0, 1.0, 2.0, kInfinity, kInfinity};
   const mechanism::VelocityBounds above = mechanism::velocityBounds(limits, 1.2, 0.5, 10.0, kStep);
   EXPECT_EQ(above.upper, 0.0);

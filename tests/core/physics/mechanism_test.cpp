@@ -17,8 +17,8 @@ constexpr double kStep = 0.001;  // s
 // Of the largest velocity: rounding, amplified by chains of bodies of very different mass.
 constexpr double kSame = 1e-9;
 
-class Mechanisms : public ::testing::TestWithParam<MechanismSolver> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, Mechanisms,
+class PhysicsMechanism : public ::testing::TestWithParam<MechanismSolver> {};
+INSTANTIATE_TEST_SUITE_P(Solvers, PhysicsMechanism,
                          ::testing::Values(MechanismSolver::kJointed, MechanismSolver::kReduced),
                          [](const auto& solver) {
                            return solver.param == MechanismSolver::kJointed ? "Jointed" : "Reduced";
@@ -45,7 +45,7 @@ double inertia(mechanism::JointType type) {
   return type == mechanism::JointType::kPrismatic ? kMass : kInertia;
 }
 
-TEST_P(Mechanisms, MoveByForwardDynamics) {
+TEST_P(PhysicsMechanism, FollowsForwardDynamics) {
   // One step from any state, under efforts and wrenches: qd' = qd + h qdd(q, (qd + qd') / 2), q' = q + h qd'.
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
@@ -84,7 +84,7 @@ TEST_P(Mechanisms, MoveByForwardDynamics) {
   }
 }
 
-TEST_P(Mechanisms, StayWhereForwardKinematicsHasThem) {
+TEST_P(PhysicsMechanism, FramesMatchForwardKinematics) {
   // Ten seconds of a whirling double pendulum: its joints never come apart, and angles do not wrap.
   mechanism::Mechanism m = doublePendulum(1.0, 0.5, 0.8, 0.4);
   for (auto& f : m.frames) f.inertia.inertia_F = Vector3d::Constant(1e-3).asDiagonal();
@@ -120,7 +120,7 @@ Drift drift(PhysicsWorld& world) {
   return result;
 }
 
-TEST_P(Mechanisms, GainNoEnergyOnTheirOwn) {
+TEST_P(PhysicsMechanism, GainsNoEnergy) {
   // Velocities stand half a step before positions, so energy swings by the power of gravity (up to 250 W
   // here) times half a step; it must not pile up.
   mechanism::Mechanism two = doublePendulum(1.0, 0.5, 0.8, 0.4);
@@ -141,7 +141,7 @@ TEST_P(Mechanisms, GainNoEnergyOnTheirOwn) {
   EXPECT_NEAR(whip.mean, 0.0, 1.0);
 }
 
-TEST_P(Mechanisms, StandStillWithGravityCompensation) {
+TEST_P(PhysicsMechanism, StandsStillWithGravityCompensation) {
   PhysicsWorld world;
   const mechanism::Mechanism m = humanoid();
   MechanismOptions options{.solver = GetParam(), .gravity_compensation = true};
@@ -154,7 +154,7 @@ TEST_P(Mechanisms, StandStillWithGravityCompensation) {
   for (std::size_t k = 0; k < q.size(); ++k) EXPECT_NEAR(world.q(robot)[k], q[k], 1e-9) << k;
 }
 
-TEST_P(Mechanisms, StopAtTheirLimits) {
+TEST_P(PhysicsMechanism, StopsAtLimits) {
   for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic})
     for (const double way : {1.0, -1.0}) {
       SCOPED_TRACE(::testing::Message() << static_cast<int>(type) << " " << way);
@@ -176,7 +176,7 @@ TEST_P(Mechanisms, StopAtTheirLimits) {
     }
 }
 
-TEST_P(Mechanisms, HaveStopsBeyondHalfATurn) {
+TEST_P(PhysicsMechanism, HasStopsBeyondHalfTurn) {
   mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
   m.frames[0].limits.lower = -1.0;
   m.frames[0].limits.upper = 10.0;
@@ -196,7 +196,7 @@ TEST_P(Mechanisms, HaveStopsBeyondHalfATurn) {
   EXPECT_NEAR(world.q(0)[0], 10.0, 1e-3);
 }
 
-TEST_P(Mechanisms, AreDampedInClosedForm) {
+TEST_P(PhysicsMechanism, DampingMatchesClosedForm) {
   // qd decays by 1 / (1 + h d / I) each step, however large the damping is.
   for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic})
     for (const double damping : {0.5, 1e4}) {
@@ -215,7 +215,7 @@ TEST_P(Mechanisms, AreDampedInClosedForm) {
     }
 }
 
-TEST_P(Mechanisms, HaveMotorsThatKeepASpeedAsWellAsTheyCan) {
+TEST_P(PhysicsMechanism, MotorsKeepSpeedWithinEffort) {
   for (const auto type : {mechanism::JointType::kRevolute, mechanism::JointType::kPrismatic}) {
     PhysicsWorld world({.gravity_W = Vector3d::Zero()});
     world.addMechanism(single(type), Transform::Identity(), {.solver = GetParam()});
@@ -241,7 +241,7 @@ TEST_P(Mechanisms, HaveMotorsThatKeepASpeedAsWellAsTheyCan) {
   }
 }
 
-TEST_P(Mechanisms, GiveNoMoreThanTheLimitOfEffort) {
+TEST_P(PhysicsMechanism, EffortIsLimited) {
   PhysicsWorld world({.gravity_W = Vector3d::Zero()});
   world.addMechanism(single(mechanism::JointType::kRevolute), Transform::Identity(), {.solver = GetParam()});
   world.setJointEffort(0, 0, 1000.0);
@@ -249,7 +249,7 @@ TEST_P(Mechanisms, GiveNoMoreThanTheLimitOfEffort) {
   EXPECT_NEAR(world.qd(0)[0], kStep * 40.0 / kInertia, 1e-12);
 }
 
-TEST(MechanismSolvers, TakeTheSameStepsWithStopsMotorsAndDamping) {
+TEST(MechanismSolvers, AgreeWithStopsMotorsAndDamping) {
   // From the same state, step by step: left alone, rounding grows at every stop that is reached.
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     SCOPED_TRACE(seed);
@@ -282,7 +282,7 @@ TEST(MechanismSolvers, TakeTheSameStepsWithStopsMotorsAndDamping) {
   }
 }
 
-TEST(ReducedMechanisms, BrakeJointsThatMimicEachOther) {
+TEST(ReducedMechanisms, BrakeMimicJoints) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);
     const mechanism::Mechanism m = randomRobot(seed, 10, true);
@@ -296,7 +296,7 @@ TEST(ReducedMechanisms, BrakeJointsThatMimicEachOther) {
   }
 }
 
-TEST(ReducedMechanisms, ComeBackWhenJointsThatMimicEachOtherAreAtTheirStopsAtOnce) {
+TEST(ReducedMechanisms, LeaveStopsOfMimicJoints) {
   mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
   m.frames.push_back(
       jointFrame(2, 0, mechanism::JointType::kRevolute, Vector3d::UnitY(), Vector3d(0, 0, -0.4), 0));
@@ -312,7 +312,7 @@ TEST(ReducedMechanisms, ComeBackWhenJointsThatMimicEachOtherAreAtTheirStopsAtOnc
   EXPECT_LT(std::abs(world.q(robot)[0]), 0.5 + 1e-6);
 }
 
-TEST_P(Mechanisms, AllocateNothingInSteadyState) {
+TEST_P(PhysicsMechanism, AllocatesNothingInSteadyState) {
   PhysicsWorld world;
   mechanism::Mechanism m = randomRobot(2, 12, true);
   for (auto& f : m.frames) f.limits = {-0.4, 0.5, kInfinity, kInfinity};
@@ -346,7 +346,7 @@ std::string refusal(const mechanism::Mechanism& m, MechanismOptions options) {
   return "taken";
 }
 
-TEST(MechanismErrors, NameTheLinkAndSayHowItGetsAMass) {
+TEST(MechanismErrors, NameLinkAndRemedyForMissingMass) {
   using ::testing::HasSubstr;
   constexpr auto kReduced = MechanismSolver::kReduced;
   mechanism::Mechanism m = single(mechanism::JointType::kRevolute);
@@ -370,7 +370,7 @@ TEST(MechanismErrors, NameTheLinkAndSayHowItGetsAMass) {
   EXPECT_THAT(refusal(m, bad), HasSubstr("0 or more"));
 }
 
-TEST(MechanismBodies, FixedFramesWithoutMassAreTheirParentsBody) {
+TEST(MechanismBodies, MasslessFixedFramesJoinParentBody) {
   // The same arm with its tool as a frame of its own: the same motion.
   mechanism::Mechanism whole = single(mechanism::JointType::kRevolute), parts = whole;
   mechanism::MechanismFrame tool =

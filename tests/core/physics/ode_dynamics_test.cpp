@@ -105,7 +105,7 @@ double largest(std::span<const double> v) {
   return most;
 }
 
-TEST(ForwardDynamicsOfOde, HasOurAccelerationsAtRest) {
+TEST(OdeDynamics, AccelerationsAtRestMatchForwardDynamics) {
   // A step of a microsecond from rest: velocities over the step, without what velocities would add.
   constexpr double kStep = 1e-6;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -193,7 +193,7 @@ std::vector<double> integrated(const mechanism::RigidTree& tree, std::span<const
   return x;
 }
 
-TEST(ForwardDynamicsOfOde, MovesAsOursDoesWhenStepsGoToZero) {
+TEST(OdeDynamics, MotionConvergesToForwardDynamics) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     const mechanism::Mechanism m = seed == 0 ? sevenAxisArm() : randomRobot(seed, 6, false);

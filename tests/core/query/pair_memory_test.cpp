@@ -25,7 +25,7 @@ void expectAgree(const query::PairResult& warm, const query::PairResult& cold, i
 }
 
 /// A box along a path of small steps and sudden turns past another.
-TEST(PairMemory, AgreesWithFreshQueriesWithinTheBounds) {
+TEST(PairMemory, WarmStartMatchesColdStartWithinBounds) {
   for (const structure::FieldKind field : {structure::FieldKind::kMixed, structure::FieldKind::kLayered}) {
     const auto& a = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, field);
     const auto& b = structureOf(geometry::Cylinder{0.05, 0.2}, field);
@@ -46,7 +46,7 @@ TEST(PairMemory, AgreesWithFreshQueriesWithinTheBounds) {
 }
 
 /// A body of which a tracker cannot tell on which of two ways it goes.
-TEST(PairMemory, OfABodyThatJumpsToAndFroKeepsWithinTheBounds) {
+TEST(PairMemory, AlternatingPosesKeepBounds) {
   const auto& a = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed);
   const auto& b = structureOf(geometry::Capsule{0.04, 0.15}, structure::FieldKind::kMixed);
   kernels::PairScratch scratch;
@@ -70,7 +70,7 @@ TEST(PairMemory, OfABodyThatJumpsToAndFroKeepsWithinTheBounds) {
 
 /// Of the points of two parallel faces, all as near, it takes those that it knew there, although others are
 /// where a search from elsewhere ends.
-TEST(PairMemory, OfABodyThatJumpsBackStartsWhereItWas) {
+TEST(PairMemory, ReturningBodyFindsFormerWitness) {
   const auto& box = structureOf(geometry::Cuboid{{0.1, 0.12, 0.3}}, structure::FieldKind::kMixed);
   const Transform X_WA = Transform::Identity(), X_WB = fromXyzRpy({0.3, 0.01, 0.02}, {0.0, 0.0, 0.0}),
                   X_WB_jumped = fromXyzRpy({0.02, 0.35, 0.0}, {0.0, 0.0, 1.6});

@@ -86,9 +86,9 @@ const std::vector<Case> kCases{
      std::hypot(0.02, 0.1) - 0.06},
 };
 
-class ClosedForm : public ::testing::TestWithParam<structure::FieldKind> {};
+class PairQueryClosedForm : public ::testing::TestWithParam<structure::FieldKind> {};
 
-TEST_P(ClosedForm, DistanceErrsLessThanToleranceAndNeverMoreThanItsBound) {
+TEST_P(PairQueryClosedForm, DistanceIsWithinToleranceAndBound) {
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
     const auto& a = structureOf(c.a, GetParam());
@@ -103,7 +103,7 @@ TEST_P(ClosedForm, DistanceErrsLessThanToleranceAndNeverMoreThanItsBound) {
   }
 }
 
-TEST_P(ClosedForm, WitnessesLieOnTheirSurfaces) {
+TEST_P(PairQueryClosedForm, WitnessesLieOnSurfaces) {
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
     const auto& a = structureOf(c.a, GetParam());
@@ -115,7 +115,7 @@ TEST_P(ClosedForm, WitnessesLieOnTheirSurfaces) {
   }
 }
 
-TEST_P(ClosedForm, TheBoundHoldsForRandomPosesOfASphere) {
+TEST_P(PairQueryClosedForm, BoundHoldsForRandomSpherePoses) {
   // A sphere's distance to any body is exact: distance of its centre less its radius.
   const auto& sphere = structureOf(kSmallSphere, GetParam());
   int breaches = 0;
@@ -144,7 +144,7 @@ TEST_P(ClosedForm, TheBoundHoldsForRandomPosesOfASphere) {
   EXPECT_LT(worst, tolerance(GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Fields, ClosedForm,
+INSTANTIATE_TEST_SUITE_P(Fields, PairQueryClosedForm,
                          ::testing::Values(structure::FieldKind::kLayered, structure::FieldKind::kFloat,
                                            structure::FieldKind::kMixed),
                          [](const auto& test) { return std::string(structure::fieldName(test.param)); });
@@ -168,7 +168,7 @@ TEST(PairQuery, ForcesAndTorquesCancel) {
   EXPECT_GT(touching, 100);
 }
 
-TEST(PairQuery, MovingBothBodiesTogetherTurnsEverythingWithThem) {
+TEST(PairQuery, IsInvariantUnderRigidMotion) {
   const auto& a = structureOf(kBox, structure::FieldKind::kMixed);
   const auto& b = structureOf(kSphere, structure::FieldKind::kMixed);
   const Transform X_WA = at(0, 0, 0, 0.2, 0.1, 0.4), X_WB = at(0.09, 0.02, 0.03);
@@ -183,7 +183,7 @@ TEST(PairQuery, MovingBothBodiesTogetherTurnsEverythingWithThem) {
   }
 }
 
-TEST(PairQuery, MarginsReachOutAndDoNotChangeTheDistance) {
+TEST(PairQuery, MarginsAddContactsAndKeepDistance) {
   const auto& a = structureOf(kSphere, structure::FieldKind::kMixed);
   const auto& b = structureOf(kBox, structure::FieldKind::kMixed);
   const Transform X_WA = at(0.05 + 0.05 + 0.03, 0, 0), X_WB = Transform::Identity();

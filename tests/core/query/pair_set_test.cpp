@@ -67,7 +67,7 @@ query::PairResult alone(const Crowd& crowd, std::size_t pair, const query::PairO
   return result;
 }
 
-TEST(PairSet, FindsTheNearestPairOfAll) {
+TEST(PairSet, FindsNearestPair) {
   for (const bool jumps : {false, true}) {
     Crowd crowd(jumps);
     query::PairSet set(crowd.bodies, crowd.pairs);
@@ -89,7 +89,7 @@ TEST(PairSet, FindsTheNearestPairOfAll) {
   }
 }
 
-TEST(PairSet, MissesNoContactAndInventsNone) {
+TEST(PairSet, FindsExactlyAllContacts) {
   for (const auto& [margin, jumps] : {std::pair(0.0, false), {0.03, false}, {0.0, true}, {0.03, true}}) {
     Crowd crowd(jumps);
     query::PairSet set(crowd.bodies, crowd.pairs);

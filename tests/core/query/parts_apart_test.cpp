@@ -97,7 +97,7 @@ double farthest(const geometry::TriangleMesh& mesh, const Vector3d& g) {
   return reach;
 }
 
-TEST(SurfaceParts, OfConvexBodiesAreOne) {
+TEST(SurfaceParts, ConvexBodyIsOnePart) {
   for (const geometry::Shape& shape :
        {geometry::Shape(geometry::Sphere{0.05}), geometry::Shape(geometry::Cuboid{{0.1, 0.2, 0.3}}),
         geometry::Shape(geometry::Capsule{0.04, 0.2})}) {
@@ -107,7 +107,7 @@ TEST(SurfaceParts, OfConvexBodiesAreOne) {
   }
 }
 
-TEST(SurfaceParts, HoldEveryTriangleInAHullAndASphere) {
+TEST(SurfaceParts, HullsAndSpheresEncloseTriangles) {
   for (const geometry::TriangleMesh& mesh : {bracket(), dice()}) {
     const structure::SurfaceParts parts(mesh, *geometry::makeSurface(geometry::TriangleMesh(mesh)));
     ASSERT_GT(parts.size(), 1u);
@@ -129,7 +129,7 @@ TEST(SurfaceParts, HoldEveryTriangleInAHullAndASphere) {
   }
 }
 
-TEST(SurfaceParts, OfACleftBodyAreSmall) {
+TEST(SurfaceParts, NonConvexBodyHasSmallParts) {
   const geometry::EnclosingSphere whole = geometry::minimalSphere(dice().vertices);
   const structure::SurfaceParts parts(dice(), *geometry::makeSurface(dice()));
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -137,7 +137,7 @@ TEST(SurfaceParts, OfACleftBodyAreSmall) {
 }
 
 /// What is proven is true, and between hulls that overlap much is proven.
-TEST(FacingParts, NeverSayApartOfWhatIsNearer) {
+TEST(FacingParts, NeverOverestimateSeparation) {
   const geometry::TriangleMesh meshes[] = {
       bend(0.2, 0.02, 4.5), bend(0.15, 0.03, 2.0),
       geometry::tessellate(geometry::Ellipsoid{{0.03, 0.04, 0.1}}, 8e-3)};
@@ -191,7 +191,7 @@ geometry::TriangleMesh star(double tip, double hollow) {
   return mesh;
 }
 
-TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
+TEST(FacingParts, DoNotSeparateContainedBody) {
   const auto lumpy = made(star(0.2, 0.05)), ball = made(geometry::tessellate(geometry::Sphere{0.02}, 1e-3));
   ASSERT_EQ(lumpy->parts.size(), 8u);
   ASSERT_TRUE(lumpy->pieces.empty() && ball->pieces.empty());
@@ -218,7 +218,7 @@ TEST(FacingParts, DoNotSayApartOfABodyInsideAnother) {
   EXPECT_LT(result.distance, 0.0);
 }
 
-TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
+TEST(SearchKernels, MeetingReportsNearSpheres) {
   kernels::SphereGroup P{}, F{};
   for (std::size_t k = 0; k < structure::SurfaceParts::kMax; ++k) {
     const Vector3f p = randomPose(k, 0.5).translation().cast<float>(),
@@ -249,7 +249,7 @@ TEST(SearchKernels, MeetingTellsWhichSpheresAreNear) {
 }
 
 /// A bent bar that slides and jumps about another: what is remembered changes nothing beyond what is allowed.
-TEST(PairMemory, OfBodiesThatAreNotConvexKeepsWithinTheBounds) {
+TEST(PairMemory, NonConvexBodiesKeepBounds) {
   const geometry::TriangleMesh mesh_a = bend(0.2, 0.02, 4.5), mesh_b = bend(0.15, 0.03, 2.0);
   const auto a = made(mesh_a), b = made(mesh_b);
   query::PairMemory memory;

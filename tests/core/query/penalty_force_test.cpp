@@ -48,7 +48,7 @@ double volumeBelow(const geometry::TriangleMesh& mesh, const Transform& X_WB) {
   return volume;
 }
 
-TEST(VolumeLaw, SphereInAWall) {
+TEST(VolumeLaw, SphereInWallMatchesClosedForm) {
   constexpr double r = 0.05;
   const auto& sphere = structureOf(geometry::Sphere{r}, structure::FieldKind::kMixed);
   for (const double depth : {0.005, 0.01, 0.02}) {
@@ -64,7 +64,7 @@ TEST(VolumeLaw, SphereInAWall) {
   }
 }
 
-TEST(VolumeLaw, BoxInAWall) {
+TEST(VolumeLaw, BoxInWallMatchesClosedForm) {
   const auto& box = structureOf(geometry::Cuboid{{0.1, 0.12, 0.14}}, structure::FieldKind::kMixed);
   const geometry::TriangleMesh mesh = geometry::tessellate(geometry::Cuboid{{0.1, 0.12, 0.14}}, 1e-3);
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -81,7 +81,7 @@ TEST(VolumeLaw, BoxInAWall) {
   }
 }
 
-TEST(VolumeLaw, BunnyInAWall) {
+TEST(VolumeLaw, BunnyInWallMatchesSubmergedVolume) {
   const auto file = sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
   mesh_file::LoadedMesh bunny = mesh_file::loadMesh(file, 0.2 / 0.1558);
@@ -102,7 +102,7 @@ TEST(VolumeLaw, BunnyInAWall) {
   }
 }
 
-TEST(VolumeLaw, DoesNotDependOnTheSamplingAndTheThesisLawDoes) {
+TEST(VolumeLaw, IsIndependentOfSamplingUnlikeThesisLaw) {
   const Transform X = fromXyzRpy({0.01, 0.02, 0.04}, {0.1, 0.2, 0.3});
   const auto& coarse = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed, 0.005);
   const auto& fine = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed, 0.0025);
@@ -113,7 +113,7 @@ TEST(VolumeLaw, DoesNotDependOnTheSamplingAndTheThesisLawDoes) {
   EXPECT_NEAR(by_count, 4.0, 0.4);  // half the pitch, four times the points
 }
 
-TEST(VolumeLaw, TorqueIsThatOfThePressureAboutTheCentre) {
+TEST(VolumeLaw, TorqueMatchesPressureAboutCentre) {
   // A box pressed flat into the edge region of the wall: the submerged part lies off its centre.
   const auto& box = structureOf(geometry::Cuboid{{0.1, 0.1, 0.1}}, structure::FieldKind::kMixed);
   const query::PairResult r = press(box, fromXyzRpy({0.3, 0, 0.04}, {0, 0, 0}));

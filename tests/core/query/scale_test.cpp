@@ -78,7 +78,7 @@ std::vector<Transform> randomPoses(int count, double reach) {
   return poses;
 }
 
-TEST(Scale, AMeshOf300000Triangles) {
+TEST(Scale, MeshOf300000Triangles) {
   constexpr structure::HapticOptions kCoarse{.voxel_size = 0.015, .point_spacing = 0.015, .outer_layers = 6};
   const geometry::TriangleMesh mesh = bumpyTorus(0.3, 0.1, 500, 300);
   const Exact ring(mesh, kCoarse);
@@ -134,7 +134,7 @@ shell::Pointshell regularShell(double edge, int n) {
   return shell;
 }
 
-TEST(Scale, AShellOfAMillionPoints) {
+TEST(Scale, PointshellOfAMillionPoints) {
   // Farthest-point sampling of so many takes longer than a test may (tests/bench, shellOfAMillionPoints), so
   // the shell is laid out by hand, with a covering radius in closed form. Out of a file it comes as any
   // other.
@@ -180,7 +180,7 @@ TEST(Scale, AShellOfAMillionPoints) {
   EXPECT_NEAR(r.distance, -kDeep, 1e-4);
 }
 
-TEST(Scale, AGridOf1024CellsAlongAnAxisInUnder200Megabytes) {
+TEST(Scale, GridOf1024CellsTakesLessThan200Megabytes) {
   // A thin ring of 1 m: 1,024 x 1,024 x 30 voxels of 1 mm about it, of which only those near it are kept.
   constexpr structure::HapticOptions kFine{.voxel_size = 0.001, .point_spacing = 0.006, .outer_layers = 7};
   const Exact ring(verify::torusMesh(0.4975, 0.0075, 120, 12), kFine);

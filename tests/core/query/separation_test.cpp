@@ -22,9 +22,9 @@ double farthest(const geometry::TriangleMesh& mesh, const Vector3d& g) {
   return reach;
 }
 
-class Support : public ::testing::TestWithParam<geometry::Shape> {};
+class SupportMapTest : public ::testing::TestWithParam<geometry::Shape> {};
 
-TEST_P(Support, OfAMeshIsNeverTooSmall) {
+TEST_P(SupportMapTest, MeshSupportIsNeverTooSmall) {
   geometry::TriangleMesh mesh = geometry::tessellate(GetParam(), kSagitta);
   for (Vector3d& p : mesh.vertices) p += Vector3d(0.3, -0.2, 0.1);
   const auto surface = geometry::makeSurface(geometry::TriangleMesh(mesh));
@@ -44,7 +44,7 @@ TEST_P(Support, OfAMeshIsNeverTooSmall) {
   }
 }
 
-TEST_P(Support, OfAShapeIsThatOfItsPoints) {
+TEST_P(SupportMapTest, ShapeSupportMatchesPoints) {
   const auto surface = geometry::makeSurface(GetParam());
   const geometry::TriangleMesh mesh = geometry::tessellate(GetParam(), kSagitta);
   const structure::SupportMap map(*surface, mesh, Vector3d::Zero());
@@ -57,14 +57,14 @@ TEST_P(Support, OfAShapeIsThatOfItsPoints) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Support,
+INSTANTIATE_TEST_SUITE_P(Shapes, SupportMapTest,
                          ::testing::Values(geometry::Shape(geometry::Sphere{0.05}),
                                            geometry::Shape(geometry::Ellipsoid{{0.04, 0.05, 0.12}}),
                                            geometry::Shape(geometry::Cuboid{{0.1, 0.12, 0.3}}),
                                            geometry::Shape(geometry::Cylinder{0.05, 0.2}),
                                            geometry::Shape(geometry::Capsule{0.04, 0.15})));
 
-TEST(Separation, OfBallsAlongTheirCentresIsTheirDistance) {
+TEST(Separation, BallsAlongCentresHaveTheirDistance) {
   const auto& ball = structureOf(geometry::Sphere{0.05}, structure::FieldKind::kMixed);
   for (std::uint64_t i = 0; i < 100; ++i) {
     const Transform X_WA = randomPose(i), X_WB = randomPose(i + 1000);
@@ -76,7 +76,7 @@ TEST(Separation, OfBallsAlongTheirCentresIsTheirDistance) {
   }
 }
 
-TEST(Separation, NoPointMovesFartherThanMostMotion) {
+TEST(Separation, MotionBoundHoldsForEveryPoint) {
   const geometry::EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
   for (std::uint64_t i = 0; i < 500; ++i) {
     const Transform X_0 = randomPose(i), X_1 = randomPose(i + 5000);

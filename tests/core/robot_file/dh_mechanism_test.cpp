@@ -32,7 +32,7 @@ Transform randomTransform(Random& random) {
   return X;
 }
 
-TEST(DhRows, LeadToAnyPoseInTwo) {
+TEST(DhRows, TwoRowsReachAnyPose) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
     Random random(5, seed);
@@ -43,7 +43,7 @@ TEST(DhRows, LeadToAnyPoseInTwo) {
   }
 }
 
-TEST(DhRows, FindTheOneRowThatThereIs) {
+TEST(DhRows, RecoverSingleRow) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
     Random random(6, seed);
@@ -85,7 +85,7 @@ Robot robotOf(mechanism::Mechanism mechanism) {
   return robot;
 }
 
-TEST(DhMechanism, AnyRobotComesOutTheSame) {
+TEST(DhMechanism, AnyRobotRoundTripsThroughDhTable) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     const Robot robot = robotOf(testing::randomRobot(seed, 12, seed % 2 == 1));
@@ -102,7 +102,7 @@ TEST(DhMechanism, AnyRobotComesOutTheSame) {
   }
 }
 
-TEST(DhMechanism, AnyRobotGoesThroughUrdfAndBack) {
+TEST(DhMechanism, AnyRobotRoundTripsThroughUrdf) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     const Robot robot = robotOf(testing::randomRobot(seed, 12, seed % 2 == 1));
@@ -115,7 +115,7 @@ TEST(DhMechanism, AnyRobotGoesThroughUrdfAndBack) {
   }
 }
 
-TEST(DhMechanism, TheResidualSeesADifference) {
+TEST(DhMechanism, ResidualDetectsDifference) {
   const Robot robot = robotOf(testing::sevenAxisArm());
   Robot other = robot;
   other.mechanism.frames[3].X_PJ.translation().x() += 0.001;
@@ -125,7 +125,7 @@ TEST(DhMechanism, TheResidualSeesADifference) {
   EXPECT_GT(postureResidual(robot.mechanism, other.mechanism, 50).position, 0.9e-3);
 }
 
-TEST(DhMechanism, AChainOfJointsTakesARowEach) {
+TEST(DhMechanism, ChainNeedsOneRowPerJoint) {
   // The shipped arm, written as a URDF and turned into a table again: its own seven rows.
   const Robot arm = loadRobot(testing::projectFile("data/robots/lwr/lwr4.mech"));
   const Robot urdf = parseUrdf(urdfText(arm).text, "lwr4.urdf");
@@ -142,7 +142,7 @@ TEST(DhMechanism, AChainOfJointsTakesARowEach) {
   }
 }
 
-TEST(DhMechanism, LimitsMassAndGeometryComeAlong) {
+TEST(DhMechanism, KeepsLimitsMassAndGeometry) {
   const char* const text =
       "<robot name='r'><link name='a'/><link name='b'><inertial><origin xyz='0.1 0.2 0.3'/><mass value='2'/>"
       "<inertia ixx='1' iyy='1.5' izz='2'/></inertial><collision><origin xyz='0 0 0.5'/><geometry><mesh "

@@ -7,7 +7,7 @@ namespace mech_errors_test {
 
 class BadMechFile : public ::testing::TestWithParam<BadCase> {};
 
-TEST_P(BadMechFile, IsRefusedWithItsPlace) {
+TEST_P(BadMechFile, IsRejectedWithPosition) {
   expectRefused(GetParam(), "bad.mech", parseMechanism, "expected");
 }
 

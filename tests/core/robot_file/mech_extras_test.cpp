@@ -16,7 +16,7 @@ Robot read(const std::string& text) {
   return parseMech("units\nlength mm\nangle degrees\nend_units\n" + (kChain + text), "r.mech");
 }
 
-TEST(MechExtras, AreReadInTheFilesUnits) {
+TEST(MechExtras, AreReadInUnitsOfFile) {
   const Robot r = read(
       "limits\n limit 1 -90 180 45 30\n limit 2 none 500 none none\nend_limits\n"
       "inertia\n body 3 2.5 100 0 -100 1 2 3 0.1 0.2 0.3\nend_inertia\n"
@@ -49,7 +49,7 @@ TEST(MechExtras, AreReadInTheFilesUnits) {
   EXPECT_EQ(std::get<geometry::Capsule>(*r.geometry[2].shape).length, 0.0);
 }
 
-TEST(MechExtras, ASixthNumberIsAnAcceleration) {
+TEST(MechExtras, SixthNumberIsAcceleration) {
   const Robot r = read("limits\n limit 1 -90 180 45 30 90\n limit 2 none 500 none none 2500\nend_limits\n");
   EXPECT_DOUBLE_EQ(r.mechanism.frames[0].limits.acceleration, kPi / 2);
   EXPECT_DOUBLE_EQ(r.mechanism.frames[1].limits.acceleration, 2.5);
@@ -58,7 +58,7 @@ TEST(MechExtras, ASixthNumberIsAnAcceleration) {
   EXPECT_EQ(unknown.mechanism.frames[1].limits.acceleration, kInfinity);
 }
 
-TEST(MechExtras, MimicSharesADof) {
+TEST(MechExtras, MimicSharesDof) {
   const Robot r = read("mapping\n dof 0 1\n mimic 0 2 10 5\nend_mapping\n");
   EXPECT_EQ(r.mechanism.dof, 1);
   EXPECT_EQ(r.mechanism.frames[1].dof, 0);
@@ -67,7 +67,7 @@ TEST(MechExtras, MimicSharesADof) {
   EXPECT_EQ(r.mechanism.frames[1].scale, 5.0);
 }
 
-TEST(MechExtras, WordsStandForAnyText) {
+TEST(MechExtras, WordsEncodeAnyText) {
   for (const std::string text : {"plain.stl", "a b", "50%", "#1", "%20"})
     EXPECT_EQ(fromMechWord(mechWord(text)), text);
   EXPECT_EQ(fromMechWord("a%2"), std::nullopt);
@@ -75,7 +75,7 @@ TEST(MechExtras, WordsStandForAnyText) {
   EXPECT_EQ(fromMechWord("%0a"), std::nullopt);
 }
 
-TEST(MechExtras, WrittenFilesReadBackTheSame) {
+TEST(MechExtras, RoundTrip) {
   const Robot r = read(
       "mapping\n dof 0 1 15 -1\n mimic 0 2 10 5\nend_mapping\nlink\n id 3\n center 1 0 0 1 0 1 0 2 0 0 1 "
       "3\nend_link\n"
@@ -95,7 +95,7 @@ struct BadCase {
 void PrintTo(const BadCase& c, std::ostream* out) { *out << c.name; }
 class BadMechExtras : public ::testing::TestWithParam<BadCase> {};
 
-TEST_P(BadMechExtras, IsRefusedWithItsPlace) {
+TEST_P(BadMechExtras, AreRejectedWithPosition) {
   try {
     read(GetParam().text);
     FAIL() << "was read";
@@ -110,7 +110,7 @@ TEST_P(BadMechExtras, IsRefusedWithItsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Values, BadMechExtras,
     ::testing::Values(
-        BadCase{"mimic before", "mapping\nmimic 0 1\nend_mapping\n", 2, 7, "stands before"},
+        BadCase{"mimic before", "mapping\nmimic 0 1\nend_mapping\n", 2, 7, "defined before"},
         BadCase{"limit of nothing", "limits\nlimit 9 0 1 1 1\nend_limits\n", 2, 7,
                 "a frame that a chain defines"},
         BadCase{"limit of a fixed frame", "limits\nlimit 3 0 1 1 1\nend_limits\n", 2, 7, "constant"},

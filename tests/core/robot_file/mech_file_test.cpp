@@ -12,7 +12,7 @@ namespace mech_file_test {
 // Rounding of a few products.
 constexpr double kExact = 1e-14;
 
-TEST(MechFile, ReadsTheThesissExample) {
+TEST(MechFile, ReadsThesisExample) {
   const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/scenes/example.mech"));
   EXPECT_EQ(m.name, "example");
   ASSERT_EQ(m.frames.size(), 4u);
@@ -28,7 +28,7 @@ TEST(MechFile, ReadsTheThesissExample) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(m.frames[static_cast<std::size_t>(i)].parent, i - 1);
 }
 
-TEST(MechFile, ReadsTheThesissChainWithItsLinks) {
+TEST(MechFile, ReadsThesisChainWithLinks) {
   const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/scenes/chain.mech"));
   ASSERT_EQ(m.frames.size(), 3u);
   EXPECT_EQ(m.dof, 3);
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
                       UnitCase{"units\nlength cm\nangle degrees\nend_units\n", 0.01, kPi / 180},
                       UnitCase{"units\nangle degrees\nlength inches\nend_units\n", 0.0254, kPi / 180}));
 
-TEST(MechFile, TakesCommentsTabsCarriageReturnsAndAnyOrderOfEnvironments) {
+TEST(MechFile, ReadsCommentsWhitespaceAndAnySectionOrder) {
   const mechanism::Mechanism m = parseMechanism(
       "# first\r\n\r\nmapping # of all\r\n\t#dof 0 9\r\n\tdof\t0   2#tight\r\n dof 1 1\r\nend_mapping\r\n"
       "chain\r\nreference 0\r\nframe 1 0 0 0 theta\r\nend_chain\r\nchain\r\nreference 1\r\nframe 2 0 0 d "
@@ -94,7 +94,7 @@ TEST(MechFile, BranchesAtReferences) {
   EXPECT_EQ(m.indexOf(8), -1);
 }
 
-TEST(MechFile, WithoutAMappingNumbersTheVariablesInFileOrder) {
+TEST(MechFile, NumbersVariablesInFileOrderWithoutMapping) {
   const mechanism::Mechanism m = parseMechanism(
       "chain\nframe 5 0 0 0 theta\nframe 4 0 0 0 0\nframe 2 0 0 d 0\nend_chain\n", "plain.mech");
   EXPECT_EQ(m.dof, 2);
@@ -103,7 +103,7 @@ TEST(MechFile, WithoutAMappingNumbersTheVariablesInFileOrder) {
   EXPECT_EQ(m.frames[2].dof, 1);
 }
 
-TEST(MechFile, MakesARoundedRotationOrthonormal) {
+TEST(MechFile, OrthonormalizesRoundedRotation) {
   const mechanism::Mechanism m = parseMechanism(
       "chain\nframe 1 0 0 0 theta\nend_chain\nlink\nid 1\ncenter 0.7071 -0.7071 0 1 0.7071 0.7071 0 2 0 0 1 "
       "3\n"
@@ -113,7 +113,7 @@ TEST(MechFile, MakesARoundedRotationOrthonormal) {
   EXPECT_NEAR(m.frames[0].X_FC.linear()(0, 0), std::sqrt(0.5), 1e-4) << "four digits were given";
 }
 
-TEST(MechFile, TheArmOfTheLwrReachesStraightUp) {
+TEST(MechFile, LwrArmReachesStraightUp) {
   const mechanism::Mechanism m = loadMechanism(testing::projectFile("data/robots/lwr/lwr4.mech"));
   EXPECT_EQ(m.dof, 7);
   mechanism::MechanismState state;
@@ -125,7 +125,7 @@ TEST(MechFile, TheArmOfTheLwrReachesStraightUp) {
   for (const auto& f : m.frames) EXPECT_TRUE(f.has_center) << f.id;
 }
 
-TEST(MechFile, FilesOfTheFuzzerAreReadOrRefused) {
+TEST(MechFile, FuzzerCorpusIsReadOrRejected) {
   int files = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(testing::projectFile("tests/fuzz/corpus/mech"))) {

@@ -34,7 +34,7 @@ class MeshReference : public ::testing::Test {
   testing::ScratchFolder folder_;
 };
 
-TEST_F(MeshReference, RelativeAndAbsolutePaths) {
+TEST_F(MeshReference, ResolvesRelativeAndAbsolutePaths) {
   const auto mesh = file("ws/robot/meshes/a b.stl");
   EXPECT_EQ(find("../meshes/a b.stl"), mesh);
   EXPECT_EQ(find(mesh.string()), mesh);
@@ -45,7 +45,7 @@ TEST_F(MeshReference, RelativeAndAbsolutePaths) {
   EXPECT_EQ(find(""), std::nullopt);
 }
 
-TEST_F(MeshReference, PackagesOfThePathComeFirst) {
+TEST_F(MeshReference, PackagePathComesFirst) {
   const auto near = file("ws/robot/pkg/m/a.stl");
   const auto far = file("elsewhere/pkg/m/a.stl");
   EXPECT_EQ(find("package://pkg/m/a.stl"), near);
@@ -57,7 +57,7 @@ TEST_F(MeshReference, PackagesOfThePathComeFirst) {
     EXPECT_EQ(find(broken), std::nullopt) << broken;
 }
 
-TEST_F(MeshReference, VariablesOfRos) {
+TEST_F(MeshReference, UsesRosVariables) {
   const auto nested = file("src/group/arm_description/m/a.stl");
   file("src/group/arm_description/package.xml");
   const auto installed = file("install/share/hand_description/m/a.stl");
@@ -70,7 +70,7 @@ TEST_F(MeshReference, VariablesOfRos) {
             std::nullopt);
 }
 
-TEST_F(MeshReference, WalkingUpDropsLeadingFoldersAndSaysSo) {
+TEST_F(MeshReference, WalkingUpDropsLeadingFoldersWithRemark) {
   const auto mesh = file("ws/robot/meshes/arm/a.stl");
   MeshFinder finder(folder_.path() / "ws/robot/urdf/robot.urdf", {});
   EXPECT_EQ(finder.find("package://vendor/robots/robot_v2/meshes/arm/a.stl"), mesh);

@@ -96,7 +96,7 @@ double flangeDifference(const std::string& file, const std::string& flange,
   return most;
 }
 
-TEST(ShippedLwr, AgreesWithTheUrdfsOfTheArm) {
+TEST(ShippedLwr, MatchesUrdfsOfArm) {
   if (!exists(testing::sharedData("robots/kuka_lwr4plus/kuka.urdf"))) GTEST_SKIP();
   // kuka.urdf has d1 = 0.11 + 0.20 = 0.310 m, lwr4.mech 0.3105 m, as the DH table and the other URDF: half a
   // millimetre along the first axis, in every posture the same.

@@ -7,7 +7,7 @@ namespace abstand::robot_file {
 namespace urdf_errors_test {
 
 class BadUrdf : public ::testing::TestWithParam<BadCase> {};
-TEST_P(BadUrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), "bad.urdf", parseUrdf); }
+TEST_P(BadUrdf, IsRejectedWithPosition) { expectRefused(GetParam(), "bad.urdf", parseUrdf); }
 
 #define LINKS "<robot name='r'><link name='a'/><link name='b'/>\n"
 
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "scale of 0"}));
 
 class BadSrdf : public ::testing::TestWithParam<BadCase> {};
-TEST_P(BadSrdf, IsRefusedWithItsPlace) { expectRefused(GetParam(), "bad.urdf", parseSrdf); }
+TEST_P(BadSrdf, IsRejectedWithPosition) { expectRefused(GetParam(), "bad.urdf", parseSrdf); }
 
 INSTANTIATE_TEST_SUITE_P(
     Srdf, BadSrdf,
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadCase{"itself", "<robot>\n<disable_collisions link1='a' link2='a'/></robot>", 2, 1,
                               "itself"}));
 
-TEST(Srdf, ReadsBackWithItsReasons) {
+TEST(Srdf, RoundTripsWithReasons) {
   Srdf srdf;
   srdf.robot = "arm <1>";
   srdf.disabled = {{"a", "b", "Adjacent", {}}, {"a & \"b\"", "c", "never: 10000 samples", {}}};

@@ -40,7 +40,7 @@ std::string robotText(const std::string& links, const std::string& rest) {
 const std::string kLimit = "<limit lower='-1' upper='2' velocity='3' effort='4'/>";
 const Vector3d kAxis(1, -2, 0.5);
 
-TEST(Urdf, EveryTypeOfJointMovesItsLink) {
+TEST(Urdf, EveryJointTypeMovesItsLink) {
   const std::string origin = "<origin xyz='0.1 0.2 0.3' rpy='0.4 -0.5 0.6'/><axis xyz='1 -2 0.5'/>";
   const Transform X = fromXyzRpy({0.1, 0.2, 0.3}, {0.4, -0.5, 0.6});
   const Matrix3d toAxis = turnBetween(Vector3d::UnitZ(), kAxis).toRotationMatrix();
@@ -66,7 +66,7 @@ TEST(Urdf, EveryTypeOfJointMovesItsLink) {
   }
 }
 
-TEST(Urdf, DegreesOfFreedomCountInFileOrderAndFramesStandParentsFirst) {
+TEST(Urdf, DofsAreInFileOrderAndFramesParentsFirst) {
   const std::string axis = "<axis xyz='0 0 1'/>";
   const Robot robot =
       parseUrdf(robotText("dcba", jointText("third", "continuous", "c", "d", axis) +
@@ -90,7 +90,7 @@ TEST(Urdf, DegreesOfFreedomCountInFileOrderAndFramesStandParentsFirst) {
   EXPECT_EQ(m.frames[1].limits.upper, kInfinity);
 }
 
-TEST(Urdf, MimicJointsShareADof) {
+TEST(Urdf, MimicJointsShareDof) {
   // c follows b, which follows a: value_c = 0.1 + 2 (0.3 - 0.5 q).
   const std::string axis = "<axis xyz='0 0 1'/>";
   const Robot robot = parseUrdf(
@@ -113,7 +113,7 @@ TEST(Urdf, MimicJointsShareADof) {
   EXPECT_EQ(ranges[0].upper, 2.0);
 }
 
-TEST(Urdf, AMimicOfAFixedJointStaysAtItsOffset) {
+TEST(Urdf, MimicOfFixedJointStaysAtOffset) {
   const Robot robot =
       parseUrdf(robotText("abc", jointText("f", "fixed", "a", "b", "") +
                                      jointText("m", "continuous", "b", "c",
@@ -123,7 +123,7 @@ TEST(Urdf, AMimicOfAFixedJointStaysAtItsOffset) {
   EXPECT_TRUE(poseOf(robot, {}, "c").isApprox(about({0, 0, 1}, 0.5), kRounding));
 }
 
-TEST(Urdf, InertiaIsTurnedIntoTheLinksAxes) {
+TEST(Urdf, InertiaIsRotatedToLinkAxes) {
   const Robot robot = parseUrdf(
       "<robot name='r'><link name='a'><inertial><origin xyz='1 2 3' rpy='0 0 1.5707963267948966'/><mass "
       "value='4'/>"
@@ -138,7 +138,7 @@ TEST(Urdf, InertiaIsTurnedIntoTheLinksAxes) {
   EXPECT_TRUE(robot.warnings.empty());
 }
 
-TEST(Urdf, GeometryKeepsOrderUseScaleAndPlace) {
+TEST(Urdf, GeometryKeepsOrderUseScaleAndPose) {
   const Robot robot = parseUrdf(
       "<robot name='r'>\n<link name='a'>\n"
       "<visual><origin xyz='1 0 0'/><geometry><mesh filename='package://p/a &amp; b.dae' scale='0.1 0.2 "
@@ -166,7 +166,7 @@ TEST(Urdf, GeometryKeepsOrderUseScaleAndPlace) {
   for (const auto& body : g) EXPECT_EQ(body.frame, 0);
 }
 
-TEST(Urdf, OddThingsAreWarnings) {
+TEST(Urdf, WarnsOfQuestionableContent) {
   const struct {
     const char *text, *says;
     int line;
@@ -179,10 +179,10 @@ TEST(Urdf, OddThingsAreWarnings) {
       {"<link name='a'><inertial><mass value='2'/>\n<inertia ixx='1' iyy='1' izz='3'/></inertial></link>",
        "no body has", 2},
       {"<link name='a'>\n\n<visual><geometry><capsule radius='1' length='1'/></geometry></visual></link>",
-       "left out", 3},
+       "ignored", 3},
       {"<link name='a'>\n<visual/></link>", "without a geometry", 2},
       {"<link name='a'>\n<collision><geometry><sphere radius='0'/></geometry></collision></link>",
-       "radius 0 in <collision>, expected a positive one: left out", 2},
+       "radius 0 in <collision>, expected a positive one: ignored", 2},
       {"<link name='a'/><link name='b'/><joint name='j' type='prismatic'><parent link='a'/><child "
        "link='b'/>\n"
        "<axis xyz='0 0 2'/><limit lower='0' upper='1' effort='1' velocity='1'/></joint>",
@@ -202,7 +202,7 @@ TEST(Urdf, OddThingsAreWarnings) {
   }
 }
 
-TEST(Urdf, AJointWithoutLimitsIsSampledOverATurnOrAMetre) {
+TEST(Urdf, UnlimitedJointIsSampledOverTurnOrMetre) {
   const Robot robot =
       parseUrdf(robotText("abc", jointText("t", "continuous", "a", "b", "") +
                                      jointText("s", "prismatic", "b", "c",
@@ -217,7 +217,7 @@ TEST(Urdf, AJointWithoutLimitsIsSampledOverATurnOrAMetre) {
   EXPECT_EQ(ranges[1].upper, 1.0);
 }
 
-TEST(Urdf, NothingIsPrinted) {
+TEST(Urdf, PrintsNothing) {
   ::testing::internal::CaptureStdout();
   ::testing::internal::CaptureStderr();
   parseUrdf(

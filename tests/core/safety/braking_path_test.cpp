@@ -14,7 +14,7 @@ constexpr double kExact = 1e-12;
 // Central difference over 1e-6 s of a path with accelerations of some 10 rad/s^2.
 constexpr double kStep = 1e-6, kSlope = 1e-4;
 
-TEST(BrakingPath, OfOneJointIsTheClosedForm) {
+TEST(BrakingPath, SingleJointMatchesClosedForm) {
   BrakingPath path({.deceleration = {4.0}, .reaction_time = 0.1}, 1);
   const double q[] = {0.5}, qd[] = {-2.0};
   ASSERT_TRUE(path.start(q, qd));
@@ -30,7 +30,7 @@ TEST(BrakingPath, OfOneJointIsTheClosedForm) {
   EXPECT_NEAR(path.fastest(0, 0.35), 1.0, kExact);
 }
 
-TEST(BrakingPath, TogetherStaysOnALineInJointSpace) {
+TEST(BrakingPath, TogetherStaysOnLineInJointSpace) {
   BrakingPath path({.deceleration = {4.0, 2.0, 8.0}, .kind = BrakingKind::kTogether}, 3);
   const double q[] = {0.0, 1.0, 2.0}, qd[] = {2.0, -2.0, 0.0};
   ASSERT_TRUE(path.start(q, qd));
@@ -43,7 +43,7 @@ TEST(BrakingPath, TogetherStaysOnALineInJointSpace) {
   }
 }
 
-TEST(BrakingPath, VelocityIsTheSlopeAndNeverGrows) {
+TEST(BrakingPath, VelocityIsSlopeAndNeverGrows) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(5, seed);
@@ -74,7 +74,7 @@ TEST(BrakingPath, VelocityIsTheSlopeAndNeverGrows) {
   }
 }
 
-TEST(BrakingPath, WhatIsNotFiniteIsSaid) {
+TEST(BrakingPath, ReportsNonFiniteValues) {
   BrakingPath path({}, 2);
   const double q[] = {0.0, 1.0}, bad[] = {kNaN, 1.0};
   EXPECT_FALSE(path.start(q, bad));
@@ -83,7 +83,7 @@ TEST(BrakingPath, WhatIsNotFiniteIsSaid) {
   EXPECT_FALSE(path.start(bad, q));
 }
 
-TEST(BrakingPath, OptionsAreChecked) {
+TEST(BrakingPath, RejectsBadOptions) {
   EXPECT_THROW(BrakingPath({.deceleration = {0.0}}, 1), UsageError);
   EXPECT_THROW(BrakingPath({.deceleration = {1.0, 2.0}}, 3), UsageError);
   EXPECT_THROW(BrakingPath({.reaction_time = -1.0}, 1), UsageError);

@@ -10,7 +10,7 @@ namespace clearance_verdict_test {
 
 using enum ClearanceVerdict;
 
-TEST(ClearanceVerdict, IsKeptOnlyWhereItIsCertified) {
+TEST(ClearanceVerdict, IsKeptOnlyIfCertified) {
   EXPECT_EQ(verdict({0.5, 0.0, 0.0}, 0.5), kKept) << "at the limit";
   EXPECT_EQ(verdict({0.5, 0.1, 0.0}, 0.4), kKept);
   EXPECT_EQ(verdict({0.5, 0.11, 0.0}, 0.4), kNotProven);
@@ -24,7 +24,7 @@ TEST(ClearanceVerdict, IsWidenedByPoseUncertainty) {
   EXPECT_EQ(verdict({0.5, 0.0, 0.11}, 0.4), kBroken);
 }
 
-TEST(ClearanceVerdict, OfWhatIsNotKnownIsNeverKept) {
+TEST(ClearanceVerdict, UnknownIsNeverKept) {
   EXPECT_EQ(verdict({kNaN, 0.0, 0.0}, 0.0), kBroken);
   EXPECT_EQ(verdict({1.0, 0.0, kInfinity}, 0.0), kBroken);
   EXPECT_EQ(verdict({1.0, kInfinity, 0.0}, 0.0), kNotProven);
@@ -32,7 +32,7 @@ TEST(ClearanceVerdict, OfWhatIsNotKnownIsNeverKept) {
   EXPECT_EQ(verdict({kInfinity, 0.0, kInfinity}, 0.0), kBroken);
 }
 
-TEST(CertifiedClearance, TakesOffBoundAndUncertainty) {
+TEST(CertifiedClearance, SubtractsBoundAndUncertainty) {
   EXPECT_DOUBLE_EQ(certifiedClearance({0.5, 0.1, 0.15}), 0.25);
   EXPECT_EQ(certifiedClearance({kNaN, 0.0, 0.0}), -kInfinity);
   EXPECT_EQ(certifiedClearance({0.5, 0.0, kInfinity}), -kInfinity);

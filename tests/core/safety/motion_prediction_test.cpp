@@ -19,7 +19,7 @@ Transform moved(double t, const Vector3d& v, const Vector3d& w) {
   return X;
 }
 
-TEST(MotionPrediction, FollowsAConstantMotionExactly) {
+TEST(MotionPrediction, FollowsConstantMotionExactly) {
   const Vector3d v(0.5, -1.0, 0.2), w(0.3, 2.0, -1.0);
   for (const double fade : {0.0, 0.5, 1.0}) {
     MotionPrediction p({.fade = fade});
@@ -35,7 +35,7 @@ TEST(MotionPrediction, FollowsAConstantMotionExactly) {
   }
 }
 
-TEST(MotionPrediction, WeighsStepsByTheirAge) {
+TEST(MotionPrediction, WeightsStepsByAge) {
   // Steps of 1, 2 and 3 m/s over equal times, fade 1/2: (3 + 2/2 + 1/4) / (1 + 1/2 + 1/4).
   MotionPrediction p({.fade = 0.5});
   double x = 0.0;
@@ -47,7 +47,7 @@ TEST(MotionPrediction, WeighsStepsByTheirAge) {
   EXPECT_NEAR(p.velocity().linear.x(), 4.25 / 1.75, kExact);
 }
 
-TEST(MotionPrediction, AveragingKeepsNoiseOut) {
+TEST(MotionPrediction, AveragingReducesNoise) {
   double spread_last = 0.0, spread_mean = 0.0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     Random random(3, seed);
@@ -65,7 +65,7 @@ TEST(MotionPrediction, AveragingKeepsNoiseOut) {
   EXPECT_LT(spread_mean, 0.1 * spread_last);
 }
 
-TEST(MotionPrediction, LeavesOutWhatIsNoStep) {
+TEST(MotionPrediction, IgnoresInvalidSteps) {
   MotionPrediction p({.longest_gap = 0.2});
   EXPECT_FALSE(p.add(kNaN, Transform::Identity()));
   EXPECT_TRUE(p.add(0.0, Transform::Identity()));
@@ -93,7 +93,7 @@ TEST(MotionPrediction, AllocatesNothing) {
   EXPECT_GT(sum, 0.0);
 }
 
-TEST(MotionPrediction, OptionsAreChecked) {
+TEST(MotionPrediction, RejectsBadOptions) {
   EXPECT_THROW(MotionPrediction({.fade = 1.5}), UsageError);
   EXPECT_THROW(MotionPrediction({.longest_gap = 0.0}), UsageError);
 }

@@ -26,7 +26,7 @@ SeparationOptions example(double person_speed) {
   return o;
 }
 
-TEST(ProtectiveDistance, OfTheWorkedExamples) {
+TEST(ProtectiveDistance, MatchesWorkedExamples) {
   struct Case {
     double person, robot, expected;
   };
@@ -37,7 +37,7 @@ TEST(ProtectiveDistance, OfTheWorkedExamples) {
         << c.person << " " << c.robot;
 }
 
-TEST(ProtectiveDistance, NamesItsTerms) {
+TEST(ProtectiveDistance, ReportsTerms) {
   const ProtectiveDistance s = protectiveDistance(example(1.6), 1.0, kNaN, 5.0);
   EXPECT_NEAR(s.person, 0.64, kExact);
   EXPECT_NEAR(s.reaction, 0.1, kExact);
@@ -47,7 +47,7 @@ TEST(ProtectiveDistance, NamesItsTerms) {
   EXPECT_NEAR(protectiveDistance(example(1.6), -1.0, kNaN, 5.0).sum(), 0.990, kExact);
 }
 
-TEST(ProtectiveDistance, StopsSoonerFromLessSpeedAtConstantDeceleration) {
+TEST(ProtectiveDistance, StoppingTimeFollowsSpeed) {
   SeparationOptions o = example(1.6);
   o.deceleration = 4.0;
   // T_s = 0.25 s at 1 m/s: 1.6 * 0.35 + 0.1 + 0.125 + 0.35; T_s = 0 when it stands.
@@ -55,14 +55,14 @@ TEST(ProtectiveDistance, StopsSoonerFromLessSpeedAtConstantDeceleration) {
   EXPECT_NEAR(protectiveDistance(o, 0.0, kNaN, 5.0).sum(), 0.51, kExact);
 }
 
-TEST(ProtectiveDistance, TakesAHandForWhatIsNear) {
+TEST(ProtectiveDistance, UsesHandSpeedAtCloseRange) {
   const SeparationOptions o;
   EXPECT_EQ(assumedPersonSpeed(o, 0.6), 1.6);
   EXPECT_EQ(assumedPersonSpeed(o, 0.4), 2.0);
   EXPECT_EQ(assumedPersonSpeed(o, kNaN), 2.0);
 }
 
-TEST(ProtectiveDistance, MeasuredSpeedsOnlyEverShortenIt) {
+TEST(ProtectiveDistance, MeasuredSpeedsOnlyShortenIt) {
   SeparationOptions o = example(1.6);
   o.person_acceleration = 2.0;
   const double unknown = protectiveDistance(o, 1.0, kNaN, 5.0).person;
@@ -74,7 +74,7 @@ TEST(ProtectiveDistance, MeasuredSpeedsOnlyEverShortenIt) {
   EXPECT_NEAR(protectiveDistance(o, 1.0, 9.0, 5.0).person, unknown, kExact) << "faster than is believed";
 }
 
-TEST(PermittedSpeed, IsTheInverse) {
+TEST(PermittedSpeed, IsInverseOfProtectiveDistance) {
   int inner = 0;
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
@@ -101,7 +101,7 @@ TEST(PermittedSpeed, IsTheInverse) {
   EXPECT_GT(inner, 300);
 }
 
-TEST(SeparationOptions, AreChecked) {
+TEST(SeparationOptions, RejectOutOfRangeValues) {
   SeparationOptions o;
   o.reaction_time = -0.1;
   try {

@@ -48,7 +48,7 @@ class AdmissibleMotion {
   bool ok_{false};
 };
 
-TEST(ReachSet, HoldsEveryAdmissibleMotion) {
+TEST(ReachSet, ContainsEveryAdmissibleMotion) {
   int tried = 0;
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
@@ -78,7 +78,7 @@ TEST(ReachSet, HoldsEveryAdmissibleMotion) {
   EXPECT_GT(fullest, 0.95) << "some motion comes near the edge, so the sets are not merely large";
 }
 
-TEST(ReachSet, OfARestingPointIsTheClosedForm) {
+TEST(ReachSet, RestingPointMatchesClosedForm) {
   const Vector3d p(1, 2, 3);
   // Slow to gather speed: a t^2 / 2 = 0.125 m below 0.5 m; then bounded by the speed.
   const geometry::EnclosingSphere early = reachAt(p, Vector3d::Zero(), {1.0, 1.0}, 0.5);
@@ -90,7 +90,7 @@ TEST(ReachSet, OfARestingPointIsTheClosedForm) {
   EXPECT_EQ(reachAt(p, Vector3d::Zero(), {.speed = 2.0}, 0.5).radius, 1.0 + 1e-14 * (p.norm() + 1.0));
 }
 
-TEST(ReachSet, SharesWhatBothBoundsLeave) {
+TEST(ReachSet, IntersectsBothBounds) {
   // At the highest speed along x: the ball about x = 1 with radius 0.5 and the one about 0 with radius 1 cut
   // in the plane x = (1 + 1 - 0.25) / 2 = 0.875, in a circle of radius sqrt(1 - 0.875^2) = 0.4841.
   const geometry::EnclosingSphere s = reachAt(Vector3d::Zero(), Vector3d::UnitX(), {1.0, 1.0}, 1.0);
@@ -103,7 +103,7 @@ TEST(ReachSet, SharesWhatBothBoundsLeave) {
   EXPECT_NEAR(both.centre.x() + both.radius, 10.5, kExact);
 }
 
-TEST(TravelWithin, IsTheClosedForm) {
+TEST(TravelWithin, MatchesClosedForm) {
   const MotionBounds b{2.0, 4.0};
   EXPECT_NEAR(travelWithin(0.0, b, 0.25), 0.125, kExact);
   // Half a second to reach 2 m/s over 0.5 m, then 2 m/s.

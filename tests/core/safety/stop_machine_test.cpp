@@ -25,7 +25,7 @@ StopState with(StopMachine& m, double t, std::initializer_list<StopReason> reaso
   return m.update(t, causes, fastest, reset);
 }
 
-TEST(StopTable, IsWhatIsWrittenDown) {
+TEST(StopTable, MatchesDocumentedTransitions) {
   // What changes a state; everything else leaves it.
   const std::map<std::pair<S, E>, S> changes{
       {{S::kRunning, E::kSlow}, S::kSlowing},
@@ -51,7 +51,7 @@ TEST(StopTable, IsWhatIsWrittenDown) {
     }
 }
 
-TEST(StopTable, OnlyAPersonEndsAnEmergency) {
+TEST(StopTable, EmergencyEndsOnlyByReset) {
   // All states that can be reached from an emergency without a reset.
   std::set<S> reached{S::kEmergencyStop};
   for (int round = 0; round < 5; ++round)
@@ -61,7 +61,7 @@ TEST(StopTable, OnlyAPersonEndsAnEmergency) {
   EXPECT_EQ(reached, (std::set<S>{S::kEmergencyStop, S::kWaitingForReset}));
 }
 
-TEST(StopMachine, SlowsAndRunsAgain) {
+TEST(StopMachine, SlowsAndResumes) {
   StopMachine m;
   EXPECT_EQ(m.update(0.0, kNone, kMoving, false), S::kRunning);
   EXPECT_EQ(with(m, 0.1, {StopReason::kSeparation}), S::kSlowing);
@@ -72,7 +72,7 @@ TEST(StopMachine, SlowsAndRunsAgain) {
   EXPECT_EQ(m.log().count(), 2u);
 }
 
-TEST(StopMachine, AProtectiveStopWaitsForItsReset) {
+TEST(StopMachine, ProtectiveStopWaitsForReset) {
   StopMachine m;
   EXPECT_EQ(with(m, 0.0, {StopReason::kDistance}), S::kProtectiveStop);
   EXPECT_FALSE(m.moving());
@@ -90,7 +90,7 @@ TEST(StopMachine, AProtectiveStopWaitsForItsReset) {
   EXPECT_EQ(m.refusedResets(), 2) << "who runs has nothing to reset";
 }
 
-TEST(StopMachine, AMomentOfRestIsNoStandstill) {
+TEST(StopMachine, BriefRestIsNotStandstill) {
   StopOptions o;
   o.settle = 0.1;
   for (const StopReason reason : {StopReason::kDistance, StopReason::kUser}) {
@@ -113,7 +113,7 @@ TEST(StopMachine, AMomentOfRestIsNoStandstill) {
   }
 }
 
-TEST(StopMachine, AnEmergencyWhoseCauseFlickersIsOne) {
+TEST(StopMachine, IntermittentEmergencyCauseIsOneStop) {
   StopMachine m;
   for (int i = 0; i <= 1000; ++i) {
     const S state =
@@ -124,7 +124,7 @@ TEST(StopMachine, AnEmergencyWhoseCauseFlickersIsOne) {
   EXPECT_EQ(m.update(1.101, kNone, 0.0, false), S::kWaitingForReset);
 }
 
-TEST(StopMachine, AProtectiveStopMayEndByItself) {
+TEST(StopMachine, ProtectiveStopMayResumeAutomatically) {
   StopOptions o;
   o.resume_after = 0.5;
   StopMachine m(o);
@@ -136,7 +136,7 @@ TEST(StopMachine, AProtectiveStopMayEndByItself) {
   EXPECT_EQ(m.update(1.96, kNone, 0.0, false), S::kRunning);
 }
 
-TEST(StopMachine, AnEmergencyLastsAndIsNeverLeftByItself) {
+TEST(StopMachine, EmergencyNeverResumesAutomatically) {
   StopOptions o;
   o.resume_after = 0.1;
   StopMachine m(o);
@@ -151,7 +151,7 @@ TEST(StopMachine, AnEmergencyLastsAndIsNeverLeftByItself) {
   EXPECT_EQ(m.update(99.21, kNone, 0.0, true), S::kRunning) << "stopped, reset, in one cycle";
 }
 
-TEST(StopMachine, FollowsThePolicy) {
+TEST(StopMachine, FollowsPolicy) {
   StopOptions o;
   o.policy.response[static_cast<std::size_t>(StopReason::kLostPerson)] = StopResponse::kSlow;
   o.policy.response[static_cast<std::size_t>(StopReason::kDistance)] = StopResponse::kNone;
@@ -160,19 +160,19 @@ TEST(StopMachine, FollowsThePolicy) {
   EXPECT_EQ(with(m, 0.1, {StopReason::kDistance, StopReason::kLostPerson}), S::kSlowing);
 }
 
-TEST(StopMachine, ANumberThatIsNoneIsNoStandstill) {
+TEST(StopMachine, NonFiniteSpeedIsNotStandstill) {
   StopMachine m;
   with(m, 0.0, {StopReason::kUser});
   EXPECT_EQ(m.update(0.1, kNone, kNaN, false), S::kEmergencyStop);
 }
 
-TEST(StopMachine, OptionsAreChecked) {
+TEST(StopMachine, RejectsBadOptions) {
   StopOptions o;
   o.standstill = kNaN;
   EXPECT_THROW(StopMachine{o}, UsageError);
 }
 
-TEST(StopLog, SaysItInALine) {
+TEST(StopLog, DescribesEntryInOneLine) {
   StopMachine m;
   m.update(10.0, kNone, kMoving, false);
   const StopCause cause{StopReason::kDistance, 0.0434, 0.05, 3, -1};
@@ -188,7 +188,7 @@ TEST(StopLog, SaysItInALine) {
   EXPECT_EQ(describe(joint), "1 s: running -> slowing, torque, limit 40, joint 2, after 1 s");
 }
 
-TEST(StopLog, SaysWhatEndedAStopAndNotTheDistanceThatBeganIt) {
+TEST(StopLog, DescribesEndOfStopWithoutItsCause) {
   StopOptions o;
   o.resume_after = 0.5;
   StopMachine m(o);
@@ -197,24 +197,26 @@ TEST(StopLog, SaysWhatEndedAStopAndNotTheDistanceThatBeganIt) {
   m.update(12.0, {&cause, 1}, 0.0, false);
   m.update(12.5, kNone, 0.0, false);
   ASSERT_EQ(m.log().kept(), 2u);
-  EXPECT_EQ(describe(m.log().entry(1)),
-            "12.5 s: protective stop -> running, the cause is gone, the robot goes on by itself after 2.5 s; "
-            "the reason was distance, pair 3");
+  EXPECT_EQ(
+      describe(m.log().entry(1)),
+      "12.5 s: protective stop -> running, the cause is gone, the robot resumes automatically after 2.5 s; "
+      "the reason was distance, pair 3");
 
   StopMachine emergency;
   with(emergency, 1.0, {StopReason::kUser}, 0.0);
   for (const double t : {1.2, 1.4}) emergency.update(t, kNone, 0.0, false);
   emergency.update(4.0, kNone, 0.0, true);
   ASSERT_EQ(emergency.log().kept(), 3u);
-  EXPECT_NE(describe(emergency.log().entry(1)).find("the robot stands and waits for a reset after "),
-            std::string::npos);
-  EXPECT_NE(describe(emergency.log().entry(2)).find("reset by a person, the robot goes on after "),
+  EXPECT_NE(
+      describe(emergency.log().entry(1)).find("the robot is at standstill and waits for a reset after "),
+      std::string::npos);
+  EXPECT_NE(describe(emergency.log().entry(2)).find("reset by a person, the robot resumes after "),
             std::string::npos);
   for (std::size_t i = 1; i < 3; ++i)
     EXPECT_EQ(describe(emergency.log().entry(i)).find("limit"), std::string::npos);
 }
 
-TEST(StopLog, KeepsTheLastAndCountsAll) {
+TEST(StopLog, KeepsLastEntriesAndCountsAll) {
   StopMachine m;
   for (int i = 0; i < 1000; ++i) {
     if (i % 2)

@@ -33,7 +33,7 @@ struct Wave {
   double slope() const { return size[0] * rate[0] + size[1] * rate[1] + size[2] * rate[2]; }
 };
 
-TEST(SweptDistance, IsNeverAboveTheLeastAndConverges) {
+TEST(SweptDistance, IsNeverAboveMinimumAndConverges) {
   constexpr double kTolerance = 1e-3;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -65,7 +65,7 @@ TEST(SweptDistance, IsNeverAboveTheLeastAndConverges) {
   }
 }
 
-TEST(SweptDistance, AFlatStretchNeedsTwoSamples) {
+TEST(SweptDistance, ConstantDistanceNeedsTwoSamples) {
   const SweptResult r = sweptDistance(
       1.0,
       [](double) {
@@ -77,7 +77,7 @@ TEST(SweptDistance, AFlatStretchNeedsTwoSamples) {
   EXPECT_NEAR(r.lower, 0.3, kRounding);
 }
 
-TEST(SweptDistance, StopsWhenItKnowsEnough) {
+TEST(SweptDistance, StopsEarlyOnceDecided) {
   const auto away = [](double t) { return DistanceSample{1.0 + t, 1.0 + t}; };
   const auto rate = [](double, double) { return 1.5; };
   const SweptResult far = sweptDistance(1.0, away, rate, {.enough = 0.5});
@@ -91,7 +91,7 @@ TEST(SweptDistance, StopsWhenItKnowsEnough) {
   EXPECT_EQ(hit.upper, -0.5);
 }
 
-TEST(SweptDistance, WithoutABoundOnTheSpeedNothingIsCertain) {
+TEST(SweptDistance, UnboundedSpeedIsNeverCertain) {
   const SweptResult r = sweptDistance(
       1.0,
       [](double) {
@@ -103,7 +103,7 @@ TEST(SweptDistance, WithoutABoundOnTheSpeedNothingIsCertain) {
   EXPECT_EQ(r.samples, 16);
 }
 
-TEST(SweptDistance, OfNoTimeIsTheSample) {
+TEST(SweptDistance, ZeroDurationIsTheSample) {
   const SweptResult r = sweptDistance(
       0.0,
       [](double) {
@@ -115,7 +115,7 @@ TEST(SweptDistance, OfNoTimeIsTheSample) {
   EXPECT_TRUE(r.done);
 }
 
-TEST(LeastBetween, IsTheClosedForm) {
+TEST(MinBetween, MatchesClosedForm) {
   // Down from 1 and from 0.8 at 1 m/s for 1 s: they meet at 0.4.
   EXPECT_NEAR(minBetween(1.0, 0.8, 1.0, 1.0), 0.4, kRounding);
   // An end that is worse than the other one allows is lifted by it.
@@ -138,7 +138,7 @@ TEST(SweptDistance, AllocatesNothing) {
   EXPECT_GT(r.samples, 2);
 }
 
-TEST(SweptOptions, AreChecked) {
+TEST(SweptOptions, RejectOutOfRangeValues) {
   SweptOptions o;
   o.validate();
   o.max_samples = 1;

@@ -47,7 +47,7 @@ double distanceAt(const structure::HapticStructure& a, BodyMotion& x, const stru
   return result.distance;
 }
 
-TEST(SweptPair, OfTwoBallsIsTheClosedForm) {
+TEST(SweptPair, TwoBallsMatchClosedForm) {
   int apart = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
@@ -74,7 +74,7 @@ TEST(SweptPair, OfTwoBallsIsTheClosedForm) {
   EXPECT_GT(apart, 50);
 }
 
-TEST(SweptPair, SeesWhatJumpsThroughAPlate) {
+TEST(SweptPair, DetectsJumpThroughPlate) {
   // 1 m within a millisecond, through a plate of 2 cm: far apart before and after.
   PoseSegment flying(ball().bounding_sphere, at({0.01, 0.02, 0.5}), at({0.0, 0.0, -0.5}), 1e-3);
   PoseSegment still(plate().bounding_sphere, Transform::Identity(), Transform::Identity(), 1e-3);
@@ -92,7 +92,7 @@ TEST(SweptPair, SeesWhatJumpsThroughAPlate) {
   EXPECT_GT(past.lower, 0.048);
 }
 
-TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
+TEST(SweptPair, IsNeverAboveFineSampling) {
   long samples = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -118,7 +118,7 @@ TEST(SweptPair, IsNeverAboveTheLeastOfAFineSampling) {
   EXPECT_LT(samples, 60 * 200);
 }
 
-TEST(PoseSegment, NoPointIsFasterThanItsSpeed) {
+TEST(PoseSegment, SpeedBoundsEveryPoint) {
   const geometry::EnclosingSphere sphere{{0.1, -0.2, 0.05}, 0.3};
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
@@ -147,7 +147,7 @@ struct Braking {
   }
 };
 
-TEST(LinkMotion, NoPointIsFasterThanItsSpeed) {
+TEST(LinkMotion, SpeedBoundsEveryPoint) {
   const geometry::EnclosingSphere sphere{{0.0, 0.02, 0.05}, 0.1};
   double fullest = 0.0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -169,7 +169,7 @@ TEST(LinkMotion, NoPointIsFasterThanItsSpeed) {
   EXPECT_GT(fullest, 0.5) << "the bound is not merely large";
 }
 
-TEST(LinkMotion, OfAPrismaticJointIsItsVelocity) {
+TEST(LinkMotion, PrismaticJointSpeedIsItsVelocity) {
   const mechanism::Mechanism rail = robot_file::loadMechanism(projectFile("data/scenes/rail.mech"));
   BrakingPath path({.deceleration = {2.0}, .reaction_time = 0.0}, rail.dof);
   const std::vector<double> q(static_cast<std::size_t>(rail.dof), 0.1),
@@ -188,7 +188,7 @@ TEST(LinkMotion, OfAPrismaticJointIsItsVelocity) {
   EXPECT_GT(prismatic, 0);
 }
 
-TEST(SweptPair, OfABrakingArmAndAPersonHoldsForEveryAdmissibleMotion) {
+TEST(SweptPair, BrakingArmBoundHoldsForEveryPersonMotion) {
   int safe = 0, within = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);

@@ -24,7 +24,7 @@ TEST(CycleStatistics, EmptyIsZero) {
   EXPECT_EQ(s.overruns(), 0);
 }
 
-TEST(CycleStatistics, QuantilesFollowTheSortedTimes) {
+TEST(CycleStatistics, QuantilesMatchSortedTimes) {
   CycleStatistics s(1e-3);
   std::vector<double> times;
   for (std::uint64_t i = 0; i < 20000; ++i)

@@ -63,7 +63,7 @@ class LiveCullingOfPairs : public ::testing::Test {
   std::vector<query::PairResult> results_{1};
 };
 
-TEST_F(LiveCullingOfPairs, WithinTheTimeThatTheSpeedsLeave) {
+TEST_F(LiveCullingOfPairs, QueriesWithinTimeAllowedBySpeeds) {
   scene_.setMaxSpeed(ObjectId(0), 0.5);
   scene_.setMaxSpeed(ObjectId(1), 1.5);
   begin();
@@ -94,7 +94,7 @@ TEST_F(LiveCullingOfPairs, WithinTheTimeThatTheSpeedsLeave) {
   EXPECT_EQ(scene_.speedWatch().count(), 0);
 }
 
-TEST_F(LiveCullingOfPairs, ABreachEndsTheRestAtOnceAndIsListed) {
+TEST_F(LiveCullingOfPairs, SpeedBreachEndsCullingAndIsListed) {
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
@@ -113,14 +113,14 @@ TEST_F(LiveCullingOfPairs, ABreachEndsTheRestAtOnceAndIsListed) {
   EXPECT_EQ(first.bound, 1.0);
 }
 
-TEST_F(LiveCullingOfPairs, WithoutASpeedThereIsNoRest) {
+TEST_F(LiveCullingOfPairs, NoCullingWithoutMaxSpeed) {
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
   for (int i = 1; i < 5; ++i) EXPECT_TRUE(goTo(2.0, 0.01 * i));
   EXPECT_EQ(threads_->counts().rested, 0);
 }
 
-TEST_F(LiveCullingOfPairs, WhatTimesDoNotExplainEndsTheRest) {
+TEST_F(LiveCullingOfPairs, UnexplainedMotionEndsCulling) {
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 1.0);
   begin();
@@ -138,7 +138,7 @@ TEST_F(LiveCullingOfPairs, WhatTimesDoNotExplainEndsTheRest) {
   EXPECT_EQ(scene_.speedWatch().count(), 0);
 }
 
-TEST_F(LiveCullingOfPairs, AnObjectThatIsPosedSeldomIsTakenByItsOwnTime) {
+TEST_F(LiveCullingOfPairs, RarelyPosedObjectUsesItsOwnTime) {
   // The goer's pose of t = 0 is used at t = 0.5, where the other one is posed; then it has 0.51 s to come.
   scene_.setMaxSpeed(ObjectId(0), 0.0);
   scene_.setMaxSpeed(ObjectId(1), 2.0);
@@ -151,7 +151,7 @@ TEST_F(LiveCullingOfPairs, AnObjectThatIsPosedSeldomIsTakenByItsOwnTime) {
   EXPECT_LE(results_[0].distance - results_[0].bound, 1.0 + kOnSurface);
 }
 
-TEST(SpeedWatch, CountsStretchesAndListsTheFirst) {
+TEST(SpeedWatch, CountsBreachesAndListsFirst) {
   Scene scene;
   const ObjectId id = scene.addObject({"a", "g", testing::ball(20)});
   EXPECT_THROW(scene.setMaxSpeed(id, -1.0), UsageError);
@@ -171,7 +171,7 @@ TEST(SpeedWatch, CountsStretchesAndListsTheFirst) {
   EXPECT_NEAR(scene.speedWatch().listed()[7].speed, 5.1 * 0.2, 2e-4);
 }
 
-TEST(LiveCulling, HoldsForRandomMotionWithinTheBounds) {
+TEST(LiveCulling, HoldsForRandomMotionWithinSpeedBounds) {
   Scene scene;
   for (int i = 0; i < 2; ++i) scene.addObject({"ball" + std::to_string(i), "g", testing::ball(20 + i), 0.01});
   scene.addPair(ObjectId(0), ObjectId(1));

@@ -10,7 +10,7 @@
 namespace abstand::scene {
 namespace minimum_tree_test {
 
-TEST(MinimumTree, AgreesWithALookAtAllValues) {
+TEST(MinimumTree, MatchesLinearSearch) {
   for (const std::size_t count : {1u, 2u, 3u, 17u, 64u, 1000u}) {
     MinimumTree tree;
     tree.resize(count);
@@ -32,7 +32,7 @@ TEST(MinimumTree, AgreesWithALookAtAllValues) {
   }
 }
 
-TEST(MinimumTree, NothingHasNoSmallest) {
+TEST(MinimumTree, EmptyHasNoMinimum) {
   MinimumTree tree;
   EXPECT_FALSE(tree.smallest());
   tree.resize(0);

@@ -28,7 +28,7 @@ Transform turned(double angle, const Vector3d& axis, const Vector3d& shift = Vec
   return X;
 }
 
-TEST(MotionBound, NoPointMovesFartherThanTheBound) {
+TEST(MotionBound, BoundsDisplacementOfEveryPoint) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     MotionBound reach(kSphere);
     Transform before = testing::randomPose(seed, 2.0);
@@ -68,7 +68,7 @@ TEST(MotionBound, IsSharp) {
   EXPECT_LT(reach.moveTo(Transform::Identity()), kRounding) << "standing still";
 }
 
-TEST(MotionBound, TheBoundNeverFallsShortInALongSum) {
+TEST(MotionBound, LongSumsNeverUnderestimate) {
   // 1e-9 m a step is far below the resolution of plain sums when the way is long.
   MotionBound reach({Vector3d::Zero(), 0.1});
   reach.moveTo(turned(0.0, Vector3d::UnitX(), {1e6, 0, 0}));
@@ -83,7 +83,7 @@ TEST(MotionBound, TheBoundNeverFallsShortInALongSum) {
   EXPECT_GE(reach.travelled() - begin, 1e-9 * kSteps);
 }
 
-TEST(MotionBound, GapIsNeverAboveADistanceOfPoints) {
+TEST(MotionBound, GapIsNeverAbovePointDistance) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     MotionBound a(kSphere), b({{0, 0.1, 0}, 0.2});
     const Transform X_WA = testing::randomPose(seed, 1.5), X_WB = testing::randomPose(seed + 1000, 1.5);

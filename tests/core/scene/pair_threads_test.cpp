@@ -84,7 +84,7 @@ class LiveScene : public ::testing::Test {
   std::uint64_t moves_{0};
 };
 
-TEST_F(LiveScene, AgreesWithLockStepWithinWhatAWarmStartMayDiffer) {
+TEST_F(LiveScene, MatchesLockStepWithinWarmStartTolerance) {
   PairThreads threads(scene_);
   for (std::uint32_t g = 0; g < 3; ++g) {
     threads.start(threads.addGroup(pairIds(g * kPairs / 3, (g + 1) * kPairs / 3)));
@@ -105,7 +105,7 @@ TEST_F(LiveScene, AgreesWithLockStepWithinWhatAWarmStartMayDiffer) {
   EXPECT_GT(touching, 0);
 }
 
-TEST_F(LiveScene, AgreesBitForBitWithLockStepThatHasSeenTheSamePoses) {
+TEST_F(LiveScene, IsBitIdenticalToLockStepWithSamePoses) {
   scene_.setCulling({.remember = true});
   scene_.step();
   PairThreads threads(scene_);
@@ -135,7 +135,7 @@ TEST_F(LiveScene, AgreesBitForBitWithLockStepThatHasSeenTheSamePoses) {
   }
 }
 
-TEST_F(LiveScene, ATimeThatJumpsBackIsTakenUp) {
+TEST_F(LiveScene, AcceptsBackwardTimeJump) {
   PairThreads threads(scene_);
   threads.start(threads.addGroup(pairIds(0, kPairs)));
   for (const double t : {5.0, 1.0, 3.0}) {
@@ -145,7 +145,7 @@ TEST_F(LiveScene, ATimeThatJumpsBackIsTakenUp) {
   }
 }
 
-TEST_F(LiveScene, HasResultsBeforeAThreadRuns) {
+TEST_F(LiveScene, HasResultsBeforeThreadsRun) {
   move(2.0);
   PairThreads threads(scene_);
   threads.addGroup(pairIds(0, 4));
@@ -158,7 +158,7 @@ TEST_F(LiveScene, HasResultsBeforeAThreadRuns) {
   EXPECT_EQ(threads.resultTime(PairId(4)), -kInfinity);
 }
 
-TEST_F(LiveScene, IdleGroupRunsOneCyclePerPublicationAtMost) {
+TEST_F(LiveScene, IdleGroupRunsAtMostOneCyclePerPublication) {
   PairThreads threads(scene_);
   const auto group = threads.addGroup(pairIds(0, kPairs));
   threads.start(group);
@@ -196,7 +196,7 @@ TEST_F(LiveScene, PausedGroupSleepsWhileOthersRun) {
   EXPECT_EQ(threads.cycles(paused), before + 1);
 }
 
-TEST_F(LiveScene, StoppedGroupCanBeginAgain) {
+TEST_F(LiveScene, StoppedGroupCanRestart) {
   PairThreads threads(scene_);
   const auto group = threads.addGroup(pairIds(0, kPairs));
   for (int k = 1; k <= 10; ++k) {
@@ -230,7 +230,7 @@ TEST_F(LiveScene, PairsMoveBetweenRunningGroups) {
   for (std::uint32_t i = 0; i < kPairs; ++i) expectSame(results_[i], scene_.result(PairId(i)));
 }
 
-TEST_F(LiveScene, RefusesPairsInTwoGroups) {
+TEST_F(LiveScene, RejectsPairsInTwoGroups) {
   PairThreads threads(scene_);
   const auto one = threads.addGroup(pairIds(0, 5)), two = threads.addGroup({});
   EXPECT_THROW(threads.addGroup(pairIds(4, 6)), UsageError);
@@ -242,7 +242,7 @@ TEST_F(LiveScene, RefusesPairsInTwoGroups) {
   EXPECT_NO_THROW(threads.addPair(two, PairId(7)));
 }
 
-TEST_F(LiveScene, OwnerAllocatesNothingInTheCycle) {
+TEST_F(LiveScene, OwnerAllocatesNothingInCycle) {
   PairThreads threads(scene_);
   threads.start(threads.addGroup(pairIds(0, 5)));
   threads.start(threads.addGroup(pairIds(5, kPairs)));
@@ -254,7 +254,7 @@ TEST_F(LiveScene, OwnerAllocatesNothingInTheCycle) {
   EXPECT_EQ(no_alloc.count(), 0);
 }
 
-TEST_F(LiveScene, EverythingAtOnceStaysFinite) {
+TEST_F(LiveScene, ConcurrentChangesKeepResultsFinite) {
   constexpr std::size_t kGroups = 3;
   PairThreads threads(scene_);
   for (std::size_t g = 0; g < kGroups; ++g) threads.addGroup({});

@@ -7,7 +7,7 @@
 namespace abstand::scene {
 namespace pair_workers_test {
 
-TEST(PairWorkers, EveryIndexIsDoneOnceACycle) {
+TEST(PairWorkers, EveryIndexRunsOncePerCycle) {
   for (const int helpers : {0, 1, 2, 6}) {
     PairWorkers workers(helpers);
     std::vector<int> done(97, 0);
@@ -29,7 +29,7 @@ TEST(PairWorkers, EveryIndexIsDoneOnceACycle) {
   }
 }
 
-TEST(PairWorkers, ComeAndGoWithoutWork) {
+TEST(PairWorkers, StartAndStopWithoutWork) {
   for (int i = 0; i < 50; ++i) PairWorkers workers(i % 5);
 }
 

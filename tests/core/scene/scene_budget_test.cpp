@@ -37,7 +37,7 @@ Scene counted(double budget) {
   return scene;
 }
 
-TEST(SceneBudget, EveryBoundHoldsWhateverIsPutOff) {
+TEST(SceneBudget, BoundsHoldForDeferredPairs) {
   for (const double budget : {0.0, 1.0, 3.0}) {
     Scene scene = counted(budget);
     Drift drift(scene);
@@ -68,7 +68,7 @@ TEST(SceneBudget, EveryBoundHoldsWhateverIsPutOff) {
   }
 }
 
-TEST(SceneBudget, EnoughTimeChangesNothing) {
+TEST(SceneBudget, SufficientBudgetChangesNothing) {
   Scene scene = counted(1000.0), plain = longBodies();
   Drift drift(scene), plain_drift(plain);
   for (int frame = 0; frame < 300; ++frame) {
@@ -84,7 +84,7 @@ TEST(SceneBudget, EnoughTimeChangesNothing) {
   }
 }
 
-TEST(SceneBudget, WhatWasPutOffIsCaughtUpWhenAllStandStill) {
+TEST(SceneBudget, DeferredPairsCatchUpAtStandstill) {
   Scene scene = counted(0.0);
   Drift drift(scene);
   for (int frame = 0; frame < 30; ++frame) {
@@ -97,7 +97,7 @@ TEST(SceneBudget, WhatWasPutOffIsCaughtUpWhenAllStandStill) {
   for (const Pair& p : scene.pairs()) EXPECT_TRUE(sameBits(p.result, queried(scene, p)));
 }
 
-TEST(SceneBudget, TheUrgentComeFirst) {
+TEST(SceneBudget, UrgentPairsComeFirst) {
   // One ball among 40 others on a ring about it; one of them nearly touches.
   Scene scene;
   scene.addObject({"middle", "g", testing::ball(20), 0.0});
@@ -121,7 +121,7 @@ TEST(SceneBudget, TheUrgentComeFirst) {
   }
 }
 
-TEST(SceneBudget, ASlowStepAllocatesNothing) {
+TEST(SceneBudget, DeferringStepAllocatesNothing) {
   Scene scene = counted(2.0);
   scene.setThreads(2);
   Drift drift(scene);
@@ -135,7 +135,7 @@ TEST(SceneBudget, ASlowStepAllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-TEST(SceneBudget, WhatIsNoTimeIsRefused) {
+TEST(SceneBudget, RejectsInvalidBudget) {
   Scene scene = longBodies();
   EXPECT_THROW(scene.setCulling({.budget = -1.0}), UsageError);
   EXPECT_THROW(scene.setCulling({.budget = kNaN}), UsageError);

@@ -34,7 +34,7 @@ class PausedPairs : public ::testing::Test {
   PairId ab_{0}, bc_{0};
 };
 
-TEST_F(PausedPairs, AreStaleAndHaveNoPartInTotals) {
+TEST_F(PausedPairs, AreStaleAndExcludedFromTotals) {
   const query::PairResult before = scene_.result(ab_);
   ASSERT_GT(before.contacts, 0);
   ASSERT_EQ(scene_.nearest(), ab_);
@@ -68,7 +68,7 @@ TEST_F(PausedPairs, AreQueriedInTheStepAfterThePause) {
   EXPECT_EQ(scene_.pausedCount(), 0u);
 }
 
-TEST_F(PausedPairs, GoOnWithinOneStepAsIfNothingHadBeen) {
+TEST_F(PausedPairs, PauseWithinOneStepHasNoEffect) {
   const Vector3d force = scene_.object(ObjectId(0)).contact.force;
   scene_.setPaused(ab_, true, 1.0);
   scene_.setPaused(ab_, false, 1.0);
@@ -77,7 +77,7 @@ TEST_F(PausedPairs, GoOnWithinOneStepAsIfNothingHadBeen) {
   EXPECT_EQ(scene_.nearest(), ab_);
 }
 
-TEST_F(PausedPairs, WithoutAResultAreInfinitelyOld) {
+TEST_F(PausedPairs, AreInfinitelyOldWithoutResult) {
   const auto ball = scene_.object(ObjectId(0)).spec.structure;
   scene_.addObject({"d", "objects", ball, 0.0});
   const PairId ad = scene_.addPair(ObjectId(0), ObjectId(3));
@@ -88,7 +88,7 @@ TEST_F(PausedPairs, WithoutAResultAreInfinitelyOld) {
   EXPECT_TRUE(std::isnan(scene_.result(ad).distance));
 }
 
-TEST_F(PausedPairs, AreSeenInTheSnapshot) {
+TEST_F(PausedPairs, AppearInSnapshot) {
   view::SceneSnapshot snapshot;
   view::capture(scene_, snapshot);
   EXPECT_FALSE(snapshot.pairs[0].paused);
@@ -103,7 +103,7 @@ TEST_F(PausedPairs, AreSeenInTheSnapshot) {
   EXPECT_FALSE(snapshot.pairs[0].paused);
 }
 
-TEST_F(PausedPairs, StayPausedWhenResultsAreTaken) {
+TEST_F(PausedPairs, StayPausedWhenResultsAreApplied) {
   const double before = scene_.result(ab_).distance;
   scene_.setPaused(ab_, true, 1.0);
   query::PairResult other;
@@ -121,7 +121,7 @@ TEST_F(PausedPairs, StayPausedWhenResultsAreTaken) {
   EXPECT_EQ(scene_.ageOf(bc_, 3.0), 0.0);
 }
 
-TEST_F(PausedPairs, ComeAndGoWithoutAllocation) {
+TEST_F(PausedPairs, PauseAndResumeWithoutAllocation) {
   scene_.setPaused(ab_, true, 1.0);
   scene_.step();
   const testing::NoAlloc no_alloc;

@@ -25,9 +25,9 @@ struct RestCase {
   QueryCulling culling;
 };
 
-class Resting : public ::testing::TestWithParam<RestCase> {};
+class CullingModes : public ::testing::TestWithParam<RestCase> {};
 
-TEST_P(Resting, BallsAreAsFarAsTheirCentresSay) {
+TEST_P(CullingModes, BallsMatchDistanceOfCentres) {
   Scene scene = crowd(9);
   const QueryCulling& culling = GetParam().culling;
   scene.setCulling(culling);
@@ -64,7 +64,7 @@ TEST_P(Resting, BallsAreAsFarAsTheirCentresSay) {
   EXPECT_TRUE(culling.horizon < kInfinity || sum.beyond == 0);
 }
 
-TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
+TEST_P(CullingModes, MatchesQueriesWithinBounds) {
   Scene scene = longBodies();
   const QueryCulling& culling = GetParam().culling;
   scene.setCulling(culling);
@@ -92,7 +92,7 @@ TEST_P(Resting, AgreesWithQueriesWithinTheBounds) {
   }
 }
 
-TEST_P(Resting, SameBitsForAnyNumberOfThreads) {
+TEST_P(CullingModes, IsBitIdenticalForAnyThreadCount) {
   std::uint64_t expected = 0;
   for (const int threads : {1, 2, 3, 7, 16}) {
     Scene scene = longBodies();
@@ -117,7 +117,7 @@ TEST_P(Resting, SameBitsForAnyNumberOfThreads) {
   }
 }
 
-TEST_P(Resting, AllocatesNothing) {
+TEST_P(CullingModes, AllocatesNothing) {
   Scene scene = longBodies();
   scene.setCulling(GetParam().culling);
   Drift drift(scene);
@@ -131,7 +131,7 @@ TEST_P(Resting, AllocatesNothing) {
   EXPECT_EQ(guard.count(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(QueryCulling, Resting,
+INSTANTIATE_TEST_SUITE_P(QueryCulling, CullingModes,
                          ::testing::Values(RestCase{"none", {}}, RestCase{"hundredth", {.rest = 0.01}},
                                            RestCase{"tenth", {.rest = 0.1}},
                                            RestCase{"longest", {.rest = 1.0}},
@@ -140,9 +140,9 @@ INSTANTIATE_TEST_SUITE_P(QueryCulling, Resting,
                          [](const auto& one) { return one.param.name; });
 
 /// One ball comes to another along a line.
-class Approach : public ::testing::Test {
+class TemporalCullingTest : public ::testing::Test {
  protected:
-  Approach() {
+  TemporalCullingTest() {
     scene_.addObject({"a", "g", testing::ball(20), 0.05});
     scene_.addObject({"b", "g", testing::ball(20), 0.05});
     scene_.addPair(ObjectId(0), ObjectId(1));
@@ -156,7 +156,7 @@ class Approach : public ::testing::Test {
   double t_{0.0};
 };
 
-TEST_F(Approach, ChecksMoreOftenTheNearer) {
+TEST_F(TemporalCullingTest, QueriesMoreOftenWhenNearer) {
   scene_.setCulling({.rest = 0.1});
   long far = 0, near = 0;
   for (int i = 0; i < 1000; ++i) far += stepAt(2.0 - 0.001 * i).outcome == PairOutcome::kChecked;
@@ -166,7 +166,7 @@ TEST_F(Approach, ChecksMoreOftenTheNearer) {
   EXPECT_GT(near, 2 * far);
 }
 
-TEST_F(Approach, TheLongestRestEndsBeforeTheFirstContact) {
+TEST_F(TemporalCullingTest, LongestSkipEndsBeforeFirstContact) {
   scene_.setCulling({.rest = 1.0});
   int frame = 0;
   for (; frame < 3000; ++frame) {
@@ -177,7 +177,7 @@ TEST_F(Approach, TheLongestRestEndsBeforeTheFirstContact) {
   EXPECT_LT(frame, 2000) << "the margins touch before the surfaces do";
 }
 
-TEST_F(Approach, JitterUsesUpTheRestAndStandingStillDoesNot) {
+TEST_F(TemporalCullingTest, JitterEndsCullingStandstillDoesNot) {
   scene_.setCulling({.rest = 0.1});
   EXPECT_EQ(stepAt(1.0).outcome, PairOutcome::kChecked);
   long checks = 0;
@@ -188,14 +188,14 @@ TEST_F(Approach, JitterUsesUpTheRestAndStandingStillDoesNot) {
   EXPECT_TRUE(scene_.updated().empty());
 }
 
-TEST_F(Approach, WhatIsOutsideAskedForIsRefused) {
+TEST_F(TemporalCullingTest, RejectsOutOfRangeOptions) {
   for (const QueryCulling& s :
        {QueryCulling{.rest = -0.1}, QueryCulling{.rest = 1.1}, QueryCulling{.rest = kNaN},
         QueryCulling{.horizon = -1.0}, QueryCulling{.horizon = kNaN}})
     EXPECT_THROW(scene_.setCulling(s), UsageError);
 }
 
-TEST_F(Approach, SwitchedOffMeansExactAgain) {
+TEST_F(TemporalCullingTest, SwitchingOffRestoresExactResults) {
   scene_.setCulling({.rest = 1.0, .horizon = 0.1});
   stepAt(2.0);
   EXPECT_NE(stepAt(1.9).outcome, PairOutcome::kChecked);

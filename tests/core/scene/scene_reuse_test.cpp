@@ -45,7 +45,7 @@ void expectTotals(const Scene& scene) {
   }
 }
 
-TEST(SceneReuse, OnlyPairsOfWhatMovedAreQueried) {
+TEST(SceneReuse, QueriesOnlyPairsOfMovedObjects) {
   for (const int threads : {1, 3}) {
     Scene scene = crowd(12);
     scene.setThreads(threads);
@@ -73,7 +73,7 @@ TEST(SceneReuse, OnlyPairsOfWhatMovedAreQueried) {
   }
 }
 
-TEST(SceneReuse, MarginsForceLawAndNewPairsAreTakenUp) {
+TEST(SceneReuse, MarginsForceLawAndNewPairsTriggerQueries) {
   Scene scene = crowd(6);
   scatter(scene, 0);
   scene.step();
@@ -94,7 +94,7 @@ TEST(SceneReuse, MarginsForceLawAndNewPairsAreTakenUp) {
   expectTotals(scene);
 }
 
-TEST(SceneReuse, ARefusedPoseMovesNothing) {
+TEST(SceneReuse, RejectedPoseTriggersNoQuery) {
   Scene scene = crowd(3);
   scatter(scene, 0);
   scene.step();
@@ -103,7 +103,7 @@ TEST(SceneReuse, ARefusedPoseMovesNothing) {
   EXPECT_TRUE(scene.updated().empty());
 }
 
-TEST(SceneReuse, ASnapshotCopiesWhatWasUpdatedSince) {
+TEST(SceneReuse, SnapshotCopiesUpdatedPairs) {
   Scene scene = crowd(10);
   view::SceneSnapshot often, rare;
   for (std::uint32_t frame = 0; frame < 60; ++frame) {
@@ -121,7 +121,7 @@ TEST(SceneReuse, ASnapshotCopiesWhatWasUpdatedSince) {
   }
 }
 
-TEST(SceneReuse, StepsOfAFewAllocateNothing) {
+TEST(SceneReuse, PartialStepsAllocateNothing) {
   Scene scene = crowd(12);
   scene.setThreads(2);
   scatter(scene, 0);
@@ -138,7 +138,7 @@ TEST(SceneReuse, StepsOfAFewAllocateNothing) {
 // what a walk along the surfaces leaves (witness.hpp).
 double tooFar(double distance) { return distance > 0.1 ? 0.01 * distance + 0.0025 : 1e-3 * distance + 1e-5; }
 
-TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
+TEST(ScenePairCache, IsWithinToleranceAndIndependentOfThreads) {
   Scene one = testing::longBodies(), three = testing::longBodies();
   one.setCulling({.remember = true});
   three.setCulling({.remember = true});
@@ -168,7 +168,7 @@ TEST(SceneRemember, AnswersWithinItsLimitsAndTheSameForAnyNumberOfThreads) {
   EXPECT_GT(touching, 10);
 }
 
-TEST(SceneRemember, WhatWasRememberedIsForgottenWhenItIsTurnedOff) {
+TEST(ScenePairCache, SwitchingOffDiscardsPairCache) {
   Scene scene = crowd(9);
   testing::Drift drift(scene);
   scene.setCulling({.remember = true});

@@ -44,7 +44,7 @@ std::uint64_t runHash(int threads) {
   return hash.value();
 }
 
-TEST(Scene, SameBitsForAnyNumberOfThreads) {
+TEST(Scene, IsBitIdenticalForAnyThreadCount) {
   const auto one = runHash(1);
   for (const int n : {2, 3, 7, 16}) EXPECT_EQ(runHash(n), one) << n << " threads";
 }
@@ -92,7 +92,7 @@ TEST(Scene, CycleAllocatesNothing) {
   }
 }
 
-TEST(Scene, TotalsAreTheSumsOfThePairs) {
+TEST(Scene, TotalsAreSumsOfPairs) {
   Scene scene = crowd(12);
   scatter(scene, 3);
   scene.step();
@@ -125,7 +125,7 @@ TEST(Scene, TotalsAreTheSumsOfThePairs) {
   EXPECT_LT(moment.norm(), kRounding * scale);
 }
 
-TEST(Scene, TotalsOfTheLastStepAreForgotten) {
+TEST(Scene, TotalsAreResetEachStep) {
   Scene scene = crowd(2);
   scene.setPose(ObjectId(0), at(0.0), 0.0);
   scene.setPose(ObjectId(1), at(0.3), 0.0);
@@ -162,7 +162,7 @@ TEST(Scene, NamesAndPairsAreUnique) {
   EXPECT_EQ(scene.find("nobody"), nullptr);
 }
 
-TEST(Scene, MarginsAndForceLawReachThePairs) {
+TEST(Scene, MarginsAndForceLawApplyToPairs) {
   Scene scene = crowd(3);
   EXPECT_DOUBLE_EQ(scene.pairs()[0].options.margin, 0.02);
   scene.setMargin(ObjectId(1), 0.5);
@@ -194,7 +194,7 @@ TEST(Scene, SharedStructuresCountOnce) {
   EXPECT_EQ(scene.memoryBytes(), 2 * one);
 }
 
-TEST(ScenePoses, WhatIsNoPoseIsRefusedAndTheLastOneStays) {
+TEST(ScenePoses, RejectsInvalidPosesAndKeepsLast) {
   Transform sheared = at(0), scaled = at(0), mirrored = at(0), zero = at(0), nan = at(0), far = at(0),
             infinite = at(0);
   sheared.linear()(0, 1) = 0.1;
@@ -254,7 +254,7 @@ TEST(ScenePoses, ConstantMotionGivesItsVelocity) {
   }
 }
 
-TEST(ScenePoses, SameTimeReplacesWithoutAJump) {
+TEST(ScenePoses, SameTimeReplacesPoseWithoutVelocityJump) {
   Scene scene = crowd(1);
   const ObjectId id(0);
   scene.setPose(id, at(0.0), 0.0);
@@ -267,7 +267,7 @@ TEST(ScenePoses, SameTimeReplacesWithoutAJump) {
   EXPECT_NEAR(scene.object(id).mean_velocity.linear.x(), 1.5, kRounding);
 }
 
-TEST(ScenePoses, AJumpBackInTimeStartsAgain) {
+TEST(ScenePoses, BackwardTimeJumpRestartsVelocity) {
   Scene scene = crowd(1);
   const ObjectId id(0);
   scene.setPose(id, at(0.0), 10.0);
@@ -279,7 +279,7 @@ TEST(ScenePoses, AJumpBackInTimeStartsAgain) {
   EXPECT_NEAR(scene.object(id).mean_velocity.linear.x(), 1.0, kRounding);
 }
 
-TEST(ObjectMotion, RotationBetweenUndoesTheTurn) {
+TEST(ObjectMotion, RotationBetweenRecoversRotation) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const Matrix3d R = testing::randomPose(seed).linear(), S = testing::randomPose(seed + 10000).linear();
     const Vector3d v = rotationBetween(R, S);
@@ -292,7 +292,7 @@ TEST(ObjectMotion, RotationBetweenUndoesTheTurn) {
   EXPECT_NEAR(rotationBetween(Matrix3d::Identity(), tiny).z(), 1e-9, 1e-20);
 }
 
-TEST(Snapshot, HoldsWhatTheSceneHolds) {
+TEST(Snapshot, MatchesScene) {
   Scene scene = crowd(4);
   view::SceneSnapshot s;
   s.step = 17;

@@ -8,7 +8,7 @@
 namespace abstand::shell {
 namespace half_space_overlap_test {
 
-TEST(HalfSpaceOverlap, AnEllipsoidsCapIsThatOfItsTriangles) {
+TEST(HalfSpaceOverlap, EllipsoidCapMatchesMesh) {
   // Triangles within a sagitta s of the surface take away a shell of s at most: of a cap of the height h,
   // about s / h of its volume, 2 s / h with the rim.
   constexpr double kSagitta = 1e-5;
@@ -36,7 +36,7 @@ TEST(HalfSpaceOverlap, AnEllipsoidsCapIsThatOfItsTriangles) {
   }
 }
 
-TEST(HalfSpaceOverlap, ABoxesIsItsSlabAndASheetsIsNone) {
+TEST(HalfSpaceOverlap, BoxHasSlabVolumeAndSheetHasNone) {
   const auto box = geometry::makeSurface(geometry::Cuboid{{0.2, 0.4, 0.6}});
   const auto overlap = halfSpaceOverlap(*box, 1e-3);
   const double level = -0.3 + 0.05;

@@ -39,7 +39,7 @@ void expectContains(const geometry::EnclosingSphere& sphere, const std::vector<V
   for (const Vector3d& p : points) ASSERT_LE((p - sphere.centre).norm(), sphere.radius);
 }
 
-TEST(MinimalSphere, ClosedForms) {
+TEST(MinimalSphere, MatchesClosedForms) {
   struct Case {
     const char* name;
     std::vector<Vector3d> points;
@@ -87,7 +87,7 @@ TEST(MinimalSphere, IsMinimalForSmallRandomSets) {
   }
 }
 
-TEST(MinimalSphere, HoldsForCosphericalAndFlatSets) {
+TEST(MinimalSphere, HandlesCosphericalAndFlatSets) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     std::vector<Vector3d> sphere_points, plane_points;
     for (std::uint64_t i = 0; i < 50; ++i) {
@@ -105,9 +105,9 @@ TEST(MinimalSphere, HoldsForCosphericalAndFlatSets) {
   }
 }
 
-class Tree : public ::testing::TestWithParam<double> {};
+class PointSphereTreeSpacing : public ::testing::TestWithParam<double> {};
 
-TEST_P(Tree, HoldsEveryPointOnceInsideItsSpheres) {
+TEST_P(PointSphereTreeSpacing, ContainsEveryPointOnceInsideSpheres) {
   const Pointshell shell =
       makePointshell(*geometry::makeSurface(geometry::Cuboid{{0.2, 0.1, 0.05}}), GetParam());
   const PointSphereTree tree = makeTree(shell);
@@ -178,9 +178,9 @@ TEST_P(Tree, HoldsEveryPointOnceInsideItsSpheres) {
   EXPECT_LE(tree.x.size(), shell.size() + PointSphereTree::kLane);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spacings, Tree, ::testing::Values(0.002, 0.005, 0.01, 0.03, 0.2));
+INSTANTIATE_TEST_SUITE_P(Spacings, PointSphereTreeSpacing, ::testing::Values(0.002, 0.005, 0.01, 0.03, 0.2));
 
-TEST(PointSphereTree, SmallShells) {
+TEST(PointSphereTree, HandlesSmallShells) {
   EXPECT_TRUE(makeTree(Pointshell{}).nodes.empty());
   for (std::size_t count : {1u, 8u, 16u, 17u, 128u, 129u, 1025u}) {
     Pointshell shell;

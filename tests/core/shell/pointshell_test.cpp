@@ -47,13 +47,13 @@ double totalArea(const Pointshell& shell) {
   return sum;
 }
 
-TEST(Pointshell, ThesisSphereHasAboutAsManyPoints) {
+TEST(Pointshell, ThesisSphereHasExpectedPointCount) {
   const Pointshell shell = makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), kSpacing);
   EXPECT_GE(shell.size(), 1000u);
   EXPECT_LE(shell.size(), 1200u);
 }
 
-TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
+TEST(Pointshell, AreasSumToSurfaceAndNormalsPointInwards) {
   for (const Body& body : bodies()) {
     SCOPED_TRACE(body.name);
     const auto surface = geometry::makeSurface(body.shape);
@@ -76,7 +76,7 @@ TEST(Pointshell, AreasSumToTheSurfaceAndNormalsPointInwards) {
   }
 }
 
-TEST(Pointshell, EachFaceOfACuboidKeepsItsArea) {
+TEST(Pointshell, CuboidFacesKeepTheirAreas) {
   const Vector3d size(0.2, 0.15, 0.1);
   const Pointshell shell = makePointshell(*geometry::makeSurface(geometry::Cuboid{size}), kSpacing);
   for (int axis = 0; axis < 3; ++axis) {
@@ -113,7 +113,7 @@ TEST(Pointshell, CoveringRadiusHoldsEverywhereAndIsTight) {
   }
 }
 
-TEST(Pointshell, EveryPrefixIsACoarserShell) {
+TEST(Pointshell, EveryPrefixIsCoarserShell) {
   const auto surface = geometry::makeSurface(geometry::Ellipsoid{{0.06, 0.09, 0.12}});
   const Pointshell shell = makePointshell(*surface, kSpacing);
   for (std::size_t m = 32; m <= shell.size(); m *= 2) {
@@ -130,7 +130,7 @@ TEST(Pointshell, EveryPrefixIsACoarserShell) {
   }
 }
 
-TEST(Pointshell, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
+TEST(Pointshell, IsDeterministicForAnyThreadCount) {
   const auto surface = geometry::makeSurface(geometry::Cylinder{0.05, 0.12});
   const Pointshell one = makePointshell(*surface, kSpacing, 1);
   for (const int threads : {1, 2, 3, 7}) {
@@ -142,7 +142,7 @@ TEST(Pointshell, IsTheSameOnEveryRunAndForAnyNumberOfThreads) {
   }
 }
 
-TEST(Pointshell, RefusesWhatItCannotSample) {
+TEST(Pointshell, RejectsUnsuitableInput) {
   EXPECT_THROW(makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), 0.0), UsageError);
   EXPECT_THROW(makePointshell(*geometry::makeSurface(geometry::Sphere{0.05}), kNaN), UsageError);
   const geometry::TriangleMesh flat{{Vector3d::Zero(), Vector3d::UnitX(), 2.0 * Vector3d::UnitX()},
@@ -197,7 +197,7 @@ void pressIntoWall(const geometry::TriangleMesh& exact, const Pointshell& shell)
   }
 }
 
-TEST(Pointshell, PressingAnyShapeIntoAWallGivesTheOverlap) {
+TEST(Pointshell, ShapesPressedIntoWallGiveOverlapVolume) {
   for (const Body& body : bodies()) {
     if (body.name == "plate") continue;
     SCOPED_TRACE(body.name);
@@ -206,7 +206,7 @@ TEST(Pointshell, PressingAnyShapeIntoAWallGivesTheOverlap) {
   }
 }
 
-TEST(Pointshell, PressingTheBunnyIntoAWallGivesTheOverlap) {
+TEST(Pointshell, BunnyPressedIntoWallGivesOverlapVolume) {
   const auto file = testing::sharedData("meshes/bunny.off");
   if (!exists(file)) GTEST_SKIP() << file;
   const geometry::TriangleMesh mesh = testing::readOff(file, 0.2);

@@ -49,7 +49,7 @@ geometry::TriangleMesh fin() {
                {{0, 6, 7}, {0, 1, 6}, {1, 3, 6}, {1, 2, 3}, {3, 4, 5}, {3, 5, 6}}, 0.1);
 }
 
-TEST(BuildReport, OfASlotThatAHullCloses) {
+TEST(BuildReport, ReportsSlotClosedByHull) {
   const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(fork());
   ASSERT_TRUE(surface->watertight());
   const BuildReport r = reportOf(surface);
@@ -65,7 +65,7 @@ TEST(BuildReport, OfASlotThatAHullCloses) {
   EXPECT_GE(r.hull->where.y(), 0.04 - kRounding);
 }
 
-TEST(BuildReport, OfAFinThatVoxelsHardlySee) {
+TEST(BuildReport, ReportsFinThinnerThanVoxels) {
   const std::shared_ptr<const geometry::Surface> surface = geometry::makeSurface(fin());
   ASSERT_TRUE(surface->watertight());
   const BuildReport r = reportOf(surface);
@@ -81,7 +81,7 @@ TEST(BuildReport, OfAFinThatVoxelsHardlySee) {
       0.0);
 }
 
-TEST(BuildReport, OfShapes) {
+TEST(BuildReport, ReportsShapes) {
   const BuildReport ball = reportOf(geometry::makeSurface(geometry::Sphere{0.05}));
   EXPECT_EQ(ball.thin_walls.share, 0.0);
   ASSERT_TRUE(ball.hull);
@@ -93,7 +93,7 @@ TEST(BuildReport, OfShapes) {
   EXPECT_NEAR(sheet.thin_walls.share, faces / (faces + rim), 0.02);
 }
 
-TEST(BuildReport, OfAnOpenMesh) {
+TEST(BuildReport, ReportsOpenMesh) {
   geometry::TriangleMesh mesh = fork();
   mesh.triangles.pop_back();
   const BuildReport r = reportOf(geometry::makeSurface(mesh));
@@ -113,7 +113,7 @@ TEST(BuildReport, OfAnOpenMesh) {
   EXPECT_TRUE(cut.inside_doubtful);
 }
 
-TEST(BuildReport, OfAFlatMesh) {
+TEST(BuildReport, ReportsFlatMesh) {
   geometry::TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0, 0.1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
@@ -123,7 +123,7 @@ TEST(BuildReport, OfAFlatMesh) {
   EXPECT_FALSE(r.hull);
 }
 
-TEST(ConvexHull, OfABox) {
+TEST(ConvexHull, BoxMatchesClosedForm) {
   std::vector<Vector3d> points;
   for (int i = 0; i < 8; ++i) points.emplace_back(i & 1 ? 3 : 1, i & 2 ? 2 : 0, i & 4 ? 5 : 0);
   for (int i = 0; i < 100; ++i)
@@ -137,7 +137,7 @@ TEST(ConvexHull, OfABox) {
 }
 
 // Every point is inside, and every plane is held by three of them.
-TEST(ConvexHull, OfRandomPoints) {
+TEST(ConvexHull, EnclosesRandomPoints) {
   std::vector<Vector3d> points;
   for (int i = 0; i < 500; ++i) points.push_back(testing::randomPose(i, 1.0).translation());
   const auto hull = geometry::convexHull(points);
@@ -152,7 +152,7 @@ TEST(ConvexHull, OfRandomPoints) {
   }
 }
 
-TEST(ConvexHull, OfNoVolume) {
+TEST(ConvexHull, IsEmptyForFlatInput) {
   EXPECT_FALSE(geometry::convexHull({}));
   EXPECT_FALSE(geometry::convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   EXPECT_FALSE(geometry::convexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.2, 0}}));

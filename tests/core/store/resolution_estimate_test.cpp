@@ -20,7 +20,7 @@ struct Case {
   structure::HapticOptions options;
 };
 
-TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
+TEST(ResolutionProbe, PredictionMatchesBuild) {
   const auto mesh = [](const char* file) -> std::shared_ptr<const geometry::Surface> {
     return geometry::makeSurface(mesh_file::loadMesh(testing::projectFile(file)).mesh);
   };
@@ -66,7 +66,7 @@ TEST(ResolutionProbe, PredictsWhatIsThenBuilt) {
   }
 }
 
-TEST(ResolutionProbe, FinerCostsMoreAndErrsLess) {
+TEST(ResolutionProbe, FinerResolutionCostsMoreAndErrsLess) {
   ResolutionProbe probe(geometry::makeSurface(geometry::Capsule{0.05, 0.3}));
   ResolutionEstimate last;
   for (const double pitch : {0.005, 0.004, 0.002, 0.001}) {
@@ -82,7 +82,7 @@ TEST(ResolutionProbe, FinerCostsMoreAndErrsLess) {
   }
 }
 
-TEST(ResolutionProbe, SaysWhatWouldBeRefused) {
+TEST(ResolutionProbe, ReportsRejectedResolutions) {
   const std::shared_ptr<const geometry::Surface> hall =
       geometry::makeSurface(geometry::Cuboid{{10.0, 10.0, 4.0}});
   ResolutionProbe probe(hall);

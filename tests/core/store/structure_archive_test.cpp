@@ -71,7 +71,7 @@ std::string bytesOf(Everything e) {
   return out.str();
 }
 
-TEST(Archive, GivesBackWhatWasWritten) {
+TEST(StructureArchive, RoundTrips) {
   const Everything e = something();
   const std::string bytes = bytesOf(e);
   std::istringstream in(bytes);
@@ -95,14 +95,14 @@ TEST(Archive, GivesBackWhatWasWritten) {
   EXPECT_EQ(back.slots, e.slots);
 }
 
-TEST(Archive, CountsWithoutAStreamWhatItWouldWrite) {
+TEST(StructureArchive, CountsSizeWithoutStream) {
   Everything e = something();
   ArchiveWriter counter(nullptr);
   counter(e);
   EXPECT_EQ(counter.size(), bytesOf(e).size());
 }
 
-TEST(Archive, ChecksumsOfBothSidesAgreeAndDependOnEveryByte) {
+TEST(StructureArchive, ChecksumsAgreeAndDependOnEveryByte) {
   Everything e = something();
   std::ostringstream out;
   ArchiveWriter writer(&out);
@@ -119,7 +119,7 @@ TEST(Archive, ChecksumsOfBothSidesAgreeAndDependOnEveryByte) {
   }
 }
 
-TEST(Archive, RefusesToReadBeyondItsEnd) {
+TEST(StructureArchive, RejectsReadingBeyondEnd) {
   const std::string bytes = bytesOf(something());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     std::istringstream in(bytes);
@@ -134,7 +134,7 @@ TEST(Archive, RefusesToReadBeyondItsEnd) {
 }
 
 // A count that the rest of the file cannot hold must not be allocated.
-TEST(Archive, RefusesCountsThatCannotBe) {
+TEST(StructureArchive, RejectsImpossibleCounts) {
   for (const std::uint64_t count : {std::uint64_t{3}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
     std::string bytes(reinterpret_cast<const char*>(&count), sizeof count);
     bytes += std::string(2 * sizeof(double), 'x');

@@ -59,7 +59,7 @@ struct Kept {
   }
 };
 
-TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
+TEST(StructureCache, IsBitIdenticalForEveryFieldKind) {
   ScratchFolder folder;
   StructureCache cache(folder.path());
   const std::shared_ptr<const geometry::Surface> body = geometry::makeSurface(bodyMesh());
@@ -94,7 +94,7 @@ TEST(StructureCache, GivesTheSameBitsForEveryKindOfField) {
   EXPECT_TRUE(cache.takeWarnings().empty());
 }
 
-TEST(StructureCache, KnowsThePiecesOfABody) {
+TEST(StructureCache, KeepsPiecesOfBody) {
   ScratchFolder folder;
   StructureCache cache(folder.path());
   // Two balls as one body. One of them lies within another body, away from its points.
@@ -111,7 +111,7 @@ TEST(StructureCache, KnowsThePiecesOfABody) {
   EXPECT_EQ(found.structure->pieces, built.structure->pieces);
 }
 
-TEST(StructureCache, GivesTheSameSurface) {
+TEST(StructureCache, RestoresSameSurface) {
   ScratchFolder folder;
   StructureCache cache(folder.path());
   const geometry::TriangleMesh mesh = bodyMesh();
@@ -134,7 +134,7 @@ TEST(StructureCache, GivesTheSameSurface) {
   EXPECT_TRUE(cache.takeWarnings().empty());
 }
 
-TEST(StructureCache, NoticesAFlippedBitAnywhere) {
+TEST(StructureCache, DetectsAnyFlippedBit) {
   Kept k;
   const std::string good = readFile(k.file);
   ASSERT_TRUE(k.find());
@@ -157,7 +157,7 @@ TEST(StructureCache, NoticesAFlippedBitAnywhere) {
   EXPECT_TRUE(k.cache.takeWarnings().empty());
 }
 
-TEST(StructureCache, NoticesFilesThatAreShortOrLongOrOthers) {
+TEST(StructureCache, DetectsTruncatedExtendedAndForeignFiles) {
   Kept k;
   const std::string good = readFile(k.file);
   std::vector<std::string> bad{good + "x", "something else", std::string(1000, '\0')};
@@ -178,7 +178,7 @@ TEST(StructureCache, NoticesFilesThatAreShortOrLongOrOthers) {
   EXPECT_TRUE(k.cache.takeWarnings().empty()) << "a file that is not there is nothing to warn of";
 }
 
-TEST(StructureCache, AFileOfAnotherVersionSaysSo) {
+TEST(StructureCache, ReportsOtherVersion) {
   Kept k;
   std::string bytes = readFile(k.file);
   bytes[8] = static_cast<char>(bytes[8] + 1);  // format, after the magic
@@ -187,7 +187,7 @@ TEST(StructureCache, AFileOfAnotherVersionSaysSo) {
   EXPECT_NE(k.cache.takeWarnings().at(0).find("another version"), std::string::npos);
 }
 
-TEST(StructureCache, KeysTellEverythingApart) {
+TEST(StructureCache, KeysAreDistinct) {
   geometry::TriangleMesh mesh = bodyMesh();
   std::vector<ContentKey> keys;
   const auto add = [&](const geometry::Shape& shape, const structure::HapticOptions& o) {
@@ -251,7 +251,7 @@ TEST(StructureCache, IsSharedByProcesses) {
   EXPECT_EQ(filesIn(k.folder.path()), 1u) << "nothing half written is left";
 }
 
-TEST(StructureCache, DropsWhatWasNotUsedForLongest) {
+TEST(StructureCache, EvictsLeastRecentlyUsed) {
   ScratchFolder folder;
   Kept k;
   const std::uintmax_t one = fs::file_size(k.file);
@@ -273,7 +273,7 @@ TEST(StructureCache, DropsWhatWasNotUsedForLongest) {
   EXPECT_TRUE(exists(folder.path() / "a stranger"));
 }
 
-TEST(StructureCache, SweepsUpAfterKilledProcesses) {
+TEST(StructureCache, RemovesPartialFilesOfKilledProcesses) {
   Kept k;
   const fs::path old = k.file.string() + ".part1234.0", fresh = k.file.string() + ".part1235.0";
   spit(old, "half");
@@ -284,7 +284,7 @@ TEST(StructureCache, SweepsUpAfterKilledProcesses) {
   EXPECT_TRUE(exists(fresh)) << "somebody may be writing it";
 }
 
-TEST(StructureCache, AFolderThatCannotBeIsOnlyWarnedOf) {
+TEST(StructureCache, UnusableFolderIsOnlyAWarning) {
   ScratchFolder folder;
   StructureCache cache(folder.write("file", "in the way") / "cache");
   const MadeStructure made = makeHapticStructure(cache, "ball", ball(), kCoarse, 1);
@@ -293,14 +293,14 @@ TEST(StructureCache, AFolderThatCannotBeIsOnlyWarnedOf) {
   EXPECT_EQ(cache.takeWarnings().size(), 1u);
 }
 
-TEST(StructureCache, OffKeepsNothing) {
+TEST(StructureCache, StoresNothingWhenOff) {
   StructureCache cache({});
   EXPECT_FALSE(cache.on());
   for (int i = 0; i < 2; ++i) EXPECT_FALSE(makeHapticStructure(cache, "ball", ball(), kCoarse, 1).cached);
   EXPECT_TRUE(cache.takeWarnings().empty());
 }
 
-TEST(StructureCache, TheUsersFolder) {
+TEST(StructureCache, UsesCacheFolderOfUser) {
   const auto with = [](const char* own, const char* xdg, const char* home) {
     const auto set = [](const char* name, const char* value) {
       value != nullptr ? ::setenv(name, value, 1) : ::unsetenv(name);
@@ -319,7 +319,7 @@ TEST(StructureCache, TheUsersFolder) {
   ::setenv("ABSTAND_CACHE", "off", 1);
 }
 
-TEST(BuildMonitor, HearsOfAllTheWorkOnce) {
+TEST(BuildMonitor, ReportsAllWorkOnce) {
   for (const int threads : {1, 3}) {
     std::vector<double> heard;
     std::vector<std::string> phases;
@@ -338,7 +338,7 @@ TEST(BuildMonitor, HearsOfAllTheWorkOnce) {
   }
 }
 
-TEST(BuildMonitor, EndsABuildAnywhereAndNothingIsLeft) {
+TEST(BuildMonitor, CancelsBuildAnywhereLeavingNothing) {
   std::shared_ptr<const geometry::Surface> body{geometry::makeSurface(bodyMesh())};
   std::atomic<int> asked{0};
   structure::BuildMonitor monitor;

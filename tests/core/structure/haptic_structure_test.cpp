@@ -45,7 +45,7 @@ std::shared_ptr<const geometry::Surface> body() {
   return geometry::makeSurface(geometry::tessellate(geometry::Capsule{0.04, 0.08}, 2e-4));
 }
 
-TEST(HapticStructure, IsTheSameForAnyNumberOfThreads) {
+TEST(HapticStructure, IsIdenticalForAnyThreadCount) {
   for (const FieldKind kind : kKinds) {
     const HapticOptions options{.voxel_size = 0.008, .point_spacing = 0.01, .outer_layers = 6, .field = kind};
     const std::uint64_t one = hash(*buildHapticStructure("body", body(), options, 1));
@@ -54,7 +54,7 @@ TEST(HapticStructure, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(HapticStructure, KeepsWhatItsKindNeedsAndCountsTheSameVoxels) {
+TEST(HapticStructure, KeepsDataOfItsFieldKind) {
   const HapticOptions options{.voxel_size = 0.008, .point_spacing = 0.01, .outer_layers = 6};
   const field::Voxelmap map(*body(), options.voxel_size, options.outer_layers, 1);
   std::size_t bytes[3];
@@ -77,7 +77,7 @@ TEST(HapticStructure, KeepsWhatItsKindNeedsAndCountsTheSameVoxels) {
   EXPECT_LT(bytes[static_cast<int>(FieldKind::kMixed)], bytes[static_cast<int>(FieldKind::kFloat)]);
 }
 
-TEST(HapticStructure, TheSphereHoldsTheWholeSurface) {
+TEST(HapticStructure, BoundingSphereEnclosesSurface) {
   std::vector<std::shared_ptr<const geometry::Surface>> surfaces{body()};
   for (const geometry::Shape& shape : testing::someShapes()) surfaces.push_back(geometry::makeSurface(shape));
   for (const auto& surface : surfaces) {
@@ -94,7 +94,7 @@ TEST(HapticStructure, TheSphereHoldsTheWholeSurface) {
   }
 }
 
-TEST(HapticStructure, TheThesissSphere) {
+TEST(HapticStructure, ThesisSphereMatches) {
   const auto s = buildHapticStructure("ball", geometry::makeSurface(geometry::Sphere{0.05}),
                                       {.field = FieldKind::kLayered}, 2);
   EXPECT_EQ(s->grid.cells(), 226'981u);
@@ -104,7 +104,7 @@ TEST(HapticStructure, TheThesissSphere) {
   EXPECT_NEAR(s->bounding_sphere.radius, 0.05, 1e-15);
 }
 
-TEST(HapticStructure, RefusesOptionsOutOfRange) {
+TEST(HapticStructure, RejectsOutOfRangeOptions) {
   const auto surface = body();
   for (const HapticOptions& bad :
        {HapticOptions{.voxel_size = 0.0}, HapticOptions{.voxel_size = kNaN},
@@ -115,12 +115,12 @@ TEST(HapticStructure, RefusesOptionsOutOfRange) {
   }
 }
 
-TEST(FieldKind, NamesAreReadBack) {
+TEST(FieldKind, NamesRoundTrip) {
   for (const FieldKind kind : kKinds) EXPECT_EQ(parseFieldKind(fieldName(kind)), kind);
   EXPECT_EQ(parseFieldKind("flt"), std::nullopt);
 }
 
-TEST(HapticStructure, OfRealMeshesThatAreNotSound) {
+TEST(HapticStructure, HandlesUnsoundMeshes) {
   for (const char* name :
        {"not_convex.obj", "halftunnel.off", "featuretype.STL", "multibody.stl", "2triangles.off"}) {
     const auto file = testing::sharedData(std::string("meshes/") + name);

@@ -65,7 +65,7 @@ struct Elbow {
                                 {ball(), 0, 2, Transform::Identity()}};
 };
 
-TEST(PairStudy, TheSearchFindsTheSmallestDistance) {
+TEST(PairStudy, SearchFindsMinDistance) {
   const Elbow e(2.0);
   const auto pairs = studyPairs(e.mechanisms, e.bodies, {{0, 1}}, options(50, 4));
   ASSERT_EQ(pairs.size(), 1u);
@@ -77,7 +77,7 @@ TEST(PairStudy, TheSearchFindsTheSmallestDistance) {
   EXPECT_EQ(pairs[0].dofs, (std::vector<int>{0, 1}));  // the ball at the foot turns with nothing
 }
 
-TEST(PairStudy, AClearanceCountsAsACollision) {
+TEST(PairStudy, ClearanceCountsAsCollision) {
   const Elbow e(2.0);
   auto o = options(50, 4);
   o.clearance = 0.8 * std::cos(1.0) - 2 * kRadius + 0.01;
@@ -85,7 +85,7 @@ TEST(PairStudy, AClearanceCountsAsACollision) {
   EXPECT_EQ(pairs[0].verdict, PairVerdict::kSometimes);
 }
 
-TEST(PairStudy, SometimesIsFoundBySamplesAndSamplingEnds) {
+TEST(PairStudy, SamplingStopsOnceCollisionIsFound) {
   const Elbow e(kPi);
   const auto pairs = studyPairs(e.mechanisms, e.bodies, {{0, 1}}, options(100000, 4));
   EXPECT_EQ(pairs[0].verdict, PairVerdict::kSometimes);
@@ -95,7 +95,7 @@ TEST(PairStudy, SometimesIsFoundBySamplesAndSamplingEnds) {
   EXPECT_LT(pairs[0].distance, 0.0);
 }
 
-TEST(PairStudy, AlwaysIsAnOverlapInEveryPosture) {
+TEST(PairStudy, OverlapInEveryPostureIsAlways) {
   const mechanism::Mechanism m = arm({kZ}, 1.0);
   const std::vector<StudyMechanism> mechanisms{{&m, Transform::Identity()}};
   const std::vector<StudyBody> bodies{{ball(), 0, -1, Transform::Identity()},
@@ -105,7 +105,7 @@ TEST(PairStudy, AlwaysIsAnOverlapInEveryPosture) {
   EXPECT_EQ(pairs[0].hits, 100);
 }
 
-TEST(PairStudy, WhatNothingMovesTakesOneLook) {
+TEST(PairStudy, StaticPairNeedsOneBlockOfSamples) {
   const mechanism::Mechanism m = arm({kZ}, 1.0);
   const std::vector<StudyMechanism> mechanisms{{&m, Transform::Identity()}};
   const std::vector<StudyBody> bodies{{ball(), 0, 0, Transform::Identity()},
@@ -125,7 +125,7 @@ struct Needle {
                                 {ball(0.03), -1, -1, Transform(Eigen::Translation3d(1.7, 0.4, -1.0))}};
 };
 
-TEST(PairStudy, TheSearchFindsWhatSamplesMiss) {
+TEST(PairStudy, SearchFindsWhatSamplesMiss) {
   const Needle n;
   const auto sampled = studyPairs(n.mechanisms, n.bodies, {{0, 1}}, options(300, 0));
   EXPECT_EQ(sampled[0].verdict, PairVerdict::kNever) << "the seed was chosen so that samples alone are wrong";
@@ -164,7 +164,7 @@ TEST(PairStudy, ThreadsDoNotChangeTheResult) {
   }
 }
 
-TEST(PairStudy, BadOptionsAreRefusedAndAnInterruptEndsIt) {
+TEST(PairStudy, RejectsBadOptions) {
   const Elbow e(2.0);
   EXPECT_THROW(studyPairs(e.mechanisms, e.bodies, {}, options(0, 1)), UsageError);
   EXPECT_THROW(studyPairs(e.mechanisms, e.bodies, {}, options(1, -1)), UsageError);
@@ -174,7 +174,7 @@ TEST(PairStudy, BadOptionsAreRefusedAndAnInterruptEndsIt) {
 }
 
 // What was found before an interrupt is told; what is not known then is neither never nor always.
-TEST(PairStudy, AnInterruptLeavesUndecidedWhatIsNotKnownYet) {
+TEST(PairStudy, InterruptLeavesPairsUndecided) {
   const Elbow e(2.0);
   auto o = options(100, 1);
   o.interrupted = [] { return true; };

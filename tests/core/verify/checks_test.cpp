@@ -11,9 +11,9 @@
 namespace abstand::verify {
 namespace checks_test {
 
-class Checks : public ::testing::TestWithParam<CheckFamily> {};
+class VerifyChecks : public ::testing::TestWithParam<CheckFamily> {};
 
-TEST_P(Checks, Pass) {
+TEST_P(VerifyChecks, Pass) {
   VerifyOptions options;
   options.poses = 6'000;
   options.quick = true;
@@ -27,7 +27,7 @@ TEST_P(Checks, Pass) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Checks, ::testing::ValuesIn(checkFamilies()), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Families, VerifyChecks, ::testing::ValuesIn(checkFamilies()), [](const auto& test) {
   std::string name(test.param.name);
   for (char& c : name)
     if (c == ' ') c = '_';
@@ -45,7 +45,7 @@ TEST(InterruptedChecks, DoNotPass) {
   }
 }
 
-TEST(AdversarialPoses, TheCycleAllocatesNothing) {
+TEST(AdversarialPoses, CycleAllocatesNothing) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   kernels::PairScratch scratch;
   query::PairResult result;
@@ -65,7 +65,7 @@ TEST(AdversarialPoses, TheCycleAllocatesNothing) {
   EXPECT_GT(touching, 500);
 }
 
-TEST(AdversarialPoses, AreTheSameForOneSeedAndOfEveryFamily) {
+TEST(AdversarialPoses, AreReproducibleAndOfEveryFamily) {
   const std::vector<AdversarialBody> bodies = adversarialBodies(0);
   std::array<int, kPoseFamilies> count{};
   for (std::uint64_t i = 0; i < 2'000; ++i) {

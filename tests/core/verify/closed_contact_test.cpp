@@ -11,7 +11,7 @@
 namespace abstand::verify {
 namespace closed_contact_test {
 
-TEST(ClosedContact, BallInBallIsItsIntegral) {
+TEST(ClosedContact, BallInBallMatchesIntegral) {
   constexpr double kSmall = 0.05, kLarge = 0.08;
   for (const double depth : {0.002, 0.02, 0.05}) {
     const double c = kSmall + kLarge - depth;
@@ -26,14 +26,14 @@ TEST(ClosedContact, BallInBallIsItsIntegral) {
   }
 }
 
-TEST(ClosedContact, AGreatBallIsAWall) {
+TEST(ClosedContact, LargeBallMatchesWall) {
   // The cap's volume, in the limit of a flat wall: the rim of the cap lies rim^2 / 2R lower.
   constexpr double kLarge = 20.0, kSmall = 0.05, kDepth = 0.01;
   const double force = ballInBallForce(kSmall, kLarge, kLarge + kSmall - kDepth);
   EXPECT_NEAR(force, capVolume(kSmall, kDepth), 0.01 * force);
 }
 
-TEST(ClosedContact, SubmergedVolumeAndCentroid) {
+TEST(ClosedContact, SubmergedVolumeAndCentroidMatchClosedForm) {
   const geometry::TriangleMesh box = boxMesh({2, 1, 1});
   const Submerged half = submerged(box, Transform::Identity());
   EXPECT_NEAR(half.volume, 1.0, 1e-12);
@@ -49,7 +49,7 @@ TEST(ClosedContact, SubmergedVolumeAndCentroid) {
               1e-3 * capVolume(0.05, 0.01));
 }
 
-TEST(ClosedContact, PinInHoleIsItsSum) {
+TEST(ClosedContact, PinInHoleMatchesSum) {
   constexpr double kPin = 0.02, kHole = 0.021, kOffset = 0.003, kLength = 0.03;
   constexpr int kParts = 1'000'000;
   double sum = 0.0;
@@ -61,12 +61,12 @@ TEST(ClosedContact, PinInHoleIsItsSum) {
   EXPECT_NEAR(pinInHoleForce(kPin, kHole, kOffset, kLength), sum, 1e-8 * sum);
 }
 
-TEST(Statistics, MeansAndSlopes) {
+TEST(Statistics, MeansAndSlopesMatchClosedForm) {
   EXPECT_NEAR(rms({3, 4}), std::sqrt(12.5), 1e-15);
   EXPECT_NEAR(logSlope({1, 2, 4}, {3, 12, 48}), 2.0, 1e-12);
 }
 
-TEST(Statistics, ACheckFailsBeyondItsLimitForNaNAndForNothing) {
+TEST(Statistics, CheckFailsBeyondLimitForNaNAndWithoutValues) {
   CheckResult r;
   judge(r, {0.5, 1.0}, 1.0);
   EXPECT_TRUE(r.passed);

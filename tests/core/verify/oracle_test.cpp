@@ -26,7 +26,7 @@ std::vector<Vector3d> sample(const Triangle& t, int steps, double& spacing) {
   return points;
 }
 
-TEST(BruteForce, TrianglesAreAsFarApartAsTheirNearestPoints) {
+TEST(BruteForce, TriangleDistanceMatchesSampling) {
   int cutting = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -53,7 +53,7 @@ TEST(BruteForce, TrianglesAreAsFarApartAsTheirNearestPoints) {
 }
 
 // Of edges in the other triangle's plane rounding says that they cross it, and where.
-TEST(BruteForce, TrianglesOfOnePlaneDoNotCutWhereTheyAreApart) {
+TEST(BruteForce, CoplanarTrianglesApartDoNotIntersect) {
   constexpr double kGap = 0.002, kRounding = 1e-14;
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
     SCOPED_TRACE(seed);
@@ -67,7 +67,7 @@ TEST(BruteForce, TrianglesOfOnePlaneDoNotCutWhereTheyAreApart) {
   }
 }
 
-TEST(BruteForce, PointsAndTriangles) {
+TEST(BruteForce, PointTriangleDistanceMatchesSampling) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     Random random(8, seed);
@@ -84,7 +84,7 @@ TEST(BruteForce, PointsAndTriangles) {
   }
 }
 
-TEST(BruteForce, SegmentsCrossingParallelAndDegenerate) {
+TEST(BruteForce, SegmentDistanceHandlesParallelAndDegenerate) {
   const Vector3d o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
   EXPECT_NEAR(distanceSegments(o - x, x, Vector3d(0, -1, 0.25), Vector3d(0, 1, 0.25)), 0.25, kExact);
   EXPECT_NEAR(distanceSegments(o, x, y, x + y), 1.0, kExact);          // parallel, beside each other
@@ -94,7 +94,7 @@ TEST(BruteForce, SegmentsCrossingParallelAndDegenerate) {
   EXPECT_NEAR(distanceSegments(o, x, Vector3d(2, 1, 0), Vector3d(2, -1, 0)), 1.0, kExact);
 }
 
-TEST(BruteForce, WindingNumberTellsInsideFromOutsideWhateverTheShape) {
+TEST(BruteForce, WindingNumberSeparatesInsideFromOutside) {
   const TriangleSoup star(starMesh(0.3, 0.8));
   const TriangleSoup ring(torusMesh(0.6, 0.15, 12, 8));
   EXPECT_TRUE(star.inside(Vector3d(0.1, 0.05, 0.0)));
@@ -105,7 +105,7 @@ TEST(BruteForce, WindingNumberTellsInsideFromOutsideWhateverTheShape) {
   EXPECT_NEAR(ring.windingNumber(Vector3d(0.0, 0.0, 2.0)), 0.0, kExact);
 }
 
-TEST(BruteForce, MeshesKnowTheirPiecesAndDistances) {
+TEST(BruteForce, MeshesHavePiecesAndDistances) {
   const TriangleSoup two(together(boxMesh({1, 1, 1}), boxMesh({1, 1, 1}, {3, 0, 0})));
   EXPECT_EQ(two.probes().size(), 2u);
   const TriangleSoup box(boxMesh({0.5, 0.5, 0.5}, {1.5, 0, 0}));
@@ -115,7 +115,7 @@ TEST(BruteForce, MeshesKnowTheirPiecesAndDistances) {
   EXPECT_EQ(two.distanceTo(two), 0.0);
 }
 
-TEST(Penetration, OfABoxPressedIntoABox) {
+TEST(Penetration, BoxInBoxMatchesDepth) {
   const TriangleSoup wall(boxMesh({4, 4, 2}));
   Transform X = Transform::Identity();
   for (const double depth : {0.05, 0.3}) {
@@ -128,7 +128,7 @@ TEST(Penetration, OfABoxPressedIntoABox) {
   }
 }
 
-TEST(Penetration, OfACornerIsEnclosed) {
+TEST(Penetration, CornerDepthIsEnclosed) {
   // A cube on its corner: the tip alone is deep.
   const TriangleSoup wall(boxMesh({4, 4, 2}));
   Transform X = fromXyzRpy({0.1, 0.2, 0}, {kPi / 4, std::atan(std::sqrt(0.5)), 0.3});
@@ -139,7 +139,7 @@ TEST(Penetration, OfACornerIsEnclosed) {
   EXPECT_LE(p.upper - p.lower, 0.001);
 }
 
-TEST(Penetration, IsNegativeWhereNothingIsInside) {
+TEST(Penetration, IsNegativeWithoutOverlap) {
   const TriangleSoup a(boxMesh({1, 1, 1})), b(boxMesh({1, 1, 1}, {3, 0, 0}));
   EXPECT_LT(penetration(a, b, 0.01, 1000).upper, 0.0);
 }

@@ -149,7 +149,7 @@ std::string asBvh(const std::filesystem::path& asf, const std::filesystem::path&
   return out.str();
 }
 
-TEST(AcclaimAsBvh, TheSameCaptureGivesTheSamePerson) {
+TEST(AcclaimAsBvh, SameCaptureGivesSamePerson) {
   const auto asf = testing::sharedData("mocap/asfamc/11.asf"),
              amc = testing::sharedData("mocap/asfamc/11_01.amc");
   if (!std::filesystem::exists(amc)) GTEST_SKIP() << amc;

@@ -39,7 +39,7 @@ std::vector<PointFrame> framesOf(PointReader& reader) {
   return frames;
 }
 
-TEST(Acclaim, BonesTurnInTheirOwnAxes) {
+TEST(Acclaim, BonesRotateInTheirOwnAxes) {
   ASSERT_TRUE(looksLikeAsf(kArm));
   ASSERT_TRUE(looksLikeAmc(kMotion));
   EXPECT_FALSE(looksLikeAmc(kArm));
@@ -56,7 +56,7 @@ TEST(Acclaim, BonesTurnInTheirOwnAxes) {
   EXPECT_DOUBLE_EQ(frames[1].t, 1.0 / 120.0);
 }
 
-TEST(Acclaim, OrderOfTurnsIsAboutFixedAxes) {
+TEST(Acclaim, RotationOrderUsesFixedAxes) {
   const Vector3d quarter(0.5 * kPi, 0.5 * kPi, 0.0);
   EXPECT_LT((fixedAxesRotation(quarter, "xyz") * Vector3d::UnitY() - Vector3d::UnitX()).norm(), kRounding)
       << "y to z by the first turn, z to x by the second";
@@ -65,7 +65,7 @@ TEST(Acclaim, OrderOfTurnsIsAboutFixedAxes) {
 }
 
 // The same tree and the same angles as BVH, whose order Zrotation Yrotation Xrotation is R = Rz Ry Rx.
-TEST(Acclaim, AgreesWithBvhOfTheSameMotion) {
+TEST(Acclaim, MatchesBvhOfSameMotion) {
   std::string asf = kArm;
   asf.replace(asf.find("axis 0 0 90"), 11, "axis 0 0 0 ");
   asf.replace(asf.rfind("dof rx"), 6, "dof rx ry rz");
@@ -93,7 +93,7 @@ TEST(Acclaim, AgreesWithBvhOfTheSameMotion) {
       EXPECT_LT((of_a[i].p[k] - of_b[i].p[k]).norm(), 1e-10) << i << " " << k;
 }
 
-TEST(Acclaim, RefusesWithTheLine) {
+TEST(Acclaim, RejectsBadFilesWithLine) {
   struct Case {
     std::string asf, amc;
     const char* file;
@@ -108,8 +108,8 @@ TEST(Acclaim, RefusesWithTheLine) {
         Case{with(kArm, "dof rx ry rz", "dof rx ry rx"), kMotion, "a.asf", 21, "a second time"},
         Case{with(kArm, "dof rx ry rz", "dof tx"), kMotion, "a.asf", 21, "expected rx, ry or rz"},
         Case{with(kArm, "upper fore", "upper four"), kMotion, "a.asf", 36, "found 'four'"},
-        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 37, "do not hang on the root"},
-        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 37, "do not hang on the root"},
+        Case{with(kArm, "upper fore\n", "\n"), kMotion, "a.asf", 37, "not connected to the root"},
+        Case{with(kArm, "root upper", "upper upper"), kMotion, "a.asf", 37, "not connected to the root"},
         Case{with(kArm, "name fore", "name upper"), kMotion, "a.asf", 32, "a second time"},
         Case{kArm, with(kMotion, "upper 0 0 0", "upper 0 0"), "a.amc", 6,
              "found 2 numbers for 'upper', expected 3"},
@@ -130,17 +130,17 @@ TEST(Acclaim, RefusesWithTheLine) {
   }
 }
 
-TEST(Acclaim, LeavesOutACutFrame) {
+TEST(Acclaim, DropsTruncatedFrame) {
   for (const std::size_t cut : {2u, 8u, 20u, 31u}) {
     const std::string amc = kMotion.substr(0, kMotion.size() - cut);
     AcclaimPoints reader(kArm, "a.asf", amc, "a.amc");
     EXPECT_EQ(framesOf(reader).size(), 1u) << cut;
     ASSERT_EQ(reader.warnings().size(), 1u) << cut;
-    EXPECT_THAT(reader.warnings()[0].text, HasSubstr("the last frame is cut"));
+    EXPECT_THAT(reader.warnings()[0].text, HasSubstr("the last frame is truncated"));
   }
 }
 
-TEST(Acclaim, FindsTheSkeletonOfAMotion) {
+TEST(Acclaim, FindsSkeletonOfMotion) {
   const testing::ScratchFolder folder;
   const auto amc = folder.write("11_01.amc", kMotion);
   EXPECT_THROW(findAsf(amc, {}), ParseError);
@@ -152,7 +152,7 @@ TEST(Acclaim, FindsTheSkeletonOfAMotion) {
   EXPECT_EQ(findAsf(amc, other), other);
 }
 
-TEST(Acclaim, ReadsACmuCapture) {
+TEST(Acclaim, ReadsCmuCapture) {
   const auto amc = testing::sharedData("mocap/asfamc/11_01.amc");
   if (!std::filesystem::exists(amc)) GTEST_SKIP() << amc;
   const Recording r = openRecording(amc);
@@ -179,7 +179,7 @@ TEST(Acclaim, ReadsACmuCapture) {
 
 // CMU published the same captures as BVH; another person of the data base must have the same
 // measures, to 0.07 of the stature: each skeleton was fitted to its own markers.
-TEST(Acclaim, AgreesWithCmuBvh) {
+TEST(Acclaim, MatchesCmuBvh) {
   const auto amc = testing::sharedData("mocap/asfamc/11_01.amc"),
              bvh = testing::sharedData("mocap/bvh/cmu_12_01_walk_motionbuilder.bvh");
   if (!std::filesystem::exists(amc)) GTEST_SKIP() << amc;

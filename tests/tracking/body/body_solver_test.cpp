@@ -18,7 +18,7 @@ const BodyRig& rig() {
   return made;
 }
 
-TEST(BodyRig, FreedomsAreCountedOnce) {
+TEST(BodyRig, DofsAreCountedOnce) {
   int expected = 0;
   for (const RigPart& part : rig().parts) {
     EXPECT_EQ(part.column, expected);
@@ -27,7 +27,7 @@ TEST(BodyRig, FreedomsAreCountedOnce) {
   EXPECT_EQ(expected, kRigDof);
 }
 
-TEST(BodyRig, StandsAsTheModelDoes) {
+TEST(BodyRig, StandsLikeModel) {
   const humanmodel::HumanModel model = humanmodel::makeHuman({});
   RigPose pose;
   pose.X_WP.translation() = model.rest[humanmodel::Joint::kPelvis];
@@ -40,7 +40,7 @@ TEST(BodyRig, StandsAsTheModelDoes) {
         << humanmodel::jointName(static_cast<humanmodel::Joint>(j));
 }
 
-TEST(BodySolver, JacobianIsThatOfSmallChanges) {
+TEST(BodySolver, JacobianMatchesFiniteDifferences) {
   constexpr double kChange = 1e-6, kTolerance = 1e-5;  // m/rad; the second derivative times the change
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const RigPose pose = randomRigPose(rig(), seed, 1.0);
@@ -93,7 +93,7 @@ TEST(BodySolver, SumsByTreeEqualDenseSums) {
   EXPECT_LT((solver.information() - H).norm(), 1e-9 * H.norm());
 }
 
-TEST(BodySolver, DifferenceUndoesAdvance) {
+TEST(BodySolver, DifferenceInvertsAdvance) {
   const RigPose pose = randomRigPose(rig(), 3, 1.0);
   BodySolver::Vector d = BodySolver::Vector::Zero();
   for (int c = 0; c < kRigDof; ++c) d(c) = 0.02 * std::sin(c);

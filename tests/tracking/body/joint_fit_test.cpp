@@ -18,7 +18,7 @@ humanmodel::SkeletonFrame joints(const BodyRig& rig, const RigPose& pose) {
   return frame;
 }
 
-TEST(JointFit, FindsPosesAgain) {
+TEST(JointFit, RecoversPoses) {
   constexpr double kExact = 1e-4;  // m; the last of it comes slowly where a wish lies at a limit
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
@@ -29,7 +29,7 @@ TEST(JointFit, FindsPosesAgain) {
   }
 }
 
-TEST(JointFit, BonesOfAnotherAreMetAsFarAsTheyReach) {
+TEST(JointFit, OtherBoneLengthsAreFittedWithinReach) {
   humanmodel::HumanOptions tall;
   tall.height = 1.85;
   const BodyRig rig = makeRig(humanmodel::makeHuman({})), other = makeRig(humanmodel::makeHuman(tall));
@@ -41,7 +41,7 @@ TEST(JointFit, BonesOfAnotherAreMetAsFarAsTheyReach) {
   }
 }
 
-TEST(JointFit, MissingJointsLeaveTheRestExact) {
+TEST(JointFit, MissingJointsDoNotAffectOthers) {
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   const RigPose truth = randomRigPose(rig, 11, 0.6);
   humanmodel::SkeletonFrame frame = joints(rig, truth);

@@ -37,7 +37,7 @@ std::vector<Vector3d> positions(const std::string& root_channels, const std::str
   return pose.positions();
 }
 
-TEST(BvhPose, TurnsByTheFirstChannelOutermost) {
+TEST(BvhPose, FirstChannelRotatesOutermost) {
   struct Case {
     const char* what;
     const char *root, *child, *data;
@@ -87,9 +87,9 @@ void oraclePositions(const aiNode& node, const std::map<std::string, const aiNod
     oraclePositions(*node.mChildren[i], channels, key, X_WNode, out);
 }
 
-class AgainstAssimp : public ::testing::TestWithParam<const char*> {};
+class BvhAgainstAssimp : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(AgainstAssimp, SamePositions) {
+TEST_P(BvhAgainstAssimp, PositionsMatch) {
   const auto file = testing::debianBvh(GetParam());
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   Assimp::Importer importer;
@@ -125,7 +125,7 @@ TEST_P(AgainstAssimp, SamePositions) {
   EXPECT_GT(compared, 20u * 20u);  // at least 20 joints in 20 frames
 }
 
-INSTANTIATE_TEST_SUITE_P(Captures, AgainstAssimp, ::testing::Values("Boxing_Toes.bvh", "01_01.bvh"),
+INSTANTIATE_TEST_SUITE_P(Captures, BvhAgainstAssimp, ::testing::Values("Boxing_Toes.bvh", "01_01.bvh"),
                          [](const auto& i) { return std::string(i.param, 2) == "01" ? "Cmu" : "Boxing"; });
 
 }  // namespace bvh_pose_test

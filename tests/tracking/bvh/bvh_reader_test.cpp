@@ -39,7 +39,7 @@ Read readAll(const std::string& text) {
   return r;
 }
 
-TEST(BvhReader, ReadsWhatPeopleWrite) {
+TEST(BvhReader, ReadsCommonVariants) {
   const std::vector<double> first{1, 2, 3, 4, 5, 6, 7}, second{8, 9, 10, 11, 12, 13, 14};
   struct Case {
     const char* what;
@@ -69,7 +69,7 @@ TEST(BvhReader, ReadsWhatPeopleWrite) {
   }
 }
 
-TEST(BvhReader, ReadsTheTree) {
+TEST(BvhReader, ReadsJointTree) {
   BvhReader reader(
       "HIERARCHY\nROOT mixamorig:Hips \t\n{\nOFFSET 0 1e1 -.5\nCHANNELS 6 Zrotation Xrotation Yrotation "
       "Xposition "
@@ -104,15 +104,15 @@ TEST(BvhReader, KeepsWholeFramesAndWarns) {
   };
   const std::string frame = "1 2 3 4 5 6 7\n";
   const Case cases[] = {
-      {withData("3", frame + frame), 2, 14, "claims 3 frames, found 2 whole ones"},
-      {withData("1", frame + frame), 1, 14, "claims 1 frames, found 2 whole ones: those beyond"},
-      {withData("2", frame + "1 2 3\n"), 1, 17, "cut after 3 of 7"},
-      {withData("2", frame + "1 2 3 4 5 6 7e"), 1, 17, "cut after 6 of 7"},
-      {withData("3", frame + "1 2 3 4 5 6 7"), 1, 17, "cut after 7 of 7"},
+      {withData("3", frame + frame), 2, 14, "claims 3 frames, found 2 complete ones"},
+      {withData("1", frame + frame), 1, 14, "claims 1 frames, found 2 complete ones: frames beyond"},
+      {withData("2", frame + "1 2 3\n"), 1, 17, "truncated after 3 of 7"},
+      {withData("2", frame + "1 2 3 4 5 6 7e"), 1, 17, "truncated after 6 of 7"},
+      {withData("3", frame + "1 2 3 4 5 6 7"), 1, 17, "truncated after 7 of 7"},
       {withData("4000000000", frame), 1, 14, "claims 4000000000 frames"},
-      {withData("1", frame, "0"), 1, 15, "30 frames a second are assumed"},
-      {withData("1", frame, "-0.01"), 1, 15, "30 frames a second are assumed"},
-      {withData("1", frame, "5e-324"), 1, 15, "30 frames a second are assumed"},
+      {withData("1", frame, "0"), 1, 15, "30 frames per second are assumed"},
+      {withData("1", frame, "-0.01"), 1, 15, "30 frames per second are assumed"},
+      {withData("1", frame, "5e-324"), 1, 15, "30 frames per second are assumed"},
       {kTree.substr(0, kTree.size()) +
            "ROOT Other\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\nFrames: 1\nFrame "
            "Time: 0.01\n1 2 3 4 5 6 7 8\n",
@@ -126,7 +126,7 @@ TEST(BvhReader, KeepsWholeFramesAndWarns) {
   }
 }
 
-TEST(BvhReader, RefusesWithThePlace) {
+TEST(BvhReader, RejectsBadFilesWithPosition) {
   struct Case {
     std::string text;
     int line, column;  // 0: not told
@@ -160,7 +160,7 @@ TEST(BvhReader, RefusesWithThePlace) {
       {withData("2", frame + "1 2 3 nan 5 6 7\n"), 17, 7, "found 'nan'"},
       {withData("2", frame + "1 2 3 -inf 5 6 7\n"), 17, 7, "found '-inf'"},
       {withData("2", frame + "1 2 x 4 5 6 7\n"), 17, 5, "found 'x'"},
-      {withData("2", frame + "1,5 2 3 4 5 6 7\n"), 17, 1, "the decimal point"},
+      {withData("2", frame + "1,5 2 3 4 5 6 7\n"), 17, 1, "a decimal point"},
       {withData("2", frame + "1 2 3 4 5 6 0x7"), 17, 13, "found '0x7'"},
       {withData("2", frame + "1 2 3 4 5 6 1e300\n"), 17, 13, "expected a number below 1e9"},
       {withData("3", frame + "1 2 3 4 5 6\n" + frame), 17, 12, "found 6 numbers on the line, expected 7"},
@@ -180,7 +180,7 @@ TEST(BvhReader, RefusesWithThePlace) {
 }
 
 // Every beginning of a file either reads or throws ParseError; the corpus of the fuzzer too.
-TEST(BvhReader, NothingElseEscapes) {
+TEST(BvhReader, ThrowsOnlyParseErrors) {
   const std::string whole = withData("2", "1 2 3 4 5 6 7\n8 9 10 11 12 13 14\n");
   std::vector<std::string> texts;
   for (std::size_t n = 0; n <= whole.size(); ++n) texts.push_back(whole.substr(0, n));

@@ -34,7 +34,7 @@ std::filesystem::path pathOf(const std::string& name) {
   return name.starts_with("01_") ? testing::debianBvh(name) : testing::sharedData("mocap/bvh/" + name);
 }
 
-TEST(LostBones, CmuCapturesGetTheirThoraxAndWrists) {
+TEST(LostBones, CmuCapturesRegainThoraxAndWrists) {
   constexpr double kStature = 0.01, kBone = 0.003;  // m
   for (const Capture& c : kCaptures) {
     const auto file = pathOf(c.file);
@@ -46,7 +46,7 @@ TEST(LostBones, CmuCapturesGetTheirThoraxAndWrists) {
     EXPECT_NEAR(before.report.stature, c.before, kStature) << c.file;
     EXPECT_NEAR(after.report.stature, c.after, kStature) << c.file;
     ASSERT_EQ(after.report.repairs.size(), 3u) << c.file;
-    EXPECT_THAT(after.report.repairs[0], HasSubstr("the file lacks a bone behind '" + std::string(c.chest)));
+    EXPECT_THAT(after.report.repairs[0], HasSubstr("the file lacks a bone after '" + std::string(c.chest)));
     EXPECT_THAT(after.report.repairs[1], HasSubstr("the wrist"));
     EXPECT_THAT(after.report.notes, Contains(HasSubstr("--no-repair")));
     BvhPoints points(text, c.file, true);
@@ -60,7 +60,7 @@ TEST(LostBones, CmuCapturesGetTheirThoraxAndWrists) {
   }
 }
 
-TEST(LostBones, OtherFilesAreLeftAlone) {
+TEST(LostBones, OtherFilesStayUnchanged) {
   for (const char* name : {"blender_reactidle_003_genuine.bvh", "bvhio_example.bvh", "bvhtoolbox_walk01.bvh",
                            "fair1_wave_hello.bvh", "mocapbank_test.bvh", "rokoko_jesse_dance.bvh",
                            "xsens_names_pybvh_test2.bvh", "xzy_spine3_pybvh_test1.bvh"}) {
@@ -84,7 +84,7 @@ std::string shortened(double chest) {
   return bvh;
 }
 
-TEST(LostBones, OnlyAShortSpineLacksABone) {
+TEST(LostBones, OnlyShortSpineIsRepaired) {
   const Recording repaired = readBvhRecording(shortened(0.25), "t.bvh", {});
   ASSERT_THAT(repaired.report.repairs, ::testing::SizeIs(1));
   const Recording plain = readBvhRecording(shortened(0.25), "t.bvh", {.repair = false});
@@ -96,7 +96,7 @@ TEST(LostBones, OnlyAShortSpineLacksABone) {
   EXPECT_THAT(readBvhRecording(testing::bvhOf({}), "t.bvh", {}).report.repairs, IsEmpty());
 }
 
-TEST(LostBones, JointsWithPositionsOfTheirOwnAreLeftAlone) {
+TEST(LostBones, JointsWithPositionChannelsStayUnchanged) {
   BvhHierarchy h;
   const auto add = [&](int parent, const Vector3d& offset) {
     BvhJoint joint;
@@ -123,7 +123,7 @@ TEST(LostBones, JointsWithPositionsOfTheirOwnAreLeftAlone) {
   EXPECT_THAT(repairLostBones(moved), IsEmpty());
 }
 
-TEST(LostBones, EmptyAndFlatTreesAreLeftAlone) {
+TEST(LostBones, EmptyAndFlatTreesStayUnchanged) {
   BvhHierarchy none;
   EXPECT_THAT(repairLostBones(none), IsEmpty());
   none.joints.resize(50);

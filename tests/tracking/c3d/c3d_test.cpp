@@ -36,7 +36,7 @@ std::vector<PointFrame> framesOf(PointReader& reader) {
   return frames;
 }
 
-TEST(C3d, SixEncodingsReadTheSame) {
+TEST(C3d, SixEncodingsAgree) {
   for (const auto processor : {C3dProcessor::kIntel, C3dProcessor::kDec, C3dProcessor::kMips})
     for (const bool is_float : {false, true}) {
       SmallC3d c = small();
@@ -64,7 +64,7 @@ TEST(C3d, SixEncodingsReadTheSame) {
     }
 }
 
-TEST(C3d, LooksWhereTheHeaderPoints) {
+TEST(C3d, FollowsParameterPointerOfHeader) {
   SmallC3d c = small();
   c.parameter_block = 7;
   const std::string bytes = c3dOf(c);
@@ -73,7 +73,7 @@ TEST(C3d, LooksWhereTheHeaderPoints) {
   EXPECT_EQ(framesOf(reader)[1].p[0], c.frames[1][0]);
 }
 
-TEST(C3d, ReadsWhatIsThereOfWhatIsClaimed) {
+TEST(C3d, ReadsAvailableFramesOfOverstatedCount) {
   SmallC3d c = small();
   c.claimed_more = 60000;
   const std::string bytes = c3dOf(c);
@@ -83,7 +83,7 @@ TEST(C3d, ReadsWhatIsThereOfWhatIsClaimed) {
   EXPECT_THAT(reader.warnings()[0].text, HasSubstr("claims 60005 frames, found 5"));
 }
 
-TEST(C3d, DoesNotBelieveResidualsThatAreAllNegative) {
+TEST(C3d, IgnoresResidualsThatAreAllNegative) {
   SmallC3d c = small();
   c.all_invalid = true;
   const std::string bytes = c3dOf(c);
@@ -94,7 +94,7 @@ TEST(C3d, DoesNotBelieveResidualsThatAreAllNegative) {
   EXPECT_THAT(reader.warnings()[0].text, HasSubstr("every residual is negative"));
 }
 
-TEST(C3d, PointsAtTheOriginAreNotSeen) {
+TEST(C3d, PointsAtOriginAreMissing) {
   SmallC3d c = small();
   c.frames[3][1].setZero();
   const std::string bytes = c3dOf(c);
@@ -102,10 +102,10 @@ TEST(C3d, PointsAtTheOriginAreNotSeen) {
   const auto frames = framesOf(reader);
   EXPECT_EQ(frames[3].state[1], humanmodel::JointState::kMissing);
   EXPECT_EQ(frames[3].state[0], humanmodel::JointState::kTracked);
-  EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("1 times a point lies at (0, 0, 0)")));
+  EXPECT_THAT(reader.facts().notes, Contains(HasSubstr("1 samples at (0, 0, 0)")));
 }
 
-TEST(C3d, SaysWhatTheFileStatesOfThePerson) {
+TEST(C3d, ReportsSubjectMeasures) {
   struct Stated {
     float height, knee;
     double metres, knee_metres;
@@ -131,7 +131,7 @@ TEST(C3d, SaysWhatTheFileStatesOfThePerson) {
   EXPECT_TRUE(C3dReader(none, "t.c3d").facts().subject.empty());
 }
 
-TEST(C3d, RefusesWithTheByte) {
+TEST(C3d, RejectsBadFilesWithByteOffset) {
   const std::string good = c3dOf(small());
   const auto with = [&](std::size_t at, const std::string& bytes) {
     std::string s = good;
@@ -149,7 +149,7 @@ TEST(C3d, RefusesWithTheByte) {
         Case{with(16, "\0\0"s), "found the data in block 0"},
         Case{with(20, "\0\0\0\0"s), "found a rate of 0"},
         Case{with(6, "\x09"), "found the last frame 5 before the first, 9"},
-        Case{with(16, "\xff\xff"), "found no whole frame"},
+        Case{with(16, "\xff\xff"), "found no complete frame"},
         Case{with(0, "\xff"), "found the end of the file"}}) {
     try {
       C3dReader reader(c.bytes, "t.c3d");
@@ -160,7 +160,7 @@ TEST(C3d, RefusesWithTheByte) {
   }
 }
 
-TEST(C3d, LeavesOutWhatFollowsABadParameter) {
+TEST(C3d, IgnoresContentAfterBadParameter) {
   // The group points back: no parameter behind it, so markers have numbers for names.
   std::string bytes = c3dOf(small());
   const std::size_t pointer = 512 + 4 + 2 + 5;
@@ -174,7 +174,7 @@ TEST(C3d, LeavesOutWhatFollowsABadParameter) {
 std::filesystem::path c3d(const std::string& name) { return testing::sharedData("mocap/c3d/" + name); }
 
 // c3d.org's test suite: one trial in six encodings. Floats were made from the integers, so all are equal.
-TEST(C3d, SixFilesOfOneTrialReadEqual) {
+TEST(C3d, SixFilesOfOneTrialAgree) {
   if (!std::filesystem::exists(c3d("sample01"))) GTEST_SKIP();
   std::vector<std::vector<PointFrame>> all;
   for (const char* name : {"Eb015pi", "Eb015pr", "Eb015si", "Eb015sr", "Eb015vi", "Eb015vr"}) {
@@ -198,7 +198,7 @@ TEST(C3d, SixFilesOfOneTrialReadEqual) {
   EXPECT_LT(largest, 1e-3) << "mm; single precision at a metre";
 }
 
-TEST(C3d, RealFilesOpenOrAreRefused) {
+TEST(C3d, RealFilesOpenOrAreRejected) {
   if (!std::filesystem::exists(c3d("sample01"))) GTEST_SKIP();
   struct Case {
     const char* file;

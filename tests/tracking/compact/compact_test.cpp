@@ -37,7 +37,7 @@ std::string bytesOf(const Recording& r) {
   return out.str();
 }
 
-TEST(Compact, ComesBack) {
+TEST(Compact, RoundTrips) {
   const Recording written = someone(20);
   const testing::ScratchFolder folder;
   const auto file = folder.path() / "a.rec";
@@ -56,7 +56,7 @@ TEST(Compact, ComesBack) {
   EXPECT_EQ(bytesOf(read), bytesOf(written)) << "whole steps stay as they are";
 }
 
-TEST(Compact, GivesTheWholeFramesOfACutFile) {
+TEST(Compact, ReadsWholeFramesOfTruncatedFile) {
   const std::string whole = bytesOf(someone(3));
   std::size_t last = 4;
   for (std::size_t size = whole.size(); size-- > 400;) {
@@ -68,13 +68,13 @@ TEST(Compact, GivesTheWholeFramesOfACutFile) {
     last = frames;
     if (size + 9 < whole.size()) {
       ASSERT_EQ(reader.warnings().size(), 1u) << size;
-      EXPECT_THAT(reader.warnings()[0].text, HasSubstr("is cut"));
+      EXPECT_THAT(reader.warnings()[0].text, HasSubstr("is truncated"));
     }
   }
   EXPECT_LT(last, 3u);
 }
 
-TEST(Compact, Refuses) {
+TEST(Compact, RejectsBadFiles) {
   const std::string good = bytesOf(someone(2));
   const std::size_t head = good.find('\x01', 200);
   const auto with = [&](std::size_t at, const std::string& bytes) {
@@ -89,7 +89,7 @@ TEST(Compact, Refuses) {
        {Case{with(0, "X"), "expected ABSTREC1"}, Case{good.substr(0, 8), "found no joint"},
         Case{with(10, "q"), "expected a canonical one"}, Case{good.substr(0, 12), "the name of a joint"},
         Case{with(head, "\x03"), "found the mark 3"},
-        Case{with(head + 1, std::string(8, '\xff')), "nan, expected one behind that of the last frame"},
+        Case{with(head + 1, std::string(8, '\xff')), "nan, expected one after that of the last frame"},
         Case{with(head + 9, "\x07"), "found the state 7"},
         Case{with(head + 11, std::string(12, '\xff')), "more than nine bytes"},
         Case{with(good.size() - 8, "\x07"), "after 2 frames, expected 7"}}) {
@@ -108,7 +108,7 @@ TEST(Compact, Refuses) {
   EXPECT_THROW(writeCompact(out, far), UsageError);
 }
 
-TEST(Compact, KeepsTheSpreadWhereThereIsOne) {
+TEST(Compact, KeepsSpread) {
   Recording r = someone(3);
   r.frames[1].spread[2] = 0.0123456;
   r.frames[1].spread[3] = 5e4;  // m: more than anybody needs to know
@@ -126,7 +126,7 @@ TEST(Compact, KeepsTheSpreadWhereThereIsOne) {
 }
 
 // The same person as CSV is larger by a factor; a walk moves by millimetres a frame.
-TEST(Compact, IsSmall) {
+TEST(Compact, IsSmallerThanCsv) {
   Recording r;
   for (int i = 0; i < 100; ++i) {
     humanmodel::SkeletonFrame f;

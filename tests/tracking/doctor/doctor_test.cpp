@@ -39,7 +39,7 @@ const JointHealth& healthOf(const DoctorReport& r, humanmodel::Joint j) {
   throw std::logic_error("no such joint");
 }
 
-TEST(Doctor, FindsNothingInAHealthyRecording) {
+TEST(Doctor, FindsNothingInSoundRecording) {
   const DoctorReport r = examine(walker(100));
   EXPECT_NEAR(r.step, 0.01, 1e-12);
   EXPECT_EQ(r.uneven_steps, 0u);
@@ -86,7 +86,7 @@ TEST(Doctor, FindsGapsJumpsSwapsAndDrift) {
   EXPECT_EQ(report.fill.filled, 10u);
 }
 
-TEST(Filters, ButterworthLagsByItsDelayAndHalvesThePowerAtItsCutoff) {
+TEST(Filters, ButterworthHasStatedDelayAndCutoff) {
   Butterworth ramp(6.0, kRate);
   Vector3d y;
   for (int i = 0; i <= 400; ++i) y = ramp.step(Vector3d(i / kRate, 2.0, 0.0));
@@ -102,7 +102,7 @@ TEST(Filters, ButterworthLagsByItsDelayAndHalvesThePowerAtItsCutoff) {
   EXPECT_NEAR(largest, std::sqrt(0.5), 2e-3) << "sampled near its crests";
 }
 
-TEST(Filters, OneEuroLagsByItsDelayAtEverySpeed) {
+TEST(Filters, OneEuroHasStatedDelayAtEverySpeed) {
   for (const double speed : {0.1, 1.0, 3.0}) {
     OneEuro filter({}, kRate);
     Vector3d y;
@@ -123,7 +123,7 @@ TEST(Filters, AreReportedBeforeAndAfter) {
   EXPECT_GT(r.filters[0].delay_at_rest, r.filters[0].delay);
 }
 
-TEST(Filters, StartAnewBehindAGap) {
+TEST(Filters, RestartAfterGap) {
   Recording r = walker(20);
   r.frames[10].set(humanmodel::Joint::kNeck, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
   const Vector3d behind = r.frames[11][humanmodel::Joint::kNeck];
@@ -134,7 +134,7 @@ TEST(Filters, StartAnewBehindAGap) {
 
 // A cubic in time comes back exactly from a Hermite curve whose end velocities are exact; ours are one-sided
 // differences, so a straight walk is exact and the bone's length rules elsewhere.
-TEST(GapFill, KeepsTheTrajectoryAndTheLengthOfLimbs) {
+TEST(GapFill, KeepsTrajectoryAndLimbLengths) {
   Recording r = walker(50);
   // The forearm turns about the elbow at 2 rad/s.
   constexpr double kLength = 0.25;

@@ -22,7 +22,7 @@ Recording moving(const std::function<Vector3d(double)>& at) {
   return r;
 }
 
-TEST(PredictionTrial, WhatGoesStraightIsGuessed) {
+TEST(PredictionTrial, StraightMotionIsPredicted) {
   const auto trials = tryPredictions(moving([](double t) { return Vector3d(1.5 * t, 0, 1); }), {1.6}, kAhead);
   ASSERT_EQ(trials.size(), 2u);
   // All but the first place have a velocity.
@@ -35,7 +35,7 @@ TEST(PredictionTrial, WhatGoesStraightIsGuessed) {
   EXPECT_EQ(trials[0].outside + trials[1].outside, 0u);
 }
 
-TEST(PredictionTrial, ABoundThatDoesNotHoldIsCounted) {
+TEST(PredictionTrial, CountsBrokenBounds) {
   const auto trials = tryPredictions(moving([](double t) { return Vector3d(1.5 * t, 0, 1); }), {1.4}, kAhead);
   EXPECT_EQ(trials[0].outside, trials[0].places);
   // With a bound on the acceleration the reach set goes along: only the first place, without a velocity, is
@@ -45,7 +45,7 @@ TEST(PredictionTrial, ABoundThatDoesNotHoldIsCounted) {
   EXPECT_EQ(drifting[0].outside, 1u);
 }
 
-TEST(PredictionTrial, AccelerationIsWhatTheGuessMisses) {
+TEST(PredictionTrial, ErrorIsDueToAcceleration) {
   const double a = 4.0;
   const auto trials =
       tryPredictions(moving([&](double t) { return Vector3d(0.5 * a * t * t, 0, 0); }), {}, kAhead);
@@ -60,7 +60,7 @@ TEST(PredictionTrial, AccelerationIsWhatTheGuessMisses) {
   EXPECT_NEAR(trials[1].guess_p95, a * 0.1 * (0.05 + age), 1e-9);
 }
 
-TEST(PredictionTrial, GapsAndGuessedJointsDoNotCount) {
+TEST(PredictionTrial, IgnoresGapsAndGuessedJoints) {
   Recording r = moving([](double t) { return Vector3d(t, 0, 0); });
   for (int i = 50; i < 100; ++i)
     r.frames[static_cast<std::size_t>(i)].state[static_cast<std::size_t>(humanmodel::Joint::kHandLeft)] =

@@ -58,33 +58,33 @@ double limbsApart(const Recording& a, const Recording& b) {
   return apart;
 }
 
-TEST(JointGuess, NamesWithForeignPrefixesAreRead) {
+TEST(JointGuess, ReadsNamesWithUnknownPrefixes) {
   const Recording plain = read(bvhOf({}));
   const Recording r =
       read(bvhOf({.rename = [](const std::string& n) { return "Ch7_rig_" + n + "_jnt.003"; }}));
-  EXPECT_EQ(r.report.joint_map, "guessed by the names");
+  EXPECT_EQ(r.report.joint_map, "guessed from the names");
   EXPECT_TRUE(r.report.map_use.is_guess);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
   EXPECT_EQ(limbsApart(plain, r), 0.0);
-  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: 12 of 12")));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("the joint assignment is guessed: 12 of 12")));
 }
 
-TEST(JointGuess, NumbersAndForeignLettersGoByShape) {
+TEST(JointGuess, UnreadableNamesAreGuessedByShape) {
   const Recording plain = read(bvhOf({}));
   EXPECT_FALSE(plain.report.map_use.is_guess);
   for (const auto& name :
        {std::function<std::string(int)>([](int i) { return "bone" + std::to_string(i); }),
         std::function<std::string(int)>([](int i) { return "\xe9\xaa\xa8" + std::to_string(i); })}) {
     const Recording r = read(renamed(bvhOf({}), name));
-    EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+    EXPECT_EQ(r.report.joint_map, "guessed from the shape");
     EXPECT_THAT(r.report.missing_parts, IsEmpty());
     EXPECT_EQ(limbsApart(plain, r), 0.0) << "left and right by the toes";
     EXPECT_NEAR(r.report.stature, testing::kSmallHumanStature, kSame);
-    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("which joint is which is a guess: two branches")));
+    EXPECT_THAT(r.report.warnings, Contains(HasSubstr("the joint assignment is guessed: two branches")));
   }
 }
 
-TEST(JointGuess, AUsersMapAlwaysWins) {
+TEST(JointGuess, UserMapTakesPrecedence) {
   const testing::ScratchFolder folder;
   const auto map = folder.write("own.map", "name: Own\npelvis: bone0\n");
   const Recording r =
@@ -108,21 +108,21 @@ std::string comb(int teeth) {
   return text + "\n";
 }
 
-TEST(JointGuess, NoPersonIsFoundInOtherTrees) {
+TEST(JointGuess, FindsNoPersonInOtherTrees) {
   for (const int teeth : {1, 3, 300}) {
     const Recording r = read(comb(teeth));
     EXPECT_THAT(r.report.mapped, IsEmpty()) << teeth;
-    EXPECT_THAT(r.report.notes, Contains(HasSubstr("cannot be guessed by the shape"))) << teeth;
+    EXPECT_THAT(r.report.notes, Contains(HasSubstr("cannot be guessed from the shape"))) << teeth;
     try {
       requirePerson(r.report, "t.bvh");
       FAIL();
     } catch (const ParseError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("t.bvh: error: found no part of a person"));
+      EXPECT_THAT(e.what(), HasSubstr("t.bvh: error: found no body part"));
     }
   }
 }
 
-TEST(JointGuess, NamesOfImpossibleLimbsAreNotBelieved) {
+TEST(JointGuess, IgnoresNamesOfImpossibleLimbs) {
   // The left calf begins at the ankle: left and right differ.
   const Recording plain = read(bvhOf({}));
   const Recording r = read(bvhOf({.rename = [](const std::string& n) {
@@ -130,11 +130,11 @@ TEST(JointGuess, NamesOfImpossibleLimbsAreNotBelieved) {
   }}));
   EXPECT_THAT(r.report.notes,
               Contains(HasSubstr("the legs that the names suggest are not used: left and right")));
-  EXPECT_EQ(r.report.joint_map, "guessed by the shape");
+  EXPECT_EQ(r.report.joint_map, "guessed from the shape");
   EXPECT_EQ(limbsApart(plain, r), 0.0);
 }
 
-TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
+TEST(JointMapWriter, RoundTrips) {
   const testing::ScratchFolder folder;
   const std::string odd = renamed(bvhOf({}), [](int i) { return "rig|a:b + c " + std::to_string(i) + "#"; });
   for (const std::string& bvh : {bvhOf({}), odd}) {
@@ -153,7 +153,7 @@ TEST(JointMapWriter, WhatIsWrittenReadsTheSame) {
   EXPECT_THROW(jointMapText(twice.report), UsageError);
 }
 
-TEST(JointMapWriter, OffersAMapToFillIn) {
+TEST(JointMapWriter, WritesTemplateToFillIn) {
   const testing::ScratchFolder folder;
   const std::string text = jointMapText(read(comb(2)).report);
   EXPECT_THAT(text, HasSubstr("\n# hip_left:\n"));
@@ -166,7 +166,7 @@ TEST(JointMapWriter, OffersAMapToFillIn) {
 constexpr double kOtherScale = 0.03;
 
 // Neither names nor trees of any kind may break a guess.
-TEST(JointGuess, AnyTreeIsGuessedOrRefused) {
+TEST(JointGuess, AnyTreeIsGuessedOrRejected) {
   std::mt19937_64 random(1);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   constexpr const char* kNames[]{"arm", "LeftLeg", "r_hand",          "head/end",
@@ -203,7 +203,7 @@ void PrintTo(const Named& n, std::ostream* out) { *out << n.file; }
 class RealShape : public ::testing::TestWithParam<Named> {};
 
 // The names of real captures are taken away: the shape must find the joints that the names say.
-TEST_P(RealShape, FindsWhatTheNamesSay) {
+TEST_P(RealShape, ShapeMatchesNames) {
   const std::string name = GetParam().file;
   const auto file = name.starts_with("01_") || name.starts_with("Boxing")
                         ? testing::debianBvh(name)
@@ -213,7 +213,7 @@ TEST_P(RealShape, FindsWhatTheNamesSay) {
   const Recording named = read(text);
   const Recording r = read(renamed(text, [](int i) { return "n" + std::to_string(i); }));
   for (const auto& note : r.report.notes) RecordProperty("note", note);
-  ASSERT_EQ(r.report.joint_map, "guessed by the shape") << ::testing::PrintToString(r.report.notes);
+  ASSERT_EQ(r.report.joint_map, "guessed from the shape") << ::testing::PrintToString(r.report.notes);
   EXPECT_LE(limbsApart(named, r), GetParam().apart) << ::testing::PrintToString(r.report.warnings);
   EXPECT_NEAR(r.report.stature, named.report.stature, 0.1);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());

@@ -56,7 +56,7 @@ std::string guessed(const std::vector<std::string>& names, humanmodel::Joint j) 
   return i < 0 ? "" : names[static_cast<std::size_t>(i)];
 }
 
-TEST(NameGuess, OtherNamesDecideWordsOfSeveralMeanings) {
+TEST(NameGuess, ContextDecidesAmbiguousWords) {
   using humanmodel::Joint;
   const std::vector<std::string> max{"L Clavicle", "L UpperArm", "L Forearm", "L Hand", "L Thigh", "L Calf"},
       biovision{"LeftCollar", "LeftShoulder", "LeftElbow", "LeftWrist", "LeftHip", "LeftKnee", "LeftAnkle"},

@@ -26,7 +26,7 @@ PointFrame frameOf(PointReader& reader) {
   return frame;
 }
 
-TEST(Irds, BothFormsGiveTheSameFrames) {
+TEST(Irds, BothFormsGiveSameFrames) {
   const std::string table = kHead +
                             "1,7,5,100,SpineBase,Tracked,0.5,-1,2,0,0\n1,7,5,100,Head,Inferred,1,2,3,0,0\r\n"
                             "1,8,5,133,SpineBase,NotTracked,9,9,9,0,0\n";
@@ -50,7 +50,7 @@ TEST(Irds, BothFormsGiveTheSameFrames) {
   }
 }
 
-TEST(Irds, RefusesWithTheLine) {
+TEST(Irds, RejectsBadFilesWithLine) {
   struct Case {
     std::string text;
     int line;
@@ -91,7 +91,7 @@ std::string row(int turned, int axis, bool places) {
   return s + "\n";
 }
 
-TEST(UiPrmd, PlacesByTheAnglesOfTheParents) {
+TEST(UiPrmd, PositionsFollowParentAngles) {
   ASSERT_TRUE(looksLikeUiPrmd(row(0, 0, true)));
   EXPECT_FALSE(looksLikeUiPrmd("1,2,3\n"));
   // A quarter turn of the waist about z takes what stands above it to -x; about x to +z.
@@ -111,7 +111,7 @@ TEST(UiPrmd, PlacesByTheAnglesOfTheParents) {
   EXPECT_THROW(unequal.next(frame), ParseError);
 }
 
-TEST(UiPrmd, FindsTheOtherFile) {
+TEST(UiPrmd, FindsPartnerFile) {
   const testing::ScratchFolder folder;
   const auto places = folder.write("m01_positions.txt", row(0, 0, true));
   EXPECT_THROW(uiPrmdPartner(places), ParseError);
@@ -127,7 +127,7 @@ TEST(Kinect, ParentsComeFirst) {
   EXPECT_EQ(parents.size(), uiPrmdJoints().size());
 }
 
-TEST(UtdMhad, RefusesWhatIsNone) {
+TEST(UtdMhad, RejectsOtherFiles) {
   EXPECT_THROW(UtdMhadReader("MATLAB 5.0 MAT-file, cut", "a.mat"), ParseError);
   EXPECT_THROW(UtdMhadReader("MATLAB 7.3 MAT-file", "b.mat"), ParseError);
   struct Case {
@@ -170,7 +170,7 @@ const Capture kCaptures[] = {{"kinect/irds_kinect_v2/215_18_0_1_1_stand.csv", "k
 
 class RealKinect : public ::testing::TestWithParam<Capture> {};
 
-TEST_P(RealKinect, IsUnderstood) {
+TEST_P(RealKinect, IsReadAsPerson) {
   const auto file = testing::sharedData(GetParam().file);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);

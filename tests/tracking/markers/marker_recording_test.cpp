@@ -54,7 +54,7 @@ class MemoryReader : public PointReader {
   std::size_t next_{0};
 };
 
-TEST(MarkerRecording, UnitsAndUpAreFoundAndJointsAreCentres) {
+TEST(MarkerRecording, FindsUnitsUpAndJointCentres) {
   const auto m = testing::makeMarkers(1, 2.0, 50.0, 0.0005, 0.003);
   MemoryReader reader(m);
   const Recording r = readPoints(reader, "m", {});
@@ -72,7 +72,7 @@ TEST(MarkerRecording, UnitsAndUpAreFoundAndJointsAreCentres) {
           << humanmodel::jointName(j) << ", frame " << i;
 }
 
-TEST(MarkerRecording, ExchangedNamesAreSolvedInAMirror) {
+TEST(MarkerRecording, MirroredNamesAreCorrected) {
   auto m = testing::makeMarkers(1, 1.0, 50.0, 0.0005, 0.003);
   MemoryReader right(m);
   const Recording expected = readPoints(right, "m", {});
@@ -91,7 +91,7 @@ TEST(MarkerRecording, ExchangedNamesAreSolvedInAMirror) {
           << humanmodel::jointName(j) << ", frame " << i;
 }
 
-TEST(MarkerRecording, NoneTakesMiddlesOfMarkers) {
+TEST(MarkerRecording, MarkerSetNoneUsesMarkerMidpoints) {
   const auto m = testing::makeMarkers(1, 0.5, 50.0, 0.0, 0.0);
   MemoryReader reader(m);
   RecordingOptions options;
@@ -101,7 +101,7 @@ TEST(MarkerRecording, NoneTakesMiddlesOfMarkers) {
   EXPECT_THAT(r.report.joint_map, HasSubstr("Plug-in-Gait"));
 }
 
-TEST(MarkerRecording, ASetThatFindsNothingIsAnErrorOnlyWhenNamed) {
+TEST(MarkerRecording, UnmatchedSetIsErrorOnlyIfNamed) {
   const auto m = testing::makeMarkers(1, 0.5, 50.0, 0.0, 0.0);
   MemoryReader reader(m);
   RecordingOptions options;
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 /// Most of a trial may be empty, before somebody enters and after they have left.
-TEST(MarkerRecording, EmptyFramesDoNotRefuseTheRest) {
+TEST(MarkerRecording, EmptyFramesDoNotAffectOthers) {
   auto m = testing::makeMarkers(3, 2.0, 50.0, 0.0005, 0.003);
   for (std::size_t i = 0; i < m.moments.size(); ++i)
     if (i < 40 || i >= 70)
@@ -170,7 +170,7 @@ TEST(MarkerRecording, EmptyFramesDoNotRefuseTheRest) {
   EXPECT_EQ(r.report.markers.set, "Plug-in-Gait");
   EXPECT_EQ(r.report.markers.unseen, m.moments.size() - 30);
   EXPECT_EQ(r.report.markers.lost, 0u);
-  EXPECT_THAT(r.report.notes, ::testing::Contains(HasSubstr("frames no marker of the set is there")));
+  EXPECT_THAT(r.report.notes, ::testing::Contains(HasSubstr("frames no marker of the set is visible")));
   for (std::size_t i = 0; i < r.frames.size(); ++i)
     EXPECT_EQ(r.frames[i].has(humanmodel::Joint::kKneeLeft), i >= 40 && i < 70) << i;
 }
@@ -180,7 +180,7 @@ struct Acromia {
 };
 
 /// Shoulder joints lie below the acromion markers, not beside them.
-TEST(MarkerRecording, ShouldersLieUnderTheAcromionMarkers) {
+TEST(MarkerRecording, ShouldersLieBelowAcromionMarkers) {
   constexpr double kAside = 0.015;  // m, in the mean of a trial
   const testing::ScratchFolder scratch;
   for (const Acromia& a :
@@ -213,7 +213,7 @@ TEST(MarkerRecording, ShouldersLieUnderTheAcromionMarkers) {
 
 /// The trial holds Vicon's own joint centres too: knee and ankle by its marker widths, hips by its
 /// regression.
-TEST(MarkerRecording, PlugInGaitCentresAreNearVicons) {
+TEST(MarkerRecording, PlugInGaitCentresMatchVicon) {
   const auto file = testing::sharedData("mocap/c3d/PiG/PiG_Motion3_FF.c3d");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const testing::ScratchFolder scratch;

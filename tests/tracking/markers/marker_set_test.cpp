@@ -26,7 +26,7 @@ std::string errorOf(const std::string& text) {
   return "none";
 }
 
-TEST(MarkerSet, ReadsLinesWithPlacesAndSpreads) {
+TEST(MarkerSet, ReadsPositionsAndSpreads) {
   const MarkerSet set = parseMarkerSet(
       "# a comment\nname: Mine\nprefix: subject_\nrequires: LKNE\n\nLKNE | L.Knee: thigh_left 0 0.5 1.0 "
       "0.015\r\n"
@@ -41,7 +41,7 @@ TEST(MarkerSet, ReadsLinesWithPlacesAndSpreads) {
   EXPECT_DOUBLE_EQ(set.markers[1].spread, 0.02);
 }
 
-TEST(MarkerSet, WhatIsWrongIsSaidWithItsPlace) {
+TEST(MarkerSet, ReportsErrorsWithPosition) {
   EXPECT_EQ(errorOf("name: A\nLKNE: tigh_left 0 0 0\n"),
             "s.markers:2:7: error: found 'tigh_left', expected a segment of the body\n"
             "hint: did you mean 'thigh_left'?");
@@ -59,7 +59,7 @@ TEST(MarkerSet, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_EQ(errorOf("name: A\nnonsense\n"), "s.markers:2:1: error: found 'nonsense', expected 'key: value'");
 }
 
-TEST(MarkerSet, AnySpoiledSetIsReadOrRefused) {
+TEST(MarkerSet, AnyDamagedSetIsReadOrRejected) {
   const std::string text = readFile(dataFolder() / "marker_sets" / "motek.markers");
   std::mt19937_64 random(9);
   int refused = 0;
@@ -87,7 +87,7 @@ TEST(MarkerSet, AnySpoiledSetIsReadOrRefused) {
   EXPECT_GT(refused, 500);
 }
 
-TEST(MarkerSet, PlacesMirrorAndEndAtJoints) {
+TEST(MarkerSet, PositionsMirrorAndScaleWithJoints) {
   const MarkerSet set = parseMarkerSet(
       "name: A\nL: calf_left 0 0.5 1\nR: calf_right 0 0.5 1\nT: foot_left 1 0 1\nM: pelvis 0 0.5 0\n",
       "s.markers");
@@ -105,7 +105,7 @@ TEST(MarkerSet, PlacesMirrorAndEndAtJoints) {
   EXPECT_EQ(match.markers[0].points, std::vector<int>{3});
 }
 
-TEST(MarkerSet, TheSetWithMostMarkersIsChosen) {
+TEST(MarkerSet, ChoosesSetWithMostMarkers) {
   const auto sets = loadMarkerSets(dataFolder() / "marker_sets");
   ASSERT_GE(sets.size(), 6u);
   for (const auto& set : sets) {

@@ -34,7 +34,7 @@ constexpr humanmodel::Joint kLimbJoints[]{
     humanmodel::Joint::kElbowLeft,  humanmodel::Joint::kElbowRight,  humanmodel::Joint::kWristLeft,
     humanmodel::Joint::kWristRight, humanmodel::Joint::kShoulderLeft};
 
-TEST(BodySizes, JacobianIsThatOfSmallChanges) {
+TEST(BodySizes, JacobianMatchesFiniteDifferences) {
   const BodyRig base = makeRig(humanmodel::makeHuman({}));
   SizeVector sizes = sameSizes();
   sizes[0] = 1.04;
@@ -60,7 +60,7 @@ TEST(BodySizes, JacobianIsThatOfSmallChanges) {
   }
 }
 
-TEST(MarkerSolution, ExactMarkersGiveTheBody) {
+TEST(MarkerSolution, ExactMarkersRecoverBody) {
   // Markers where the set has them: nothing pulls the body away from the truth but the priors of its sizes.
   const SyntheticMarkers m = makeMarkers(1, 2.0, 30.0, 0.0, 0.0);
   const MarkerSolution s = solveMarkers(m.base, m.found, m.t, m.moments);
@@ -71,7 +71,7 @@ TEST(MarkerSolution, ExactMarkersGiveTheBody) {
   EXPECT_NEAR(s.report.stature, m.body.height, 0.02);
 }
 
-TEST(MarkerSolution, FindsJointCentresUnderNoiseGapsAndExchangedLabels) {
+TEST(MarkerSolution, RecoversJointsUnderNoiseGapsAndSwappedLabels) {
   SyntheticMarkers m = makeMarkers(2, 4.0, 50.0, 0.001, 0.005);
   std::mt19937_64 random(3);
   const auto markerOf = [&](const char* label) {
@@ -110,7 +110,7 @@ TEST(MarkerSolution, FindsJointCentresUnderNoiseGapsAndExchangedLabels) {
   }
 }
 
-TEST(MarkerSolution, AMarkerThatNeverFitsIsIgnored) {
+TEST(MarkerSolution, IgnoresMarkerThatNeverFits) {
   SyntheticMarkers m = makeMarkers(4, 2.0, 30.0, 0.001, 0.003);
   for (std::size_t i = 0; i < m.moments.size(); ++i)
     m.moments[i][0] = Vector3d(0.5 + 0.01 * static_cast<double>(i), -1.0, 0.2);
@@ -121,7 +121,7 @@ TEST(MarkerSolution, AMarkerThatNeverFitsIsIgnored) {
     EXPECT_LT(jointError(m, s.frames, j), 0.012) << humanmodel::jointName(j);
 }
 
-TEST(MarkerSolution, FramesWithoutMarkersAreUnseenAndTheRestFoundAgain) {
+TEST(MarkerSolution, FramesWithoutMarkersAreUnseen) {
   SyntheticMarkers m = makeMarkers(5, 3.0, 30.0, 0.001, 0.003);
   for (std::size_t i = 30; i < 60; ++i)
     for (auto& p : m.moments[i]) p.setConstant(kNaN);
@@ -133,7 +133,7 @@ TEST(MarkerSolution, FramesWithoutMarkersAreUnseenAndTheRestFoundAgain) {
       EXPECT_EQ(s.frames[i].state[j] == humanmodel::JointState::kMissing, i >= 30 && i < 60) << i;
 }
 
-TEST(MarkerSolution, AStatedStatureIsKept) {
+TEST(MarkerSolution, KeepsStatedStature) {
   const SyntheticMarkers m = makeMarkers(9, 3.0, 30.0, 0.001, 0.003);
   const double truth = m.sizes[0] * m.base.height;
   EXPECT_NEAR(solveMarkers(m.base, m.found, m.t, m.moments, 0.94 * truth).report.stature, 0.94 * truth,
@@ -144,7 +144,7 @@ TEST(MarkerSolution, AStatedStatureIsKept) {
     EXPECT_LT(jointError(m, s.frames, j), 0.012) << humanmodel::jointName(j);
 }
 
-TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
+TEST(MarkerSolution, RandomPointsAreReportedLost) {
   SyntheticMarkers m = makeMarkers(8, 2.0, 30.0, 0.0, 0.0);
   std::mt19937_64 random(10);
   for (auto& moment : m.moments)
@@ -157,7 +157,7 @@ TEST(MarkerSolution, PointsThatAreNoPersonAreLost) {
   EXPECT_EQ(solveMarkers(m.base, m.found, m.t, m.moments).report.unseen, m.moments.size());
 }
 
-TEST(MarkerSolution, WhatNoMarkerShowsIsNotClaimed) {
+TEST(MarkerSolution, JointsWithoutMarkersAreNotTracked) {
   SyntheticMarkers m = makeMarkers(6, 2.0, 30.0, 0.001, 0.003);
   for (auto& moment : m.moments)
     for (std::size_t k = 0; k < m.found.size(); ++k) {

@@ -24,7 +24,7 @@ std::vector<SkeletonFrame> part(double height, double units_per_metre, std::init
   return {f};
 }
 
-TEST(BodySize, AnyKnownBoneGivesTheUnit) {
+TEST(BodySize, AnyKnownBoneDeterminesUnit) {
   struct Unit {
     const char* name;
     double per_metre;
@@ -46,10 +46,10 @@ TEST(BodySize, AnyKnownBoneGivesTheUnit) {
       }
 }
 
-TEST(BodySize, NoBoneIsNoUnit) {
+TEST(BodySize, UnknownBonesDetermineNoUnit) {
   EXPECT_FALSE(statureByBones(part(1.75, 1.0, {Joint::kHead, Joint::kNeck, Joint::kWristLeft})));
   EXPECT_FALSE(statureByBones({}));
-  EXPECT_THAT(chooseUnit("auto", std::nullopt).warning, HasSubstr("units are not known"));
+  EXPECT_THAT(chooseUnit("auto", std::nullopt).warning, HasSubstr("units are unknown"));
   const UnitChoice odd = chooseUnit("auto", std::nullopt, BoneStature{7.0, 2});
   EXPECT_EQ(odd.name, "free");
   EXPECT_DOUBLE_EQ(odd.scale, 0.25);

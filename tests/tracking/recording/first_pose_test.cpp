@@ -31,7 +31,7 @@ SkeletonFrame raised(double angle) {
   return f;
 }
 
-TEST(FirstPose, ATPoseIsOneThatTheNextFrameLeaves) {
+TEST(FirstPose, TPoseIsLeftInNextFrame) {
   const SkeletonFrame t = raised(0.5 * kPi), hanging = raised(0.1);
   const auto turned = leadingTPose(std::vector{t, hanging, hanging});
   ASSERT_TRUE(turned);
@@ -48,7 +48,7 @@ TEST(FirstPose, ATPoseIsOneThatTheNextFrameLeaves) {
 }
 
 /// The conversion of the CMU data base begins with one.
-TEST(FirstPose, RealFilesAreNamed) {
+TEST(FirstPose, RealTPosesAreReported) {
   const auto file = testing::debianBvh("01_01.bvh");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   EXPECT_THAT(openRecording(file).report.notes, Contains(HasSubstr("the first frame is a T-pose")));

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 int indexOf(const JointMatch& match, humanmodel::Joint j) { return match.joint[static_cast<std::size_t>(j)]; }
 
-TEST(JointMap, ReadsItsFormat) {
+TEST(JointMap, ReadsFormat) {
   const JointMap map = parseJointMap(
       "# comment\r\nname: Mine\norigin: here\nlicence: any\nprefix: my: | my_\nrequires: A\n\ntoe_left : L "
       "Toe|L Foot/end\n",
@@ -28,7 +28,7 @@ TEST(JointMap, ReadsItsFormat) {
             (std::vector<std::string>{"L Toe", "L Foot/end"}));
 }
 
-TEST(JointMap, RefusesWithTheLine) {
+TEST(JointMap, RejectsBadFilesWithLine) {
   struct Case {
     const char* text;
     int line;
@@ -50,7 +50,7 @@ TEST(JointMap, RefusesWithTheLine) {
   EXPECT_THROW(loadJointMaps(empty.path()), ParseError);
 }
 
-TEST(JointMap, MatchesNamesAsTheyAreWritten) {
+TEST(JointMap, MatchesNamesVerbatim) {
   const JointMap map = parseJointMap(
       "name: a\nprefix: Bip01\npelvis: Pelvis\nshoulder_left: L UpperArm | L Arm\nneck: L Arm\n", "m");
   for (const char* name :
@@ -67,13 +67,13 @@ TEST(JointMap, MatchesNamesAsTheyAreWritten) {
   EXPECT_EQ(match.mapped, 1);
 }
 
-TEST(JointMap, RequiredNamesGuardAMap) {
+TEST(JointMap, RequiredNamesRestrictMap) {
   const JointMap map = parseJointMap("name: a\nrequires: Mark\npelvis: Hips\n", "m");
   EXPECT_EQ(matchJoints(map, std::vector<std::string>{"Hips"}).mapped, 0);
   EXPECT_EQ(matchJoints(map, std::vector<std::string>{"Hips", "Mark"}).mapped, 1);
 }
 
-TEST(JointMap, EveryShippedMapIsWhole) {
+TEST(JointMap, ShippedMapsAreComplete) {
   const auto maps = loadJointMaps(testing::projectFile("data/joint_maps"));
   EXPECT_GE(maps.size(), 12u);
   for (const JointMap& map : maps) {
@@ -101,7 +101,7 @@ TEST(JointMap, EveryShippedMapIsWhole) {
 }
 
 // The same name means different joints; the whole set of names decides.
-TEST(JointMap, TellsConventionsApart) {
+TEST(JointMap, DistinguishesConventions) {
   const auto maps = loadJointMaps(testing::projectFile("data/joint_maps"));
   struct Case {
     const char* map;
@@ -139,7 +139,7 @@ TEST(JointMap, TellsConventionsApart) {
   }
 }
 
-TEST(DataFolder, FollowsTheEnvironmentFirst) {
+TEST(DataFolder, EnvironmentTakesPrecedence) {
   const char* before = std::getenv("ABSTAND_DATA");
   const std::string kept = before ? before : "";
   ::unsetenv("ABSTAND_DATA");

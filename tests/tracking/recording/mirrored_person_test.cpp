@@ -30,7 +30,7 @@ std::vector<humanmodel::SkeletonFrame> raisedHand() {
   return frames;
 }
 
-TEST(MirroredPerson, DoesTheSameWithTheOtherHand) {
+TEST(MirroredPerson, SwapsHands) {
   auto frames = raisedHand();
   mirrorPerson(frames);
   for (int i = 0; i < 5; ++i) {
@@ -45,7 +45,7 @@ TEST(MirroredPerson, DoesTheSameWithTheOtherHand) {
   }
 }
 
-TEST(MirroredPerson, TwiceIsTheSamePerson) {
+TEST(MirroredPerson, MirroringTwiceIsIdentity) {
   const auto expected = raisedHand();
   auto frames = expected;
   mirrorPerson(frames);
@@ -57,7 +57,7 @@ TEST(MirroredPerson, TwiceIsTheSamePerson) {
       }
 }
 
-TEST(MirroredPerson, NeedsTwoSides) {
+TEST(MirroredPerson, RequiresBothSides) {
   std::vector<humanmodel::SkeletonFrame> frames(3);
   for (auto& f : frames) f.set(Joint::kHead, {0, 0, 1.7});
   EXPECT_THROW(mirrorPerson(frames), UsageError);

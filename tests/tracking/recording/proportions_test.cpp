@@ -16,7 +16,7 @@ using humanmodel::Joint;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-TEST(Proportions, TheModelIsInProportionAtAnyStature) {
+TEST(Proportions, ModelIsInProportionAtAnyStature) {
   for (const double height : {1.2, 1.75, 2.1}) {
     humanmodel::HumanOptions options;
     options.height = height;
@@ -28,7 +28,7 @@ TEST(Proportions, TheModelIsInProportionAtAnyStature) {
   }
 }
 
-TEST(Proportions, ALongForearmIsSaid) {
+TEST(Proportions, ReportsLongForearm) {
   auto frame = humanmodel::makeHuman({}).rest;
   frame.set(Joint::kWristLeft,
             frame[Joint::kElbowLeft] + 1.4 * (frame[Joint::kWristLeft] - frame[Joint::kElbowLeft]));
@@ -37,7 +37,7 @@ TEST(Proportions, ALongForearmIsSaid) {
   EXPECT_THAT(oddProportions(bones), HasSubstr("forearm_left 40 % longer:"));
 }
 
-TEST(Proportions, InferredJointsDoNotCount) {
+TEST(Proportions, IgnoreInferredJoints) {
   auto frame = humanmodel::makeHuman({}).rest;
   frame.set(Joint::kWristLeft, frame[Joint::kElbowLeft] * 3.0, humanmodel::JointState::kInferred);
   const auto bones = proportionsOf(std::vector{frame});
@@ -46,7 +46,7 @@ TEST(Proportions, InferredJointsDoNotCount) {
   EXPECT_THAT(proportionsOf({}), IsEmpty());
 }
 
-TEST(Proportions, AreInTheReport) {
+TEST(Proportions, AppearInReport) {
   const Recording r = readBvhRecording(testing::bvhOf({}), "t.bvh", {});
   EXPECT_GE(r.report.person.proportions.size(), 8u);
   for (const auto& bone : r.report.person.proportions) EXPECT_GT(bone.usual, 0.0);

@@ -30,7 +30,7 @@ Recording read(const SmallHuman& human, const RecordingOptions& options = {}) {
 
 double heightOf(const Recording& r, humanmodel::Joint j) { return r.frames.front()[j].z(); }
 
-TEST(Recording, GuessesUnitsAndSaysWhy) {
+TEST(Recording, GuessesUnitsWithReason) {
   struct Case {
     double units_per_metre;
     const char* name;
@@ -51,14 +51,14 @@ TEST(Recording, GuessesUnitsAndSaysWhy) {
   }
 }
 
-TEST(Recording, ScalesToAStatureWhereNoUnitFits) {
+TEST(Recording, ScalesToStatureIfNoUnitFits) {
   const Recording r = read({.units_per_metre = 22.0});
   EXPECT_EQ(r.report.units.name, "free");
   EXPECT_NEAR(r.report.stature, 1.75, kRounding);
-  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no usual unit")));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("no common unit")));
 }
 
-TEST(Recording, TakesUnitsFromTheUser) {
+TEST(Recording, AcceptsUnitsFromUser) {
   EXPECT_DOUBLE_EQ(read({}, {.units = "inches"}).report.scale, 0.0254);
   EXPECT_DOUBLE_EQ(read({}, {.units = "0.02"}).report.scale, 0.02);
   EXPECT_THAT(read({}, {.units = "m"}).report.warnings, Contains(HasSubstr("172.737 m tall")));
@@ -66,7 +66,7 @@ TEST(Recording, TakesUnitsFromTheUser) {
     EXPECT_THROW(read({}, {.units = bad}), UsageError) << bad;
 }
 
-TEST(Recording, FindsUpInEveryAxis) {
+TEST(Recording, FindsUpAlongEveryAxis) {
   for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) {
     const Matrix3d R_WF = rotationToZUp(axis);
     EXPECT_EQ(R_WF.determinant(), 1.0);
@@ -83,7 +83,7 @@ TEST(Recording, FindsUpInEveryAxis) {
   EXPECT_EQ(rotationToZUp("y") * Vector3d(1, 2, 3), Vector3d(1, -3, 2));
 }
 
-TEST(Recording, UpCanBeSaidAndALyingPersonIsPointedAt) {
+TEST(Recording, AcceptsUpFromUserAndReportsLyingPerson) {
   // Rest pose y up, but the body lies along z of the file (-y of z-up axes) in every frame.
   SmallHuman lying{.R_FW = rotationToZUp("y").transpose(), .pelvis_height = 0.1};
   lying.R_WB = Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()).toRotationMatrix();
@@ -96,7 +96,7 @@ TEST(Recording, UpCanBeSaidAndALyingPersonIsPointedAt) {
   EXPECT_THROW(read(lying, {.up = "w"}), UsageError);
 }
 
-TEST(Recording, DerivesWhatFollowsFromOthers) {
+TEST(Recording, DerivesMissingJoints) {
   const auto z = [](const Recording& r, humanmodel::Joint j) { return r.frames.front()[j].z(); };
   const auto state = [](const Recording& r, humanmodel::Joint j) {
     return r.frames.front().state[static_cast<std::size_t>(j)];
@@ -134,7 +134,7 @@ TEST(Recording, DerivesWhatFollowsFromOthers) {
       Contains(HasSubstr("derived from other joints: head_top, hand_left, hand_right, toe_left, toe_right")));
 }
 
-TEST(Recording, SaysWhatItCannotMove) {
+TEST(Recording, ReportsPartsItCannotMove) {
   const Recording r = read({.rename = [](const std::string& n) { return n == "LeftElbow" ? "Spare" : n; }});
   EXPECT_THAT(r.report.missing_parts, ::testing::ElementsAre("biceps_left", "forearm_left"));
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("biceps_left (no elbow_left)")));
@@ -142,12 +142,12 @@ TEST(Recording, SaysWhatItCannotMove) {
   EXPECT_EQ(r.report.mapped.size(), 12u);
 }
 
-TEST(Recording, PointsAtSwappedSides) {
+TEST(Recording, ReportsSwappedSides) {
   const auto swap = [](const std::string& n) {
     if (n.starts_with("Left")) return "Right" + n.substr(4);
     return n.starts_with("Right") ? "Left" + n.substr(5) : n;
   };
-  EXPECT_THAT(read({.rename = swap}).report.warnings, Contains(HasSubstr("left and right look swapped")));
+  EXPECT_THAT(read({.rename = swap}).report.warnings, Contains(HasSubstr("left and right seem swapped")));
 }
 
 TEST(Recording, OpensByContentNotByName) {
@@ -165,7 +165,7 @@ TEST(Recording, OpensByContentNotByName) {
   EXPECT_EQ(openRecording(bvh, {.joint_map = map}).report.joint_map, "Own");
 }
 
-TEST(Recording, RefusesBadFiles) {
+TEST(Recording, RejectsBadFiles) {
   const testing::ScratchFolder folder;
   const std::string whole = bvhOf({});
   const auto motion = whole.find("MOTION");

@@ -17,7 +17,7 @@ namespace skeleton_csv_test {
 
 using ::testing::HasSubstr;
 
-TEST(SkeletonCsv, ComesBackToTheBit) {
+TEST(SkeletonCsv, RoundTripsBitExactly) {
   Recording written;
   for (std::uint64_t i = 0; i < 20; ++i) {
     humanmodel::SkeletonFrame f;
@@ -49,7 +49,7 @@ TEST(SkeletonCsv, ComesBackToTheBit) {
   }
 }
 
-TEST(SkeletonCsv, ReadsWhatOthersWrite) {
+TEST(SkeletonCsv, ReadsForeignVariants) {
   const Recording r = readSkeletonCsv("t,neck.z,neck.x,neck.y\r\n0,3,1,2\r\n0.5,,,\r\n1,6,4,5", "t.csv");
   ASSERT_EQ(r.frames.size(), 3u);
   EXPECT_EQ(r.frames[0][humanmodel::Joint::kNeck], Vector3d(1, 2, 3));
@@ -63,7 +63,7 @@ TEST(SkeletonCsv, ReadsWhatOthersWrite) {
   EXPECT_LT((turned.frames[0][humanmodel::Joint::kNeck] - Vector3d(1, -3, 2)).norm(), 1e-12);
 }
 
-TEST(SkeletonCsv, RefusesWithThePlace) {
+TEST(SkeletonCsv, RejectsBadFilesWithPosition) {
   struct Case {
     const char* text;
     int line, column;

@@ -20,7 +20,7 @@ const std::string kTwo =
     R"({"t": 1, "joints": {"neck": [1, 2, 3, 0.9], "pelvis": null}})"
     "\n";
 
-TEST(SkeletonJson, ReadsALineAFrame) {
+TEST(SkeletonJson, ReadsOneFramePerLine) {
   const testing::ScratchFolder folder;
   const Recording r = openRecording(folder.write("a.txt", kTwo));
   EXPECT_EQ(r.report.format, "jsonl");
@@ -36,7 +36,7 @@ TEST(SkeletonJson, ReadsALineAFrame) {
             humanmodel::JointState::kTracked);
 }
 
-TEST(SkeletonJson, ReadsWhatServeTakes) {
+TEST(SkeletonJson, ReadsServePackets) {
   const testing::ScratchFolder folder;
   const Recording r = openRecording(folder.write(
       "a", R"({"type":"skeleton","seq":1,"time_us":5000000,"person":"p","joints":{"pelvis":[0,0,1]}})"
@@ -46,7 +46,7 @@ TEST(SkeletonJson, ReadsWhatServeTakes) {
   EXPECT_EQ(r.frames[0].t, 0.0);
 }
 
-TEST(SkeletonJson, RefusesWithTheLine) {
+TEST(SkeletonJson, RejectsBadFilesWithLine) {
   struct Case {
     std::string text;
     int line;

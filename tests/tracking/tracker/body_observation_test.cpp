@@ -39,7 +39,7 @@ Picture picture(const DepthCamera& camera, float person, float wall) {
   return p;
 }
 
-TEST(BodyObservation, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
+TEST(BodyObservation, PointsMatchImageAndNormalsFaceCamera) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
@@ -54,7 +54,7 @@ TEST(BodyObservation, PointsLieWhereTheImageHasThemAndNormalsFaceTheCamera) {
   }
 }
 
-TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
+TEST(BodyObservation, CellCountIsLimited) {
   const DepthCamera camera = cameraOf(640, 480);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen(1000);
@@ -65,7 +65,7 @@ TEST(BodyObservation, ManyPixelsBecomeFewerCells) {
     EXPECT_NEAR((camera.X_WC.inverse() * seen.points().point(i)).z(), 1.8, 1e-5);
 }
 
-TEST(BodyObservation, EmptyCellsKnowTheOffsetToThePerson) {
+TEST(BodyObservation, EmptyCellsHoldOffsetToPerson) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
@@ -89,7 +89,7 @@ TEST(BodyObservation, EmptyCellsKnowTheOffsetToThePerson) {
   }
 }
 
-TEST(BodyObservation, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
+TEST(BodyObservation, UnmeasuredPixelsAreUnknown) {
   const DepthCamera camera = cameraOf(64, 48);
   Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;
@@ -103,7 +103,7 @@ TEST(BodyObservation, NothingMeasuredIsUnknownUnlessTheBackgroundWasTakenAway) {
   EXPECT_EQ(seen.views()[0].at({0.0, 0.0, -1.0}).state, CellState::kUnknown);
 }
 
-TEST(BodyObservation, AllocatesNothingAfterTheFirstImage) {
+TEST(BodyObservation, AllocatesNothingAfterFirstImage) {
   const DepthCamera camera = cameraOf(64, 48);
   const Picture p = picture(camera, 1.8f, 3.0f);
   BodyObservation seen;

@@ -35,7 +35,7 @@ std::vector<humanmodel::SkeletonFrame> intoWorld(std::vector<humanmodel::Skeleto
 
 class UtdMhad : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(UtdMhad, IsTrackedAsTheKinectDid) {
+TEST_P(UtdMhad, TrackingMatchesKinect) {
   const auto depth = testing::sharedData(std::string("depth/utd_mhad/") + GetParam() + "_depth.mat");
   if (!exists(depth)) GTEST_SKIP() << depth;
   const auto stream = openDepthStream(depth);
@@ -67,7 +67,7 @@ TEST(ClipTracker, FindsFivePeople) {
   EXPECT_EQ(track.images, 1u);
 }
 
-TEST(ClipTracker, WhoIsNotInAnImageIsLostInIt) {
+TEST(ClipTracker, PersonOutsideImageIsReportedLost) {
   testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 1.6};
   auto clip = testing::simulate(plan);
   DepthSource source;
@@ -90,7 +90,7 @@ TEST(ClipTracker, WhoIsNotInAnImageIsLostInIt) {
   EXPECT_EQ(track.people[0].found, frames.size() - (kBack - kGone));
 }
 
-TEST(ClipTracker, TellsTheStature) {
+TEST(ClipTracker, MeasuresStature) {
   constexpr double kTolerance = 0.05;  // m: hair, soles, and what the noise takes off
   testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.8};
   auto clip = testing::simulate(plan);
@@ -104,7 +104,7 @@ TEST(ClipTracker, TellsTheStature) {
   EXPECT_DOUBLE_EQ(told.people[0].body.height.value(), 1.85);
 }
 
-TEST(ClipTracker, GivesTheSameTwice) {
+TEST(ClipTracker, IsDeterministic) {
   testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.8};
   auto clip = testing::simulate(plan);
   const ClipTrack a = trackClip(*clip.stream, {}), b = trackClip(*clip.stream, {});
@@ -113,7 +113,7 @@ TEST(ClipTracker, GivesTheSameTwice) {
       EXPECT_EQ(a.people[0].frames[i].p[j], b.people[0].frames[i].p[j]);
 }
 
-TEST(BodyTracker, AllocatesNothingOnceItFollows) {
+TEST(BodyTracker, AllocatesNothingWhileFollowing) {
   testing::ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.2};
   auto clip = testing::simulate(plan);
   static const BodyRig rig = makeRig(humanmodel::makeHuman({}));
@@ -132,7 +132,7 @@ TEST(BodyTracker, AllocatesNothingOnceItFollows) {
   EXPECT_TRUE(tracker.body().found);
 }
 
-TEST(TrackedRecording, KnowsDepthByItsContent) {
+TEST(TrackedRecording, DetectsDepthByContent) {
   EXPECT_TRUE(isDepthRecording(testing::projectFile("data")));
   EXPECT_FALSE(isDepthRecording(testing::projectFile("data/scenes/hug_reach.bvh")));
   EXPECT_FALSE(isDepthRecording("no/such/file"));
@@ -143,7 +143,7 @@ TEST(TrackedRecording, KnowsDepthByItsContent) {
   EXPECT_TRUE(isDepthRecording(testing::sharedData("depth/pcl/five_people.pcd")));
 }
 
-TEST(TrackedRecording, RefusesAPersonWhoIsNotThere) {
+TEST(TrackedRecording, RejectsMissingPerson) {
   ClipTrack track;
   try {
     recordingOf(track, {}, 0);

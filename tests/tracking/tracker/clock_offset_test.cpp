@@ -31,7 +31,7 @@ std::vector<SkeletonFrame> waving(double noise, double late, const Vector3d& shi
   return frames;
 }
 
-TEST(ClockOffset, IsThatOfTheClocksWhateverTheCamerasPlaceIs) {
+TEST(ClockOffset, IsRecoveredForAnyCameraPose) {
   const auto first = waving(0.0, 0.0, Vector3d::Zero());
   for (const double late : {-3.1, -0.5, 0.0, 0.017, 1.25}) {
     // Later by `late`: that much is to be taken off.
@@ -42,7 +42,7 @@ TEST(ClockOffset, IsThatOfTheClocksWhateverTheCamerasPlaceIs) {
   }
 }
 
-TEST(ClockOffset, OfWhoStandsStillIsNotDecided) {
+TEST(ClockOffset, IsUndecidedForStandingPerson) {
   const std::vector<Posture> still{{.t = 0.0}, {.t = 5.0}};
   auto first = testing::posedFrames(still), second = first;
   std::mt19937_64 random(2);
@@ -52,7 +52,7 @@ TEST(ClockOffset, OfWhoStandsStillIsNotDecided) {
   EXPECT_FALSE(estimateClockOffset(first, second).decided);
 }
 
-TEST(ClockOffset, OfRecordingsWithoutACommonTimeIsNotDecided) {
+TEST(ClockOffset, IsUndecidedWithoutCommonTime) {
   const auto first = waving(0.0, 0.0, Vector3d::Zero());
   EXPECT_FALSE(estimateClockOffset(first, waving(0.0, 60.0, Vector3d::Zero())).decided);
   EXPECT_FALSE(estimateClockOffset(first, {}).decided);

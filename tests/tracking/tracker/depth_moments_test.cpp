@@ -24,7 +24,7 @@ std::vector<double> steps(double start, double step, std::size_t count) {
   return t;
 }
 
-TEST(DepthMoments, TheNearestImageOfEachCameraBelongsToAMoment) {
+TEST(DepthMoments, UseNearestImageOfEachCamera) {
   DepthStream first = streamAt(steps(0.0, 1.0 / 30.0, 30)), second = streamAt(steps(0.0, 1.0 / 30.0, 30));
   const std::vector<ClipCamera> cameras{{&first, 0.0}, {&second, 0.010}};
   DepthMoments moments(cameras);
@@ -40,7 +40,7 @@ TEST(DepthMoments, TheNearestImageOfEachCameraBelongsToAMoment) {
   EXPECT_FALSE(moments.next(moment));
 }
 
-TEST(DepthMoments, ASlowerCameraRepeatsItsImage) {
+TEST(DepthMoments, SlowerCameraRepeatsImage) {
   DepthStream first = streamAt(steps(0.0, 1.0 / 30.0, 30)), second = streamAt(steps(0.0, 1.0 / 15.0, 15));
   const std::vector<ClipCamera> cameras{{&first, 0.0}, {&second, 0.0}};
   DepthMoments moments(cameras);
@@ -54,7 +54,7 @@ TEST(DepthMoments, ASlowerCameraRepeatsItsImage) {
   EXPECT_EQ(images, 15u);
 }
 
-TEST(DepthMoments, AGapOfOneCameraIsFilledByTheOther) {
+TEST(DepthMoments, GapOfOneCameraLeavesOther) {
   std::vector<double> broken = steps(0.0, 1.0 / 30.0, 15);
   for (const double t : steps(1.5, 1.0 / 30.0, 15)) broken.push_back(t);
   DepthStream first = streamAt(broken), second = streamAt(steps(0.0, 1.0 / 30.0, 60));
@@ -73,7 +73,7 @@ TEST(DepthMoments, AGapOfOneCameraIsFilledByTheOther) {
   EXPECT_GT(alone, 20u);
 }
 
-TEST(DepthMoments, ReadsTheSameAgain) {
+TEST(DepthMoments, CanBeReadAgain) {
   DepthStream first = streamAt(steps(0.0, 0.1, 3)), second = streamAt(steps(5.0, 0.1, 3));
   const std::vector<ClipCamera> cameras{{&first, 0.0}, {&second, 0.0}};
   DepthMoments moments(cameras);

@@ -17,9 +17,9 @@ FitSurface surfaceOf(bool drum) {
   return s;
 }
 
-class SurfaceKinds : public ::testing::TestWithParam<bool> {};
+class FitSurfaceKinds : public ::testing::TestWithParam<bool> {};
 
-TEST_P(SurfaceKinds, LevelGrowsAsItsGradientSays) {
+TEST_P(FitSurfaceKinds, LevelMatchesGradient) {
   constexpr double kStep = 1e-6, kTolerance = 1e-3;  // 1/m; the gradient is some 10/m
   const FitSurface s = surfaceOf(GetParam());
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -34,7 +34,7 @@ TEST_P(SurfaceKinds, LevelGrowsAsItsGradientSays) {
   }
 }
 
-TEST_P(SurfaceKinds, PointsOfTheSurfaceThatFaceTheCameraAreAtNoDistance) {
+TEST_P(FitSurfaceKinds, FacingSurfacePointsHaveZeroDistance) {
   const FitSurface s = surfaceOf(GetParam());
   const Transform X_WS = testing::randomPose(5, 1.0);
   const Vector3d eye = X_WS * Vector3d(3.0, 0.5, 0.2);
@@ -62,7 +62,7 @@ TEST_P(SurfaceKinds, PointsOfTheSurfaceThatFaceTheCameraAreAtNoDistance) {
   EXPECT_GT(facing, 20);
 }
 
-TEST_P(SurfaceKinds, ManyAtOnceAreAsOneByOne) {
+TEST_P(FitSurfaceKinds, BatchMatchesSingleEvaluations) {
   constexpr float kNormalWeight = 0.03f;
   const FitSurface s = surfaceOf(GetParam());
   const Transform X_WS = testing::randomPose(9, 1.0);
@@ -86,7 +86,7 @@ TEST_P(SurfaceKinds, ManyAtOnceAreAsOneByOne) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceKinds, ::testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Kinds, FitSurfaceKinds, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "drum" : "ellipsoid"; });
 
 }  // namespace fit_surface_test

@@ -34,12 +34,12 @@ humanmodel::SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, c
   return frame;
 }
 
-TEST(HiddenWays, AreZeroForWhatIsSeenAndInfiniteWithoutAnything) {
+TEST(HiddenPathLengths, AreZeroIfSeenAndInfiniteIfNothingIsSeen) {
   for (const double way : hiddenPathLengths(rig(), without({}))) EXPECT_EQ(way, 0.0);
   for (const double way : hiddenPathLengths(rig(), 0)) EXPECT_EQ(way, kInfinity);
 }
 
-TEST(HiddenWays, AddUpTheBonesFromTheLastSeenSegment) {
+TEST(HiddenPathLengths, AddBonesFromLastSeenSegment) {
   using enum humanmodel::Joint;
   const auto ways = hiddenPathLengths(
       rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
@@ -56,7 +56,7 @@ TEST(HiddenWays, AddUpTheBonesFromTheLastSeenSegment) {
   EXPECT_EQ(way(kWristRight), 0.0);
 }
 
-TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
+TEST(HiddenPathLengths, BoundPosesOfHiddenLimb) {
   struct Case {
     RigSegment held;
     SeenSegments seen;
@@ -88,7 +88,7 @@ TEST(HiddenWays, NoTwoPosesOfAHiddenLimbAreFartherApart) {
   }
 }
 
-TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
+TEST(HiddenSpread, GrowsFromMinToSpaceOfLimb) {
   using enum RigSegment;
   HiddenSpread hidden(rig());
   const auto wrist = static_cast<std::size_t>(humanmodel::Joint::kWristLeft),
@@ -117,7 +117,7 @@ TEST(HiddenSpread, GrowsFromItsLeastToTheSpaceThatTheLimbCanBeIn) {
   EXPECT_EQ(hidden.spread()[wrist], 0.0);
 }
 
-TEST(HiddenSpread, OfALimbThatWasNeverSeenIsAllThatItCanBe) {
+TEST(HiddenSpread, IsMaxForLimbNeverSeen) {
   HiddenSpread hidden(rig());
   const SeenSegments seen = without({RigSegment::kThighLeft, RigSegment::kCalfLeft, RigSegment::kFootLeft});
   testing::NoAlloc guard;

@@ -8,7 +8,7 @@
 namespace abstand::tracking {
 namespace limb_search_test {
 
-TEST(ReachFor, PutsTheEndJointOnEveryGoalInReach) {
+TEST(ReachFor, ReachesEveryGoalInRange) {
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   int tried = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {

@@ -29,7 +29,7 @@ tracking::LiveTrackerOptions usual(std::optional<double> height) {
   return options;
 }
 
-TEST(LiveTracker, SeesEveryImageOnce) {
+TEST(LiveTracker, ProcessesEveryImageOnce) {
   SimulatedClip clip = someoneReaching(1.5);
   tracking::LiveTrackerOptions options = usual(1.75);
   std::size_t watched = 0;
@@ -55,11 +55,11 @@ TEST(LiveTracker, SeesEveryImageOnce) {
   EXPECT_EQ(track.people[0].body.height, 1.75);
   EXPECT_GT(track.people[0].residual, 0.0);
   EXPECT_LT(track.people[0].residual, 0.03);
-  EXPECT_EQ(track.world, "the camera's pose is that of its file");
+  EXPECT_EQ(track.world, "the camera pose is taken from its file");
 }
 
 /// Fitting on a thread of its own comes to the same body, later, and nobody is lost meanwhile.
-TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
+TEST(LiveTracker, BackgroundFitMatchesInlineFit) {
   const auto fitted = [](bool aside) {
     SimulatedClip clip = someoneReaching(4.0);
     tracking::LiveTrackerOptions options;
@@ -90,7 +90,7 @@ TEST(LiveTracker, FitsAsideWhatItFitsOtherwise) {
 }
 
 /// Measured first: nobody to send, then somebody of about the right height.
-TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
+TEST(LiveTracker, MeasuresUnknownPerson) {
   SimulatedClip clip = someoneReaching(0.7);
   tracking::LiveTrackerOptions options = usual(std::nullopt);
   options.keep = false;
@@ -110,7 +110,7 @@ TEST(LiveTracker, MeasuresWhomItDoesNotKnow) {
 }
 
 /// Where the camera does not say how it stands, the floor does, and nothing is tracked before.
-TEST(LiveTracker, StandsOnTheFloorThatItSees) {
+TEST(LiveTracker, UsesDetectedFloor) {
   SimulatedClip clip = someoneReaching(0.3, true);
   tracking::DepthCamera camera = clip.stream->camera();
   const Transform X_WC = camera.X_WC;
@@ -119,7 +119,7 @@ TEST(LiveTracker, StandsOnTheFloorThatItSees) {
   tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
   const tracking::ClipTrack track = tracker.track();
-  EXPECT_EQ(track.world, "the floor in sight is z = 0");
+  EXPECT_EQ(track.world, "the visible floor is z = 0");
   // Height and tilt are those of the true camera; where it stands on the floor nobody can know.
   EXPECT_NEAR(track.camera.X_WC.translation().z(), X_WC.translation().z(), kFloorNoise);
   EXPECT_NEAR((track.camera.X_WC.linear().row(2) - X_WC.linear().row(2)).norm(), 0.0, 0.02);
@@ -130,11 +130,11 @@ TEST(LiveTracker, StandsOnTheFloorThatItSees) {
     frame.t = 0.1 * i;
     EXPECT_TRUE(blind.see(frame).empty());
   }
-  EXPECT_EQ(blind.track().world, "not decided: nothing was seen");
+  EXPECT_EQ(blind.track().world, "undetermined: no image");
   EXPECT_TRUE(blind.track().people.empty());
 }
 
-TEST(LiveTracker, LosesWhoGoes) {
+TEST(LiveTracker, ReportsLeavingPersonLost) {
   SimulatedClip clip = someoneReaching(0.2);
   tracking::LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
   tracking::DepthFrame frame;

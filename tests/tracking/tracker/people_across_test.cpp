@@ -16,7 +16,7 @@ std::vector<int> ids(PeopleAcross& across, double t, std::vector<SeenPlace> seen
   return {found.begin(), found.end()};
 }
 
-TEST(PeopleAcross, NeighboursOfTwoCamerasAreOnePersonAndOthersAreNot) {
+TEST(PeopleAcross, MergesNearbyPeopleOfTwoCameras) {
   PeopleAcross across;
   EXPECT_THAT(
       ids(across, 0.0, {{0, 1, {0.0, 0.0}}, {0, 2, {2.0, 0.0}}, {1, 7, {1.9, 0.3}}, {1, 8, {0.2, 0.0}}}),
@@ -24,14 +24,14 @@ TEST(PeopleAcross, NeighboursOfTwoCamerasAreOnePersonAndOthersAreNot) {
   EXPECT_THAT(ids(across, kStep, {{1, 8, {0.2, 0.0}}, {2, 1, {-3.0, 0.0}}}), ElementsAre(1, 3));
 }
 
-TEST(PeopleAcross, OneCameraNeverGivesTwoPeopleOneNumber) {
+TEST(PeopleAcross, PeopleOfOneCameraKeepDistinctIds) {
   PeopleAcross across;
   EXPECT_THAT(
       ids(across, 0.0, {{0, 1, {0.0, 0.0}}, {0, 2, {0.1, 0.0}}, {1, 5, {0.05, 0.0}}, {1, 6, {0.1, 0.0}}}),
       ElementsAre(1, 2, 1, 2));
 }
 
-TEST(PeopleAcross, KeepsANumberWhilePeoplePassEachOther) {
+TEST(PeopleAcross, KeepsIdsWhilePeoplePass) {
   PeopleAcross across;
   for (double x = -1.0; x < 1.0; x += 0.05) {
     const double t = x + 1.0;
@@ -40,7 +40,7 @@ TEST(PeopleAcross, KeepsANumberWhilePeoplePassEachOther) {
   }
 }
 
-TEST(PeopleAcross, SeparatesWhoWalkApartAndJoinsWhoWereOneAllTheTime) {
+TEST(PeopleAcross, SplitsDivergingAndMergesCoincidingPeople) {
   PeopleAcross across;
   EXPECT_THAT(ids(across, 0.0, {{0, 1, {0.0, 0.0}}, {1, 1, {0.3, 0.0}}}), ElementsAre(1, 1));
   double t = 0.0;

@@ -58,14 +58,14 @@ TEST(PoseFromPerson, IsExactWithoutNoise) {
   EXPECT_GT(fit.moved, 0.5);
 }
 
-TEST(PoseFromPerson, EndsInTheFrameOfTheCamera) {
+TEST(PoseFromPerson, ResultIsInCameraFrame) {
   const auto world = walking();
   const Transform X_FC = somewhere() * somewhere();
   const PersonPoseFit fit = fitPoseToPerson(world, seenFrom(somewhere(), world, 0.0), X_FC);
   EXPECT_LT((fit.X_WC.matrix() - (somewhere() * X_FC).matrix()).norm(), kExact);
 }
 
-TEST(PoseFromPerson, NoticesWhoWasTrackedTheOtherWayRound) {
+TEST(PoseFromPerson, DetectsReversedFacing) {
   const auto world = walking();
   auto own = seenFrom(somewhere(), world, 0.0);
   for (SkeletonFrame& frame : own) frame = flippedFacing(frame);
@@ -75,7 +75,7 @@ TEST(PoseFromPerson, NoticesWhoWasTrackedTheOtherWayRound) {
   EXPECT_LT((fit.X_WC.matrix() - somewhere().matrix()).norm(), kTurned);
 }
 
-TEST(PoseFromPerson, IsRefusedForTwoPeopleAndForNothingInCommon) {
+TEST(PoseFromPerson, RejectsDifferentPeopleAndNoCommonTime) {
   const auto world = walking();
   auto other = testing::posedFrames(
       std::vector<testing::Posture>{{.t = 0.0, .reach = 0.6, .low = 1.5},
@@ -87,7 +87,7 @@ TEST(PoseFromPerson, IsRefusedForTwoPeopleAndForNothingInCommon) {
   EXPECT_THROW(fitPoseToPerson(world, {}, Transform::Identity()), UsageError);
 }
 
-TEST(PoseFromPerson, PlacesASecondCameraByWhatBothTrack) {
+TEST(PoseFromPerson, PlacesSecondCameraFromTracks) {
   std::vector<ClipTrack> tracks;
   std::vector<Transform> truth;
   for (const Vector3d& eye : {Vector3d(3.2, 0.0, 1.6), Vector3d(1.6, -2.8, 1.4)}) {

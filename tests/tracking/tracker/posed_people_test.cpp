@@ -197,7 +197,7 @@ double shareRightWayRound(const std::vector<SkeletonFrame>& frames, const std::v
 
 class PosedPeople : public ::testing::TestWithParam<Case> {};
 
-TEST_P(PosedPeople, AreFollowed) {
+TEST_P(PosedPeople, AreTrackedWithinTolerance) {
   const Case& c = GetParam();
   auto clip = testing::simulate(
       {.recording = {}, .eye = c.eye, .look = c.look, .body_seed = c.body_seed, .room = true},

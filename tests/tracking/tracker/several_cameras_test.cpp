@@ -75,7 +75,7 @@ JointErrors report(const char* name, const Tracked& tracked) {
   return errors;
 }
 
-TEST(SeveralCameras, TwoAtRightAnglesSeeWhatABenchAndAnArmHideFromOne) {
+TEST(SeveralCameras, TwoCamerasResolveOcclusionOfOne) {
   const std::array<Vector3d, 2> eyes{kFront, kSide};
   const JointErrors one = report("front", tracked({eyes.data(), 1}, kBench, kArm));
   const Tracked both = tracked(eyes, kBench, kArm);
@@ -90,7 +90,7 @@ TEST(SeveralCameras, TwoAtRightAnglesSeeWhatABenchAndAnArmHideFromOne) {
   EXPECT_TRUE(both.track.people[0].stature.known());
 }
 
-TEST(SeveralCameras, FourAllRoundSeeOnePerson) {
+TEST(SeveralCameras, FourSurroundingCamerasTrackOnePerson) {
   const std::array<Vector3d, 4> eyes{kFront, kSide, kBehind, kOtherSide};
   const Tracked all = tracked(eyes, {}, {});
   const JointErrors errors = report("four", all);

@@ -81,7 +81,7 @@ std::vector<Case> cases() {
 
 class SimulatedPeople : public ::testing::TestWithParam<Case> {};
 
-TEST_P(SimulatedPeople, AreFollowed) {
+TEST_P(SimulatedPeople, AreTrackedWithinTolerance) {
   if (!exists(GetParam().plan.recording)) GTEST_SKIP() << GetParam().plan.recording;
   auto clip = testing::simulate(GetParam().plan);
   const ClipTrack track = trackClip(*clip.stream, {});
@@ -107,7 +107,7 @@ TEST_P(SimulatedPeople, AreFollowed) {
 }
 
 // At 4 m feet and knees are too coarse to tell front from back: who faces the camera is not turned round.
-TEST(Facing, OfAFrontalPersonFarAwayIsTheFront) {
+TEST(Facing, DistantFrontalPersonIsFront) {
   ClipPlan plan{.recording = testing::projectFile("data/scenes/hug_reach.bvh"),
                 .end = 1.0,
                 .eye = {4.2, 0.0, 1.2},
@@ -124,7 +124,7 @@ TEST(Facing, OfAFrontalPersonFarAwayIsTheFront) {
 // The same people from behind: the feet, and the way knees and elbows bend, tell the back from the front.
 class PeopleFromBehind : public ::testing::TestWithParam<Case> {};
 
-TEST_P(PeopleFromBehind, AreKnownToLookAway) {
+TEST_P(PeopleFromBehind, AreReportedFacingAway) {
   ClipPlan plan = GetParam().plan;
   if (!exists(plan.recording)) GTEST_SKIP() << plan.recording;
   const auto tracked = [](const ClipPlan& seen, bool& away) {

@@ -39,7 +39,7 @@ std::vector<ClipPlan> hardClips() {
   };
 }
 
-TEST(StatedReach, HoldsRawErrorsOfTrackedAndOfInferredJoints) {
+TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
   JointErrors::Stated tracked, inferred;
   for (const ClipPlan& plan : hardClips()) {
     if (!exists(plan.recording)) continue;

@@ -51,7 +51,7 @@ Stature of(double low, double high) {
   return measureStature(std::vector<VerticalExtent>(15, Flat(low, high).extent()));
 }
 
-TEST(Stature, OfAnUprightPersonIsMeasured) {
+TEST(Stature, IsMeasuredForUprightPerson) {
   const Stature s = of(0.0, 1.8);
   EXPECT_TRUE(s.known());
   EXPECT_NEAR(s.used, 1.8, kNear);
@@ -59,14 +59,14 @@ TEST(Stature, OfAnUprightPersonIsMeasured) {
   EXPECT_THAT(statureReason(s), HasSubstr("measured"));
 }
 
-TEST(Stature, IsNotClampedAndCalledMeasured) {
+TEST(Stature, OutOfRangeExtentIsNotReportedAsMeasured) {
   for (const double height : {0.8, 1.2, 1.35}) {
     const Stature s = of(0.0, height);
     EXPECT_FALSE(s.known()) << height;
     EXPECT_NEAR(s.interval[0], std::max(Stature::kShortest, height), kNear);
     EXPECT_EQ(s.interval[1], Stature::kTallest);
     EXPECT_GT(s.deviation(), 0.1);
-    EXPECT_THAT(statureReason(s), HasSubstr("not known, between"));
+    EXPECT_THAT(statureReason(s), HasSubstr("unknown, between"));
   }
   // Arms over the head: the extent says nothing.
   const Stature raised = measureStature(std::vector<VerticalExtent>(15, {2.25, 2.25, true}));
@@ -74,7 +74,7 @@ TEST(Stature, IsNotClampedAndCalledMeasured) {
   EXPECT_THAT(raised.interval, ElementsAre(Stature::kShortest, Stature::kTallest));
 }
 
-TEST(Stature, OfWhoIsCutByTheImageOrHiddenBelowIsAnInterval) {
+TEST(Stature, IsIntervalForTruncatedOrHiddenPerson) {
   // Above 2.24 m and below -0.24 m the camera sees nothing.
   EXPECT_TRUE(Flat(0.0, 1.8).extent().whole);
   EXPECT_FALSE(Flat(-2.0, 1.8).extent().whole) << "cut below";
@@ -86,7 +86,7 @@ TEST(Stature, OfWhoIsCutByTheImageOrHiddenBelowIsAnInterval) {
   EXPECT_EQ(s.interval[0], Stature::kShortest);
 }
 
-TEST(Stature, OfWhoDoesNotStandOrHasNoHeadInTheImageIsNotThatOfWhatIsSeen) {
+TEST(Stature, IsNotTakenFromSeatedOrHeadlessPerson) {
   // Seated or kneeling; a body of 1.3 m would have its legs in the air.
   EXPECT_EQ(of(0.0, 1.3).used, Stature::kUsual);
   EXPECT_EQ(measureStature(std::vector<VerticalExtent>(15, {2.25, 2.25, true})).used, Stature::kUsual);
@@ -99,14 +99,14 @@ TEST(Stature, OfWhoDoesNotStandOrHasNoHeadInTheImageIsNotThatOfWhatIsSeen) {
   EXPECT_NEAR(cutAt(1.8), 1.8, kNear);
 }
 
-TEST(Stature, OfNobodyIsNotKnown) {
+TEST(Stature, IsUnknownWithoutImages) {
   const Stature s = measureStature({});
   EXPECT_FALSE(s.known());
   EXPECT_GT(s.used, 0.0);
   EXPECT_FALSE(Stature{}.known());
 }
 
-TEST(Stature, ThatIsNotKnownIsAWarning) {
+TEST(Stature, UnknownIsAWarning) {
   ClipPerson person;
   person.facing.given = true;
   person.stature = Stature::given(1.5);
@@ -115,7 +115,7 @@ TEST(Stature, ThatIsNotKnownIsAWarning) {
   EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("--height")));
 }
 
-TEST(Facing, ThatIsNotDecidedIsTheFrontAndAWarning) {
+TEST(Facing, UndecidedIsFrontWithWarning) {
   ClipPerson person;
   person.stature = Stature::given(1.75);
   const auto decided = [&](double ratio) {
@@ -126,8 +126,8 @@ TEST(Facing, ThatIsNotDecidedIsTheFrontAndAWarning) {
   EXPECT_TRUE(decided(1.5));
   for (const double ratio : {1.0, 1.03, 1.06, kNaN}) {
     EXPECT_FALSE(decided(ratio)) << ratio;
-    EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("the front is taken")));
-    EXPECT_THAT(facingReason(person.facing), HasSubstr("facing the camera at first, which"));
+    EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing the camera is assumed")));
+    EXPECT_THAT(facingReason(person.facing), HasSubstr("initially facing the camera, assumed"));
   }
   person.facing.given = true;
   EXPECT_THAT(trackWarnings(person), IsEmpty());

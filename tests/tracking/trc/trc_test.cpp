@@ -45,7 +45,7 @@ TEST(Trc, ReadsMarkersAndGaps) {
   }
 }
 
-TEST(Trc, SaysWhatDiffersFromItsClaims) {
+TEST(Trc, ReportsDifferencesFromHeader) {
   const std::string text = trc("1\t0\t1\t2\t3\t4\n", "A\t\t\tB", "3");
   TrcReader reader(text, "t.trc");
   PointFrame f;
@@ -58,7 +58,7 @@ TEST(Trc, SaysWhatDiffersFromItsClaims) {
   EXPECT_THAT(reader.warnings()[2].text, HasSubstr("rows end early"));
 }
 
-TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
+TEST(Trc, WarnsOfMissingValueAndExtraMarker) {
   // Of the second row a value is missing, nobody knows which; the third has three values behind the named
   // markers.
   const std::string text =
@@ -80,7 +80,7 @@ TEST(Trc, AMissingValueAndAMarkerTooManyAreWarnings) {
   EXPECT_THAT(reader.warnings()[2].text, HasSubstr("more markers"));
 }
 
-TEST(Trc, RefusesWithTheLine) {
+TEST(Trc, RejectsBadFilesWithLine) {
   struct Case {
     std::string text;
     int line;
@@ -130,14 +130,14 @@ TEST(Trc, ReadsRealFiles) {
     EXPECT_EQ(r.report.units.name, c.units) << c.file;
     EXPECT_GE(r.report.mapped.size(), c.parts) << c.file;
     if (!r.report.markers.set.empty()) continue;  // solved: its joints are centres
-    EXPECT_THAT(r.report.warnings, Contains(::testing::AnyOf(HasSubstr("markers on the skin"),
-                                                             HasSubstr("no joint map makes a part"))))
+    EXPECT_THAT(r.report.warnings, Contains(::testing::AnyOf(HasSubstr("midpoints of skin markers"),
+                                                             HasSubstr("no joint map yields a body part"))))
         << c.file;
   }
 }
 
 // Motek's dancer in a T-pose: the marker map makes a standing body of plausible measures.
-TEST(Trc, MarkersMakeABody) {
+TEST(Trc, MarkersGivePlausibleBody) {
   const auto file = testing::sharedData("mocap/trc/motek/T.trc");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const Recording r = openRecording(file);

@@ -25,7 +25,7 @@ struct AutosaveTest : ::testing::Test {
   Document document;
 };
 
-TEST_F(AutosaveTest, IsWrittenWithASceneAndGoneAtTheEnd) {
+TEST_F(AutosaveTest, IsWrittenWithSceneAndRemovedAtExit) {
   Autosave autosave(document, folder);
   autosave.write();
   EXPECT_FALSE(QFile::exists(autosave.file())) << "there is nothing to keep";
@@ -39,7 +39,7 @@ TEST_F(AutosaveTest, IsWrittenWithASceneAndGoneAtTheEnd) {
   EXPECT_TRUE(files().isEmpty());
 }
 
-TEST_F(AutosaveTest, WritesByItselfAfterAnEdit) {
+TEST_F(AutosaveTest, WritesAutomaticallyAfterEdit) {
   document.open(sampleProject(), "", false);
   Autosave autosave(document, folder);
   QSignalSpy looks(&autosave, &Autosave::aboutToWrite);
@@ -47,7 +47,7 @@ TEST_F(AutosaveTest, WritesByItselfAfterAnEdit) {
   ASSERT_TRUE(QFile::exists(autosave.file()));
 }
 
-TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsSaidOnce) {
+TEST_F(AutosaveTest, ReportsUnwritableFolderOnce) {
   document.open(sampleProject(), "", false);
   scratch.write("a", "a file where a folder should be");
   Autosave autosave(document, folder);
@@ -57,7 +57,7 @@ TEST_F(AutosaveTest, AFolderThatCannotBeWrittenIsSaidOnce) {
   EXPECT_EQ(failures.size(), 1);
 }
 
-TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
+TEST_F(AutosaveTest, FindsWorkOfKilledProcess) {
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
@@ -92,7 +92,7 @@ TEST_F(AutosaveTest, WhatAKilledProgramHadIsFound) {
   EXPECT_TRUE(leftOvers(folder).empty());
 }
 
-TEST_F(AutosaveTest, RubbishOfEndedProgramsIsRemoved) {
+TEST_F(AutosaveTest, RemovesFilesOfEndedProcesses) {
   QDir().mkpath(folder);
   scratch.write("a/b/dead.lock", "");
   scratch.write("a/b/dead.abstand.part77.0", "{");
@@ -103,7 +103,7 @@ TEST_F(AutosaveTest, RubbishOfEndedProgramsIsRemoved) {
   EXPECT_EQ(files().size(), 3) << "an autosave, its lock, and that of this program";
 }
 
-TEST_F(AutosaveTest, ADamagedOneIsNamed) {
+TEST_F(AutosaveTest, ReportsDamagedAutosave) {
   QDir().mkpath(folder);
   scratch.write("a/b/x.abstand", "{");
   const auto found = leftOvers(folder);

@@ -11,7 +11,7 @@
 namespace abstand::ui {
 namespace document_test {
 
-TEST(DocumentTest, UndoOfRandomEditsReturnsExactlyToTheStart) {
+TEST(DocumentTest, UndoOfRandomEditsRestoresStart) {
   Document document;
   document.open(sampleProject(), "/p.abstand", false);
   const Work start = document.work();
@@ -54,7 +54,7 @@ TEST(DocumentTest, UndoOfRandomEditsReturnsExactlyToTheStart) {
   EXPECT_EQ(document.work(), states.back());
 }
 
-TEST(DocumentTest, ADragIsOneStepAndTheNextDragAnother) {
+TEST(DocumentTest, EachDragIsOneStep) {
   Document document;
   const auto drag = [&](std::initializer_list<double> values) {
     for (const double value : values)
@@ -71,7 +71,7 @@ TEST(DocumentTest, ADragIsOneStepAndTheNextDragAnother) {
   EXPECT_EQ(document.work(), Work());
 }
 
-TEST(DocumentTest, ADragThatReturnsLeavesNoStep) {
+TEST(DocumentTest, DragBackToStartLeavesNoStep) {
   Document document;
   for (const double value : {0.1, 0.2, 0.0})
     document.edit(
@@ -107,7 +107,7 @@ TEST(DocumentTest, IsModifiedUntilSavedAndAgainAfterUndo) {
   EXPECT_FALSE(document.steps().canUndo());
 }
 
-TEST(DocumentTest, FollowersHearOfEditUndoAndRedo) {
+TEST(DocumentTest, SignalsEditUndoAndRedo) {
   Document document;
   std::vector<std::pair<int, int>> heard;
   QObject::connect(&document, &Document::workChanged, [&](const Work& before, const Work& after) {

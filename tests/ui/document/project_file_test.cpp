@@ -14,7 +14,7 @@
 namespace abstand::ui {
 namespace project_file_test {
 
-TEST(ProjectFileTest, SaveLoadSaveGivesTheSameBytes) {
+TEST(ProjectFileTest, SaveLoadSaveIsByteIdentical) {
   for (const Project& project : {sampleProject(), Project()})
     for (const QString folder : {"/cell/projects", "/", ""}) {
       const std::string text = projectText(project, folder);
@@ -24,7 +24,7 @@ TEST(ProjectFileTest, SaveLoadSaveGivesTheSameBytes) {
     }
 }
 
-TEST(ProjectFileTest, PathsAreRelativeToTheFile) {
+TEST(ProjectFileTest, PathsAreRelativeToFile) {
   testing::ScratchFolder folder;
   Project project = sampleProject();
   const QString root = QString::fromStdString(folder.path().string());
@@ -43,12 +43,12 @@ TEST(ProjectFileTest, PathsAreRelativeToTheFile) {
   EXPECT_EQ(moved.work.recording.toStdString(), (other.path() / "people/walk.bvh").string());
 }
 
-TEST(ProjectFileTest, AnAutosaveNamesItsProject) {
+TEST(ProjectFileTest, AutosaveNamesItsProject) {
   const std::string text = projectText(sampleProject(), "", "/cell/p.abstand");
   EXPECT_EQ(parseProject(text, "a", "/elsewhere").saved_as, "/cell/p.abstand");
 }
 
-TEST(ProjectFileTest, ErrorsNameThePlace) {
+TEST(ProjectFileTest, ErrorsHavePositions) {
   struct Case {
     const char* text;
     const char* error;
@@ -85,7 +85,7 @@ TEST(ProjectFileTest, ErrorsNameThePlace) {
   }
 }
 
-TEST(ProjectFileTest, ADamagedFileIsAnErrorAndNothingElse) {
+TEST(ProjectFileTest, DamagedFileIsOnlyAParseError) {
   const std::string text = projectText(sampleProject(), "/cell");
   for (std::size_t length = 0; length < text.size(); length += 3) {
     if (text.find_first_not_of(" \n", length) == std::string::npos) break;
@@ -101,7 +101,7 @@ TEST(ProjectFileTest, ADamagedFileIsAnErrorAndNothingElse) {
   }
 }
 
-TEST(JsonTextTest, EscapesWhatAStringMustNotHold) {
+TEST(JsonTextTest, EscapesSpecialCharacters) {
   EXPECT_EQ(jsonString("a\"b\\c\nd\te\x7f ü"), "\"a\\\"b\\\\c\\nd\\u0009e\\u007f ü\"");
 }
 

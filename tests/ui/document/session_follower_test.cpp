@@ -23,7 +23,7 @@ struct SessionFollowerTest : ::testing::Test {
 
 using Log = std::vector<std::string>;
 
-TEST_F(SessionFollowerTest, OnlyWhatDiffersIsSentAndUndoneAsTheSceneSays) {
+TEST_F(SessionFollowerTest, SendsOnlyDifferencesAndRestoresSceneValues) {
   Work work;
   work.margins = {{"arm/link1", 0.2}, {"table", 0.01}, {"nobody", 0.3}};
   attach(work);
@@ -35,7 +35,7 @@ TEST_F(SessionFollowerTest, OnlyWhatDiffersIsSentAndUndoneAsTheSceneSays) {
   EXPECT_EQ(follower.unknownNames(work), QStringList{"nobody"});
 }
 
-TEST_F(SessionFollowerTest, GroupsAndMovedPairsFollow) {
+TEST_F(SessionFollowerTest, SendsGroupsAndMovedPairs) {
   attach({});
   const auto [a, b] = session.outline().pairs.front();
   const auto name = [&](int i) {
@@ -56,7 +56,7 @@ TEST_F(SessionFollowerTest, GroupsAndMovedPairsFollow) {
   EXPECT_EQ(session.log, (Log{"add 0 0", "run 1"}));
 }
 
-TEST_F(SessionFollowerTest, PosedRobotsFollowJointByJoint) {
+TEST_F(SessionFollowerTest, SendsPosedRobotsPerJoint) {
   Work work;
   work.posed["arm"] = {0.1, 0.2, 0.3, 0.4, 0.5};
   work.posed["nobody"] = {1.0};
@@ -79,7 +79,7 @@ TEST_F(SessionFollowerTest, PosedRobotsFollowJointByJoint) {
   EXPECT_TRUE(session.log.empty());
 }
 
-TEST_F(SessionFollowerTest, WithoutASessionNothingIsSent) {
+TEST_F(SessionFollowerTest, SendsNothingWithoutSession) {
   Work work;
   work.margins["arm/link1"] = 0.2;
   follower.attach(nullptr, {}, work);

@@ -9,7 +9,7 @@ namespace event_table_test {
 
 using Column = EventTableModel::Column;
 
-TEST(EventTable, HasARowForEachEvent) {
+TEST(EventTable, HasOneRowPerEvent) {
   FakeSession session;
   FakeAnalysis analysis(session.outline(), [&](std::size_t part, std::size_t frame) {
     return part == 3 ? -0.02 + valley(part, analysis.t(frame)) - 0.05 : valley(part, analysis.t(frame));

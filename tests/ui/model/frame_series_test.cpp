@@ -12,7 +12,7 @@
 namespace abstand::ui {
 namespace frame_series_test {
 
-TEST(FrameSeries, KeepsTheExtremeOfAFrameAndTakesNewValuesWhenPlayedAgain) {
+TEST(FrameSeries, KeepsExtremePerFrameAndRestartsOnReplay) {
   FrameSeries series(1.0, 2.0, 0.1, Keep::kSmallest);
   ASSERT_EQ(series.size(), 11u);
   series.add(1.30, 0.5);
@@ -25,7 +25,7 @@ TEST(FrameSeries, KeepsTheExtremeOfAFrameAndTakesNewValuesWhenPlayedAgain) {
   EXPECT_TRUE(std::isnan(series.at(1.5)));
 }
 
-TEST(FrameSeries, PassesOverWhatDoesNotBelong) {
+TEST(FrameSeries, IgnoresOutOfRangeAndNonFiniteValues) {
   FrameSeries series(0.0, 1.0, 0.1, Keep::kLargest);
   for (const double t : {-1.0, 1.2, 1e300, std::nan("")}) series.add(t, 1.0);
   series.add(0.5, std::nan(""));
@@ -34,7 +34,7 @@ TEST(FrameSeries, PassesOverWhatDoesNotBelong) {
   EXPECT_TRUE(std::isnan(series.between(0.0, 1.0).high));
 }
 
-TEST(FrameSeries, HasABoundHoweverLongTheRecordingClaimsToBe) {
+TEST(FrameSeries, SizeIsBoundedForAnyDuration) {
   EXPECT_LE(FrameSeries(0.0, 1e12, 1e-9, Keep::kSmallest).size(), FrameSeries::kMaxFrames);
   FrameSeries live(0.0, 0.0, 0.001, Keep::kLargest);
   for (int i = 0; i < 1200000; ++i) live.add(i * 0.001, i);
@@ -45,7 +45,7 @@ TEST(FrameSeries, HasABoundHoweverLongTheRecordingClaimsToBe) {
   EXPECT_EQ(live.at(1e9), 5.0);
 }
 
-TEST(Decimation, KeepsEveryExtremeInTwoPointsAColumn) {
+TEST(Decimation, KeepsExtremesInTwoPointsPerColumn) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (const int n : {50, 999, 20000}) {
@@ -70,7 +70,7 @@ TEST(Decimation, KeepsEveryExtremeInTwoPointsAColumn) {
   }
 }
 
-TEST(Decimation, PartsTheLineWhereNothingIsKnown) {
+TEST(Decimation, SplitsLineAtUnknownValues) {
   FrameSeries series(0.0, 10.0, 0.1, Keep::kSmallest);
   for (int i = 0; i <= 20; ++i) series.add(i * 0.1, 1.0);
   for (int i = 60; i <= 100; ++i) series.add(i * 0.1, 1.0);
@@ -81,7 +81,7 @@ TEST(Decimation, PartsTheLineWhereNothingIsKnown) {
       1);
 }
 
-TEST(RunHistory, FindsWhereContactsBegin) {
+TEST(RunHistory, FindsBeginningOfContacts) {
   view::SceneOutline outline;
   outline.end = 10.0;
   outline.frame_period = 0.1;

@@ -5,7 +5,7 @@
 namespace abstand::ui {
 namespace groups_test {
 
-TEST(Groups, NamesThatSeveralBodiesHaveAreWhole) {
+TEST(Groups, AmbiguousNamesAreQualified) {
   view::SceneOutline outline;
   outline.objects = {{"left_arm/link7", "left_arm", false, true},
                      {"right_arm/link7", "right_arm", false, true},

@@ -14,7 +14,7 @@
 namespace abstand::ui {
 namespace inspected_test {
 
-struct InspectedTest : ::testing::Test {
+struct InspectedSubjectTest : ::testing::Test {
   void at(double t) {
     session.seek(t);
     session.takeSnapshot(snapshot);
@@ -43,7 +43,7 @@ struct InspectedTest : ::testing::Test {
   view::SceneSnapshot snapshot;
 };
 
-TEST_F(InspectedTest, ASelectionIsABodyAPairARobotAPersonOrSeveral) {
+TEST_F(InspectedSubjectTest, SelectionHasExpectedKind) {
   EXPECT_EQ(inspectedSubject(outline, {}, -1).kind, SubjectKind::kNone);
   const InspectedSubject link = body("arm/link2");
   EXPECT_EQ(link.kind, SubjectKind::kBody);
@@ -63,7 +63,7 @@ TEST_F(InspectedTest, ASelectionIsABodyAPairARobotAPersonOrSeveral) {
   EXPECT_EQ(inspectedSubject(outline, {-1, 99999}, -1).kind, SubjectKind::kNone);
 }
 
-TEST_F(InspectedTest, TheNearestPersonIsThatOfTheSmallestDistance) {
+TEST_F(InspectedSubjectTest, NearestPersonHasSmallestDistance) {
   at(1.3);
   const InspectedSubject robot = inspectedSubject(outline, groupOf("arm"), -1);
   int nearest = -1;
@@ -86,7 +86,7 @@ TEST_F(InspectedTest, TheNearestPersonIsThatOfTheSmallestDistance) {
   EXPECT_TRUE(value(robot, "Body", "Nearest person").contains(" – operator/"));
 }
 
-TEST_F(InspectedTest, WhatIsNotCheckedIsCountedAndNeverClear) {
+TEST_F(InspectedSubjectTest, UncheckedPairsAreCountedAndNeverClear) {
   at(0.0);
   const InspectedSubject ball = body("ball");
   ASSERT_EQ(inspectPairs(outline, snapshot, ball.objects).paused, 0u);
@@ -111,7 +111,7 @@ TEST_F(InspectedTest, WhatIsNotCheckedIsCountedAndNeverClear) {
   EXPECT_EQ(inspectPairs(outline, snapshot, {outline.pairs.front().first}).level, PairLevel::kUnknown);
 }
 
-TEST_F(InspectedTest, APosedLinkSaysWhereItIs) {
+TEST_F(InspectedSubjectTest, PosedLinkShowsPose) {
   at(0.7);
   const auto i = static_cast<std::size_t>(session.indexOf("arm/link3"));
   snapshot.objects[i].X_WB = Transform::Identity();
@@ -131,7 +131,7 @@ TEST_F(InspectedTest, APosedLinkSaysWhereItIs) {
   EXPECT_TRUE(value(link, "Pose").startsWith("? lost"));
 }
 
-TEST_F(InspectedTest, ARobotHasJointsWithLimitsAndTorques) {
+TEST_F(InspectedSubjectTest, RobotShowsJointsLimitsAndTorques) {
   at(2.0);
   const InspectedSubject robot = inspectedSubject(outline, groupOf("arm"), -1);
   EXPECT_EQ(value(robot, "Motion"), "follows arm.csv");
@@ -148,7 +148,7 @@ TEST_F(InspectedTest, ARobotHasJointsWithLimitsAndTorques) {
   EXPECT_EQ(value(robot, "Motion"), "posed by hand");
 }
 
-TEST_F(InspectedTest, AStopIsSaidWithItsPairAndDistance) {
+TEST_F(InspectedSubjectTest, StopShowsPairAndDistance) {
   at(0.0);
   const auto [a, b] = outline.pairs[3];
   snapshot.robots[0].state = safety::StopState::kProtectiveStop;
@@ -166,7 +166,7 @@ TEST_F(InspectedTest, AStopIsSaidWithItsPairAndDistance) {
   EXPECT_TRUE(stopText(outline, snapshot, 0).isEmpty());
 }
 
-TEST_F(InspectedTest, APersonHasMeasuresAndAnAge) {
+TEST_F(InspectedSubjectTest, PersonShowsMeasuresAndAge) {
   at(0.0);
   snapshot.movers.person_age = {0.24};
   const InspectedSubject person = inspectedSubject(outline, groupOf("operator"), -1);

@@ -48,7 +48,7 @@ view::SceneSnapshot snapshotAt(FakeSession& session, double t) {
   return snapshot;
 }
 
-TEST(NearestClasses, PeopleComeFirstAndPartsOfOneAreNotAmongThem) {
+TEST(NearestClasses, PeopleComeFirstWithoutSelfPairs) {
   view::SceneOutline outline;
   outline.objects = {{"arm/1", "arm", false, true},      {"arm/2", "arm", false, true},
                      {"p/head", "p", true, true},        {"p/torso", "p", true, true},
@@ -74,7 +74,7 @@ TEST(NearestClasses, PeopleComeFirstAndPartsOfOneAreNotAmongThem) {
   EXPECT_TRUE(nearestText({}, {}).isEmpty());
 }
 
-TEST(SceneTree, IsASoundModelWithGroupsInOrder) {
+TEST(SceneTree, IsConsistentModelWithOrderedGroups) {
   FakeSession session;
   SceneTreeModel model;
   const Checked checked(&model);
@@ -92,7 +92,7 @@ TEST(SceneTree, IsASoundModelWithGroupsInOrder) {
   EXPECT_EQ(model.rowCount(), 0);
 }
 
-TEST(SceneTree, ACheckBoxOfAGroupShowsAndHidesItsObjects) {
+TEST(SceneTree, GroupCheckBoxShowsAndHidesObjects) {
   FakeSession session;
   SceneTreeModel model;
   const Checked checked(&model);
@@ -106,7 +106,7 @@ TEST(SceneTree, ACheckBoxOfAGroupShowsAndHidesItsObjects) {
   EXPECT_EQ(changes.size(), 5);
 }
 
-TEST(SceneTree, MarksContactByTextAndOnlyTellsWhatChanged) {
+TEST(SceneTree, MarksContactAndSignalsOnlyChanges) {
   FakeSession session;
   SceneTreeModel model;
   model.open(session.outline());
@@ -120,7 +120,7 @@ TEST(SceneTree, MarksContactByTextAndOnlyTellsWhatChanged) {
   EXPECT_EQ(changes.size(), 0);
 }
 
-TEST(PairTable, IsASoundModelSortedByDistance) {
+TEST(PairTable, IsConsistentModelSortedByDistance) {
   FakeSession session;
   PairTableModel model;
   PairFilter filter;
@@ -142,7 +142,7 @@ TEST(PairTable, IsASoundModelSortedByDistance) {
   EXPECT_EQ(filter.rowCount(), 1);
 }
 
-TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
+TEST(PairTable, ShowsStateAndSortsUnknownDistancesLast) {
   FakeSession session;
   PairTableModel model;
   model.open(session.outline());
@@ -164,7 +164,7 @@ TEST(PairTable, SaysTheStateInWordsAndPutsUnknownDistancesLast) {
   EXPECT_TRUE(model.index(nearest, 0).data(Qt::BackgroundRole).isValid());
 }
 
-TEST(PairStates, AMarginThatIsBrokenIsNoTouch) {
+TEST(PairStates, BrokenMarginIsNotContact) {
   FakeSession session;
   PairTableModel table;
   SceneTreeModel tree;
@@ -203,7 +203,7 @@ TEST(PairStates, AMarginThatIsBrokenIsNoTouch) {
   }
 }
 
-TEST(PairTable, CallsInsideWhatTheGateWouldNotPass) {
+TEST(PairTable, MarksPairsThatCheckWouldNotPassAsInside) {
   FakeSession session;
   PairTableModel model;
   model.open(session.outline());
@@ -250,7 +250,7 @@ TEST(PairPanelTest, KeepsSelectionAndScrollWhileValuesChange) {
             session.outline().objects[static_cast<std::size_t>(a)].name);
 }
 
-TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
+TEST(SelectionSync, TreeAndTableShareSelection) {
   FakeSession session;
   Selection selection;
   SceneTreeModel model;
@@ -276,7 +276,7 @@ TEST(SelectionSync, TreeLeadsTheTableAndTheTableLeadsTheTree) {
   EXPECT_EQ(panel.table()->model()->rowCount(), static_cast<int>(session.outline().pairs.size()));
 }
 
-TEST(PairPanelTest, ListsPeopleAndRobotsUnlessToldOtherwise) {
+TEST(PairPanelTest, ListsPeopleAndRobotsByDefault) {
   FakeSession session;
   Selection selection;
   PairPanel panel(selection);
@@ -308,7 +308,7 @@ TEST(PairPanelTest, ListsPeopleAndRobotsUnlessToldOtherwise) {
   EXPECT_EQ(panel.classBox()->count(), 1);
 }
 
-TEST(SceneTreeModelTest, NearestOfARobotIsAPerson) {
+TEST(SceneTreeModelTest, NearestOfRobotIsPerson) {
   FakeSession session;
   SceneTreeModel model;
   view::SceneSnapshot snapshot;

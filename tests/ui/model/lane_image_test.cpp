@@ -28,7 +28,7 @@ struct LaneImageTest : ::testing::Test {
   RecordingReview review;
 };
 
-TEST_F(LaneImageTest, ShowsEveryFrameOfEveryColumn) {
+TEST_F(LaneImageTest, CoversEveryFrameOfEveryColumn) {
   const margin::ClearanceStore& store = *review.store();
   ASSERT_EQ(store.frames(), 512u);
   std::mt19937 random(1);
@@ -70,7 +70,7 @@ TEST_F(LaneImageTest, ShowsEveryFrameOfEveryColumn) {
   }
 }
 
-TEST_F(LaneImageTest, MarksWhatIsInsideAndNear) {
+TEST_F(LaneImageTest, MarksFramesInsideAndNear) {
   const TimeRange shown{0.0, 12.0};
   const int columns = 601;
   const auto bounds = columnFrames(*review.store(), shown, columns);
@@ -89,7 +89,7 @@ TEST_F(LaneImageTest, MarksWhatIsInsideAndNear) {
   }
 }
 
-TEST_F(LaneImageTest, AllPartsTogetherShowTheNearest) {
+TEST_F(LaneImageTest, CombinedLaneShowsNearest) {
   const LaneRow all = wholeRow(review, {0.0, 12.0}, 601);
   EXPECT_TRUE(all.unknown.back()) << "not analysed";
   EXPECT_FALSE(all.unknown[300]);

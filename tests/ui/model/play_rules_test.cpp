@@ -47,14 +47,14 @@ TEST_F(PlayRulesTest, LoopsBetweenInAndOut) {
   EXPECT_EQ(seeks, 3);
 }
 
-TEST_F(PlayRulesTest, WithoutLoopTheRangeChangesNothing) {
+TEST_F(PlayRulesTest, RangeHasNoEffectWithoutLoop) {
   axis.setRange(TimeRange{2.0, 3.0});
   playback.seek(2.5);
   play(1.5);
   EXPECT_NEAR(playback.time(), 4.0, 2 * frame);
 }
 
-TEST_F(PlayRulesTest, BeginsAtInWhereTheRecordingBeginsAgain) {
+TEST_F(PlayRulesTest, RestartsAtInPoint) {
   axis.setRange(TimeRange{11.0, 12.0});
   playback.setLoop(true);
   playback.seek(11.5);
@@ -62,7 +62,7 @@ TEST_F(PlayRulesTest, BeginsAtInWhereTheRecordingBeginsAgain) {
   EXPECT_GE(playback.time(), 11.0 - frame);
 }
 
-TEST_F(PlayRulesTest, PausesWhereAnEventBegins) {
+TEST_F(PlayRulesTest, PausesAtBeginningOfEvent) {
   FakeAnalysis analysis(session.outline(),
                         [&](std::size_t part, std::size_t i) { return valley(part, analysis.t(i)); });
   analysis.runAll();

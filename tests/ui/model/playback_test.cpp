@@ -18,7 +18,7 @@ struct PlaybackTest : ::testing::Test {
   Playback playback;
 };
 
-TEST_F(PlaybackTest, ShowsASeekAtOnceAndClampsIt) {
+TEST_F(PlaybackTest, ShowsSeekAtOnceAndClampsIt) {
   playback.seek(3.0);
   EXPECT_EQ(playback.time(), 3.0);
   EXPECT_EQ(session.log.back(), "seek 3");
@@ -28,7 +28,7 @@ TEST_F(PlaybackTest, ShowsASeekAtOnceAndClampsIt) {
   EXPECT_EQ(playback.time(), playback.start());
 }
 
-TEST_F(PlaybackTest, DoesNotJumpBackToASnapshotFromBeforeTheSeek) {
+TEST_F(PlaybackTest, IgnoresSnapshotsFromBeforeSeek) {
   view::SceneSnapshot old;
   session.takeSnapshot(old);
   playback.seek(3.0);
@@ -42,7 +42,7 @@ TEST_F(PlaybackTest, DoesNotJumpBackToASnapshotFromBeforeTheSeek) {
   EXPECT_EQ(playback.time(), old.t);
 }
 
-TEST_F(PlaybackTest, StepsAddUpBeforeTheSessionAnswers) {
+TEST_F(PlaybackTest, StepsAccumulateBeforeSessionAnswers) {
   playback.stepFrames(1);
   playback.stepFrames(1);
   playback.stepFrames(-1);
@@ -53,7 +53,7 @@ TEST_F(PlaybackTest, StepsAddUpBeforeTheSessionAnswers) {
   EXPECT_EQ(playback.frame(), 2);
 }
 
-TEST_F(PlaybackTest, PlayAtTheEndBeginsAgainAndAStepPauses) {
+TEST_F(PlaybackTest, PlayAtEndRestartsAndStepPauses) {
   playback.toEnd();
   playback.setPlaying(true);
   EXPECT_EQ(playback.time(), playback.start());
@@ -63,7 +63,7 @@ TEST_F(PlaybackTest, PlayAtTheEndBeginsAgainAndAStepPauses) {
   EXPECT_FALSE(session.playing());
 }
 
-TEST_F(PlaybackTest, SpeedStaysInItsRange) {
+TEST_F(PlaybackTest, SpeedIsClamped) {
   playback.setSpeed(100.0);
   EXPECT_EQ(session.speed, Playback::kMaxSpeed);
   playback.setSpeed(1e-9);
@@ -77,7 +77,7 @@ TEST_F(PlaybackTest, SpeedStaysInItsRange) {
   EXPECT_EQ(playback.speed(), 1.0);
 }
 
-TEST_F(PlaybackTest, WithoutASessionNothingMoves) {
+TEST_F(PlaybackTest, NothingMovesWithoutSession) {
   playback.setPort(nullptr);
   playback.setPlaying(true);
   playback.seek(1.0);

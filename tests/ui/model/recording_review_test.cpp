@@ -36,7 +36,7 @@ struct RecordingReviewTest : ::testing::Test {
   RecordingReview review;
 };
 
-TEST_F(RecordingReviewTest, GrowsWithTheAnalysis) {
+TEST_F(RecordingReviewTest, GrowsWithAnalysis) {
   open(0.1);
   EXPECT_TRUE(review.available());
   ASSERT_TRUE(review.store());
@@ -57,7 +57,7 @@ TEST_F(RecordingReviewTest, GrowsWithTheAnalysis) {
   EXPECT_TRUE(analysisText(review).isEmpty());
 }
 
-TEST_F(RecordingReviewTest, FollowsTheMargins) {
+TEST_F(RecordingReviewTest, FollowsMargins) {
   analysis.runAll();
   open(0.0);
   EXPECT_TRUE(review.review().events.empty());
@@ -88,7 +88,7 @@ TEST_F(RecordingReviewTest, FollowsTheMargins) {
   EXPECT_TRUE(review.review().events.empty());
 }
 
-TEST_F(RecordingReviewTest, HasTheNearestOfEachFrameAndTheMarginThatAllShare) {
+TEST_F(RecordingReviewTest, HasNearestPerFrameAndCommonMargin) {
   open(0.1);
   EXPECT_EQ(review.commonMargin(), 0.1);
   EXPECT_TRUE(std::isnan(review.nearest().at(2.0)));
@@ -122,7 +122,7 @@ TEST_F(RecordingReviewTest, GoesFromEventToEvent) {
   EXPECT_FALSE(review.previousEvent(*first));
 }
 
-TEST_F(RecordingReviewTest, NamesThePairsOfTheOutline) {
+TEST_F(RecordingReviewTest, NamesPairsOfOutline) {
   open(0.1);
   for (std::size_t part = 0; part < analysis.layout().parts.size(); ++part)
     for (std::size_t link = 0; link < analysis.layout().links.size(); ++link) {
@@ -136,7 +136,7 @@ TEST_F(RecordingReviewTest, NamesThePairsOfTheOutline) {
   EXPECT_EQ(linkText(*review.store(), 1), "arm/link1");
 }
 
-TEST_F(RecordingReviewTest, ForgetsARecordingThatIsClosed) {
+TEST_F(RecordingReviewTest, IsEmptyAfterClosing) {
   analysis.runAll();
   open(0.2);
   EXPECT_FALSE(review.review().events.empty());
@@ -148,7 +148,7 @@ TEST_F(RecordingReviewTest, ForgetsARecordingThatIsClosed) {
   EXPECT_TRUE(analysisText(review).isEmpty());
 }
 
-TEST_F(RecordingReviewTest, SaysWhatIsKnownOfAMoment) {
+TEST_F(RecordingReviewTest, DescribesMoment) {
   FakeAnalysis gaps(session.outline(), [](std::size_t part, std::size_t) { return part == 1 ? kNaN : 0.05; });
   gaps.runAll();
   std::vector<double> margins(session.outline().objects.size(), 0.04);

@@ -17,7 +17,7 @@ view::SceneSnapshot snapshotAt(double t, StopState state, double since) {
   return snapshot;
 }
 
-TEST(StopSpans, GoFromTheStopUntilTheRobotRunsAgain) {
+TEST(StopSpans, LastFromStopUntilResume) {
   StopSpans stops;
   EXPECT_FALSE(stops.add(snapshotAt(1.0, StopState::kRunning, 0.0)));
   EXPECT_TRUE(stops.add(snapshotAt(2.0, StopState::kProtectiveStop, 1.5)));

@@ -18,7 +18,7 @@ struct TimeAxisTest : ::testing::Test {
   TimeAxis axis;
 };
 
-TEST_F(TimeAxisTest, ZoomsAroundAMomentThatKeepsItsPlace) {
+TEST_F(TimeAxisTest, ZoomKeepsFixedPoint) {
   EXPECT_FALSE(axis.zoomed());
   axis.zoom(0.5, 3.0);
   EXPECT_NEAR(axis.view().from, 2.0, kExact);
@@ -33,7 +33,7 @@ TEST_F(TimeAxisTest, ZoomsAroundAMomentThatKeepsItsPlace) {
   EXPECT_FALSE(axis.zoomed());
 }
 
-TEST_F(TimeAxisTest, StaysWithinTheRecording) {
+TEST_F(TimeAxisTest, StaysWithinRecording) {
   axis.zoom(0.2, 2.0);
   axis.pan(-5.0);
   EXPECT_EQ(axis.view().from, 1.0);
@@ -50,7 +50,7 @@ TEST_F(TimeAxisTest, StaysWithinTheRecording) {
   EXPECT_EQ(axis.view(), (TimeRange{2.0, 3.0}));
 }
 
-TEST_F(TimeAxisTest, HasARangeWithTwoEnds) {
+TEST_F(TimeAxisTest, HasRangeWithTwoEnds) {
   const QSignalSpy changes(&axis, &TimeAxis::rangeChanged);
   EXPECT_FALSE(axis.range());
   axis.setIn(3.0);
@@ -71,7 +71,7 @@ TEST_F(TimeAxisTest, HasARangeWithTwoEnds) {
   EXPECT_FALSE(axis.range());
 }
 
-TEST_F(TimeAxisTest, OfOneMomentShowsIt) {
+TEST_F(TimeAxisTest, ShowsSingleMoment) {
   axis.open(2.0, 2.0, 0.01);
   axis.zoom(0.5, 2.0);
   axis.setIn(2.0);
@@ -79,7 +79,7 @@ TEST_F(TimeAxisTest, OfOneMomentShowsIt) {
   EXPECT_FALSE(axis.range());
 }
 
-TEST(TimeFromText, UnderstandsSecondsMinutesAndFrames) {
+TEST(TimeFromText, ParsesSecondsMinutesAndFrames) {
   FakeSession session;
   Playback playback;
   playback.setPort(&session);

@@ -108,7 +108,7 @@ double angleBetween(const Transform& a, const Transform& b) {
 [[noreturn]] void twoPoses(double a, double b) {
   char text[200];
   std::snprintf(text, sizeof text,
-                "--chessboard: found two poses that explain the corners alike (%.2f and %.2f pixels off), "
+                "--chessboard: found two poses that fit the corners equally well (%.2f and %.2f pixels), "
                 "expected a larger or nearer board, or a camera file with a rough T_WC",
                 a, b);
   throw UsageError(text);
@@ -121,8 +121,8 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   ABSTAND_CHECK(!views.empty());
   const bool has_start = !camera.X_WC.matrix().isIdentity(0.0);
   if (board.isSameTurned() && !has_start)
-    throw UsageError("--squares: found a board that looks the same upside down (" +
-                     std::to_string(board.columns) + " x " + std::to_string(board.rows) +
+    throw UsageError("--squares: found a board with ambiguous orientation (" + std::to_string(board.columns) +
+                     " x " + std::to_string(board.rows) +
                      "), expected one even and one odd side, or a camera file with a rough T_WC");
   std::vector<PlacedBoard> placed(views.begin(), views.end());
   std::vector<Transform> starts;
@@ -147,8 +147,7 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   std::vector<Solution> solutions;
   for (const Transform& start : starts)
     if (const auto s = refined(camera, corners, start)) solutions.push_back(*s);
-  if (solutions.empty())
-    throw UsageError("--chessboard: found no pose of the camera that explains the corners");
+  if (solutions.empty()) throw UsageError("--chessboard: found no camera pose that fits the corners");
   std::stable_sort(solutions.begin(), solutions.end(),
                    [](const Solution& a, const Solution& b) { return a.normal.squares < b.normal.squares; });
   const double n = static_cast<double>(corners.size());
@@ -167,8 +166,9 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   if (!(fit.rms <= kMaxOff)) {
     char text[200];
     std::snprintf(text, sizeof text,
-                  "--chessboard: found corners %.1f pixels off, expected at most %.1f: the intrinsics or the "
-                  "places of the boards are others",
+                  "--chessboard: found a reprojection error of %.1f pixels, expected at most %.1f: the "
+                  "intrinsics or the "
+                  "placements of the boards are wrong",
                   fit.rms, kMaxOff);
     throw UsageError(text);
   }

@@ -200,7 +200,8 @@ IntrinsicsFit fitIntrinsics(const Chessboard& board, std::span<const BoardCorner
   if (!(std::isfinite(fit.rms) && fit.focal_spread <= kMaxFocalSpread &&
         maxTilt(turns) >= unit::deg(kMinLean)))
     throw UsageError(
-        "--intrinsics: found boards that leave the focal length open, expected some that lean to different "
+        "--intrinsics: found boards that do not determine the focal length, expected some tilted to "
+        "different "
         "sides by 20 degrees and more");
   return fit;
 }

@@ -88,8 +88,7 @@ PoseFit fitPose(std::span<const MatchedPoint> points) {
   camera.colwise() -= mean_camera;
   world.colwise() -= mean_world;
   if (onALine(camera) || onALine(world))
-    throw UsageError(
-        "found matched points on a line, expected some beside it: the camera could turn about it");
+    throw UsageError("found collinear points, expected some off the line");
   PoseFit fit;
   fit.X_WC.linear() = rotationOnto(camera, world);
   fit.X_WC.translation() = mean_world - fit.X_WC.linear() * mean_camera;

@@ -213,19 +213,20 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
   best.points = static_cast<std::size_t>(sum.weights);
   if (!(sum.weights >= kMinPoints))
     refuse(
-        "--links: found %zu points on the robot, expected %.0f or more: it is not in sight, or the camera's "
+        "--links: found %zu points on the robot, expected %.0f or more: it is not visible, or the camera's "
         "start "
         "is more than 0.1 m or 10 degrees off",
         best.points, kMinPoints);
   best.explained = search.explained(best.X_WC);
   if (!(best.explained >= kMinExplained))
     refuse(
-        "--links: found %.0f %% of what would be seen of the robot, expected half or more: its joints are "
-        "elsewhere, or the camera's start is more than 0.1 m or 10 degrees off",
+        "--links: found %.0f %% of the visible robot surface, expected half or more: its joint values are "
+        "wrong, or the camera's start is more than 0.1 m or 10 degrees off",
         100.0 * best.explained);
   if (!(weakestConstraint(sum) >= kMinConstraint))
     throw UsageError(
-        "--links: found surfaces that leave a freedom of the camera open, as a ball does, expected links "
+        "--links: found surfaces that do not determine every degree of freedom of the camera, as a sphere "
+        "does, expected links "
         "that "
         "point to different sides");
   const double sigma2 = sum.squares / (sum.weights - 6.0);

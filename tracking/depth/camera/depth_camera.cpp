@@ -102,7 +102,7 @@ std::string describeDepthCamera(const DepthCamera& c) {
 Transform lookingAt(const Vector3d& eye, const Vector3d& target) {
   const Vector3d direction = target - eye, across = direction.cross(Vector3d::UnitZ());
   if (!(across.norm() > kSamePlace * std::max(1.0, direction.norm())))
-    throw UsageError("the camera looks straight up or down or at itself, expected a point beside it");
+    throw UsageError("found a view direction that is vertical or zero, expected another target");
   Transform X = Transform::Identity();
   X.linear().col(2) = direction.normalized();
   X.linear().col(0) = across.normalized();

@@ -192,7 +192,7 @@ DepthSource openDepthFiles(const Path& path, const DepthStreamOptions& options) 
     if (!given) {
       const FittedCamera fit = fitCamera(cloud, first.string());
       fitted = GivenCamera{fit.camera, "fitted to the points of the first cloud, " +
-                                           text::rounded(fit.residual, 3) + " pixels off in the median"};
+                                           text::rounded(fit.residual, 3) + " pixels median error"};
     }
     chooseCamera(source, given, cloud.width, cloud.height, first.string(), fitted);
   } else {
@@ -203,7 +203,7 @@ DepthSource openDepthFiles(const Path& path, const DepthStreamOptions& options) 
   countTimes(source, found.files.size(), options);
   if (found.colour > 0)
     source.facts.notes.push_back(std::to_string(found.colour) +
-                                 " PNG that are not of 16 bits of grey are left out");
+                                 " PNG files that are not 16-bit grey are ignored");
   source.load = [found, camera = source.camera](std::size_t i) {
     DepthImage image = loadOne(found.files[i], found.kind, camera.depth_scale);
     needSize(image, camera, found.files[i].string());
@@ -226,7 +226,7 @@ DepthSource openDepthMat(const Path& file, const DepthStreamOptions& options) {
   chooseCamera(source, givenCamera(options, file.parent_path()), static_cast<int>(columns),
                static_cast<int>(rows), file.string());
   countTimes(source, depth->values.size() / (rows * columns), options);
-  source.facts.notes.push_back("people are cut out already in this set: there is no background");
+  source.facts.notes.push_back("the people in this set are already segmented: there is no background");
   // The images are mirrored: the set's own skeletons project with the left hand on the left.
   source.mirrored = true;
   source.load = [depth, rows, columns, scale = source.camera.depth_scale](std::size_t frame) {

@@ -30,7 +30,7 @@ std::optional<GivenCamera> givenCamera(const DepthStreamOptions& options,
   const auto beside = folder / "camera.yaml";
   std::error_code ec;
   if (!std::filesystem::exists(beside, ec)) return std::nullopt;
-  return GivenCamera{loadDepthCamera(beside), "camera.yaml beside the images"};
+  return GivenCamera{loadDepthCamera(beside), "camera.yaml next to the images"};
 }
 
 void chooseCamera(DepthSource& source, const std::optional<GivenCamera>& given, int width, int height,
@@ -40,7 +40,7 @@ void chooseCamera(DepthSource& source, const std::optional<GivenCamera>& given, 
     const DepthCamera& c = given->camera;
     if (c.width != width || c.height != height)
       throw ParseError({file}, "found " + size + ", expected " + std::to_string(c.width) + " x " +
-                                   std::to_string(c.height) + " as its camera has");
+                                   std::to_string(c.height) + " as in its camera file");
     source.camera = c;
     source.facts.camera_reason = given->reason;
     source.facts.camera_known = true;

@@ -23,7 +23,7 @@ double medianRate(const std::vector<double>& t) {
 DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptions& options) {
   std::error_code ec;
   if (!std::filesystem::exists(path, ec))
-    throw ParseError({path.string()}, "found nothing there, expected a depth recording");
+    throw ParseError({path.string()}, "found no such file, expected a depth recording");
   if (std::filesystem::is_directory(path, ec)) {
     if (isFreenectRecord(path)) return openFreenectRecord(path, options);
     if (isListedClip(path)) return openListedClip(path, options);
@@ -52,9 +52,8 @@ DepthSource openSource(const std::filesystem::path& path, const DepthStreamOptio
 
 void noteStraightening(DepthFacts& facts, const DepthCamera& camera, bool is_mirrored) {
   if (!camera.distortion.isZero(0.0))
-    facts.notes.push_back("the camera's distortion is taken out of the images, by the nearest pixel");
-  if (is_mirrored)
-    facts.notes.push_back("the images are those of a mirror; left and right are exchanged back");
+    facts.notes.push_back("the lens distortion is removed by nearest-pixel resampling");
+  if (is_mirrored) facts.notes.push_back("the images are mirrored; left and right are swapped back");
 }
 
 DepthStream::DepthStream(DepthSource source)
@@ -77,7 +76,7 @@ std::unique_ptr<DepthStream> openDepthStream(const std::filesystem::path& path,
                                              const DepthStreamOptions& options) {
   // The negated form also rejects NaN.
   if (!(options.rate >= 0.0 && options.rate <= 1000.0))
-    throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames a second");
+    throw UsageError("a rate of " + formatDouble(options.rate) + ", expected up to 1000 frames per second");
   DepthSource source = openSource(path, options);
   if (options.mirror) source.mirrored = !source.mirrored;
   return std::make_unique<DepthStream>(std::move(source));

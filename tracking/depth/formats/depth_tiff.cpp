@@ -76,7 +76,7 @@ DepthImage decodeDepthTiff(const std::string& bytes, double scale, const std::st
   const TiffSize size = checkDepthTiff(bytes, file);
   DepthImage image = decodeGrey16(bytes, scale, file, "TIFF");
   if (image.width != size.width || image.height != size.height)
-    throw ParseError({file}, "found a TIFF that is not decoded in its own size, expected an upright one");
+    throw ParseError({file}, "found a TIFF with a rotated orientation, expected an upright one");
   return image;
 }
 

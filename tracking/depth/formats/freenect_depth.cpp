@@ -57,7 +57,7 @@ FreenectHeader parseFreenectHeader(std::string_view bytes, const std::string& fi
   header.height = number("a height", DepthCamera::kMaxPixels);
   const int maximum = number("a largest value", 65535);
   if (maximum < 256) fail("found one byte a pixel, expected two");
-  if (at >= bytes.size() || !isBlank(bytes[at])) fail("found no blank behind the header, expected one");
+  if (at >= bytes.size() || !isBlank(bytes[at])) fail("found no blank after the header, expected one");
   header.data = at + 1;
   const std::size_t size =
       2 * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
@@ -87,10 +87,10 @@ FreenectUnits unitsOf(std::string_view pixels, std::size_t count, const std::str
       FreenectUnits units;
       units.is_low_first = is_low_first;
       units.is_raw = limit == kNoDisparity && none >= zero;
-      units.reason = units.is_raw ? "numbers up to 2047, which stands for none: disparities of 11 bits"
-                                  : "numbers up to " + std::to_string(largest) + ", 0 for none: millimetres";
-      units.reason += is_low_first ? "; the low byte first, as record writes them"
-                                   : "; the high byte first, as PGM has them";
+      units.reason = units.is_raw
+                         ? "numbers up to 2047, which marks missing pixels: 11-bit disparities"
+                         : "numbers up to " + std::to_string(largest) + ", 0 for missing: millimetres";
+      units.reason += is_low_first ? "; little-endian, as written by record" : "; big-endian, as in PGM";
       return units;
     }
   }

@@ -39,7 +39,7 @@ std::vector<Dumped> readIndex(const std::filesystem::path& folder) {
     if (!frames.empty() && *t <= frames.back().t) {
       if (*t < frames.back().t)
         throw ParseError(pos, "found the time " + formatDouble(*t) + " after " +
-                                  formatDouble(frames.back().t) + ", expected times that rise");
+                                  formatDouble(frames.back().t) + ", expected increasing times");
       continue;
     }
     frames.push_back({*t, folder / line});

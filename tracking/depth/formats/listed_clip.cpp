@@ -83,7 +83,7 @@ std::vector<Listed> readList(const std::filesystem::path& file, std::size_t& rep
     }
     if (!listed.empty() && *t < listed.back().t)
       throw ParseError(pos, "found the time " + formatDouble(*t) + " after " + formatDouble(listed.back().t) +
-                                ", expected times that rise");
+                                ", expected increasing times");
     listed.push_back({*t, within(file.parent_path(), name, {file.string(), lines.number(), name.column})});
   }
   if (listed.empty()) throw ParseError({file.string()}, "found no image in the list, expected at least one");
@@ -95,7 +95,7 @@ GivenCamera tumCamera() {
   DepthCamera camera;
   camera.fx = camera.fy = 525.0;
   camera.depth_scale = 5000.0;
-  return {camera, "no camera file; that of the TUM benchmark: 525 pixels, 5000 units a metre"};
+  return {camera, "no camera file; that of the TUM benchmark: 525 pixels, 5000 units per metre"};
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ DepthSource openListedClip(const std::filesystem::path& folder, const DepthStrea
   }
   if (repeated > 0)
     source.facts.notes.push_back(std::to_string(repeated) +
-                                 " lines repeat the image before them and are left out");
+                                 " lines repeat the previous image and are ignored");
   source.load = [listed, camera = source.camera](std::size_t i) {
     const std::filesystem::path& file = listed[i].file;
     DepthImage image = loadDepthPng(file, camera.depth_scale);

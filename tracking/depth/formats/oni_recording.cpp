@@ -203,7 +203,7 @@ class Reader {
     in_.seekg(0, std::ios::end);
     if (static_cast<std::uint64_t>(in_.tellg()) < frame.begin + data) return false;
     if (!depth_.frames.empty() && frame.t <= depth_.frames.back().t) {
-      if (frame.t < depth_.frames.back().t) fail("found a time that falls, expected times that rise");
+      if (frame.t < depth_.frames.back().t) fail("found a decreasing time, expected increasing times");
       return true;
     }
     depth_.frames.push_back(frame);
@@ -263,7 +263,7 @@ DepthSource openOni(const std::filesystem::path& file, const DepthStreamOptions&
   source.facts.format = "oni";
   source.facts.notes.push_back(depth.metres == 1e-3 ? "millimetres" : "tenths of millimetres");
   if (depth.is_cut)
-    source.facts.notes.push_back("the file was not closed by its recorder; what is whole of it is read");
+    source.facts.notes.push_back("the recorder did not close the file; its complete images are read");
   source.mirrored = depth.is_mirrored;
   chooseCamera(source, givenCamera(options, file.parent_path()), depth.width, depth.height, name,
                cameraOf(depth));

@@ -70,7 +70,7 @@ Header parseHeader(std::string_view bytes, const std::string& file) {
       for (std::size_t i = 0; i < values; ++i) header.fields.push_back({std::string(w[i + 1])});
     } else if (w[0] == "SIZE" || w[0] == "TYPE" || w[0] == "COUNT") {
       if (values != header.fields.size())
-        fail("found " + std::to_string(values) + " values behind " + std::string(w[0]) +
+        fail("found " + std::to_string(values) + " values after " + std::string(w[0]) +
              ", expected one a field, " + std::to_string(header.fields.size()));
       for (std::size_t i = 0; i < values; ++i) {
         Field& field = header.fields[i];
@@ -273,9 +273,9 @@ FittedCamera fitCamera(const PcdCloud& cloud, const std::string& file) {
   fit.residual = *middle;
   // The negated form also rejects NaN.
   if (!(fit.residual <= kMaxResidual && fit.camera.fx > 0.0 && fit.camera.fy > 0.0))
-    throw ParseError({file}, "found points that no pinhole camera saw in this order (" +
+    throw ParseError({file}, "found points that do not fit a pinhole camera (" +
                                  text::rounded(fit.residual, 1) +
-                                 " pixels off), expected those of a depth camera");
+                                 " pixels error), expected those of a depth camera");
   return fit;
 }
 

@@ -44,10 +44,9 @@ struct Library {
 Library load() {
   void* const handle = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr)
-    throw ParseError(
-        {kKinectSource},
-        "found no library that can be loaded (" + std::string(::dlerror()) + "), expected " + kLibrary,
-        "Debian's package libfreenect0.5 has it");
+    throw ParseError({kKinectSource},
+                     "found no loadable library (" + std::string(::dlerror()) + "), expected " + kLibrary,
+                     "Debian's package libfreenect0.5 has it");
   const auto find = [&](auto& function, const char* name) {
     void* const found = ::dlsym(handle, name);
     if (found == nullptr)
@@ -122,7 +121,7 @@ FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Devi
   };
   if (lib.init(&d.context, nullptr) < 0) {
     d.context = nullptr;
-    throw refuse("no USB that libfreenect can use", "a machine with a Kinect v1 at a USB port");
+    throw refuse("no USB access for libfreenect", "a machine with a Kinect v1 at a USB port");
   }
   lib.setLogLevel(d.context, FREENECT_LOG_ERROR);
   lib.setLogCallback(d.context, keepError);
@@ -131,9 +130,8 @@ FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Devi
     throw refuse("no camera", "a Kinect v1 at a USB port, with its power supply");
   if (lib.openDevice(d.context, &d.device, 0) < 0) {
     d.device = nullptr;
-    throw refuse(
-        "a Kinect that cannot be opened",
-        "one that no other program uses, and the right to use it, which on Debian the group plugdev has");
+    throw refuse("a Kinect that cannot be opened",
+                 "one not in use by another program, and access rights (on Debian: group plugdev)");
   }
   d.raw = !lib.knows_millimetres;
   const freenect_frame_mode mode =
@@ -147,7 +145,7 @@ FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Devi
     to.on_image(to.numbers.data());
   });
   if (lib.setDepthMode(d.device, mode) < 0 || lib.startDepth(d.device) < 0)
-    throw refuse("a Kinect that sends no depth", "one that starts");
+    throw refuse("a Kinect without a depth stream", "one that starts");
 }
 
 FreenectCamera::~FreenectCamera() = default;

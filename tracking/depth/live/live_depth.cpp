@@ -25,12 +25,11 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
     : images_(Image{0, {{0.0, DepthImage(kKinectWidth, kKinectHeight)}, {}}}) {
   if (name != kKinectSource)
     throw UsageError("found the camera " + text::inQuotes(name) + ", expected " + kKinectSource);
-  if (options.rate > 0.0)
-    throw UsageError("--rate: found with a camera that looks now, expected a recording");
+  if (options.rate > 0.0) throw UsageError("--rate: found with a live camera, expected a recording");
   DepthSource source;
   source.facts.format = kKinectSource;
   source.facts.rate = kAssumedDepthRate;
-  source.facts.rate_reason = "the moments at which the images came";
+  source.facts.rate_reason = "the arrival times of the images";
   // There is no camera file beside a live camera.
   const auto given = options.camera.empty() ? std::nullopt : givenCamera(options, {});
   chooseCamera(source, given, kKinectWidth, kKinectHeight, kKinectSource);
@@ -39,7 +38,7 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
   driver_ = std::make_unique<FreenectCamera>([this](const std::uint16_t* numbers) { storeImage(numbers); });
   facts_ = source.facts;
   facts_.notes.emplace_back(driver_->isRaw()
-                                ? "disparities of 11 bits, made into depths by the line of README.md"
+                                ? "11-bit disparities, converted to depth by the formula in README.md"
                                 : "millimetres by the camera's own calibration");
   for (int i = 0; i < static_cast<int>(depth_of_.size()); ++i) {
     const float mm = i <= kMaxMillimetres ? static_cast<float>(i) * 0.001f : 0.0f;
@@ -72,11 +71,12 @@ void LiveDepth::watch() {
   while (!stop_.load(std::memory_order_relaxed)) {
     if (!driver_->serve()) {
       const std::string error = driver_->lastError();
-      return end("found the camera gone after " + std::to_string(came_) + " images" +
+      return end("found the camera disconnected after " + std::to_string(came_) + " images" +
                  (error.empty() ? "" : " (" + error + ")") + ", expected it to stay plugged in");
     }
     if (seconds(Clock::now() - last_) > kSilence)
-      return end("found no image for 5 s, after " + std::to_string(came_) + " images, expected 30 a second");
+      return end("found no image for 5 s, after " + std::to_string(came_) +
+                 " images, expected 30 per second");
   }
 }
 

@@ -40,7 +40,7 @@ tracking::DepthCamera unplaced(tracking::DepthCamera camera) {
   return camera;
 }
 
-TEST(Chessboard, CornersAreFoundInTheBoardsOrder) {
+TEST(Chessboard, CornersAreFoundInBoardOrder) {
   for (const double roll : {0.0, 1.2, kPi}) {
     tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.5, 0.4, roll);
     camera.distortion << -0.15, 0.05, 0.001, -0.001, 0.0;
@@ -53,7 +53,7 @@ TEST(Chessboard, CornersAreFoundInTheBoardsOrder) {
   }
 }
 
-TEST(Chessboard, TheRimIsNoRowOfSquares) {
+TEST(Chessboard, RimIsNotTakenForRowOfSquares) {
   // A view in which OpenCV's search by sectors takes the rim for a row.
   tracking::DepthCamera camera;
   camera.X_WC.linear() = Quaterniond(-0.445374, 0.057295, 0.882136, 0.142112).normalized().toRotationMatrix();
@@ -66,7 +66,7 @@ TEST(Chessboard, TheRimIsNoRowOfSquares) {
   }
 }
 
-TEST(Chessboard, NothingWhereThereIsNoneOrAnother) {
+TEST(Chessboard, FindsNothingWithoutMatchingBoard) {
   const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.7, 0.4, 0.0, 0.0);
   const tracking::GreyImage image = pictureOf(camera, kBoard, boardOnTable());
   EXPECT_FALSE(tracking::findChessboard(image, {9, 6, 0.03}).has_value());
@@ -76,7 +76,7 @@ TEST(Chessboard, NothingWhereThereIsNoneOrAnother) {
   EXPECT_FALSE(tracking::findChessboard(pictureOf(near, kBoard, boardOnTable()), kBoard).has_value());
 }
 
-TEST(BoardPose, IsFoundAgain) {
+TEST(BoardPose, RecoversPose) {
   struct Case {
     double distance, lean, side, roll;
   };
@@ -98,7 +98,7 @@ TEST(BoardPose, IsFoundAgain) {
   }
 }
 
-TEST(BoardPose, MorePlacesAreOneFit) {
+TEST(BoardPose, SeveralPlacementsAreOneFit) {
   const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 1.0, 0.6, 0.3, 0.0);
   const Transform beside = boardOnTable() * fromXyzRpy({0.1, 0.15, 0.05}, {0.2, -0.1, 0.5});
   const std::vector<tracking::PlacedBoard> boards{seen(camera, kBoard, boardOnTable()),
@@ -113,7 +113,7 @@ TEST(BoardPose, MorePlacesAreOneFit) {
   EXPECT_THROW(tracking::fitBoardPose(unplaced(camera), kBoard, wrong), UsageError);
 }
 
-TEST(BoardPose, ABoardThatIsTheSameTurnedNeedsARoughPose) {
+TEST(BoardPose, SymmetricBoardNeedsRoughPose) {
   for (const double roll : {0.0, 3.0}) {
     const tracking::DepthCamera camera = cameraBefore(kSameTurned, boardOnTable(), 0.7, 0.5, 0.2, roll);
     const tracking::PlacedBoard board = seen(camera, kSameTurned, boardOnTable());
@@ -121,7 +121,7 @@ TEST(BoardPose, ABoardThatIsTheSameTurnedNeedsARoughPose) {
       tracking::fitBoardPose(unplaced(camera), kSameTurned, std::span(&board, 1));
       FAIL() << "taken";
     } catch (const UsageError& e) {
-      EXPECT_THAT(e.what(), ::testing::HasSubstr("looks the same upside down (8 x 6)"));
+      EXPECT_THAT(e.what(), ::testing::HasSubstr("a board with ambiguous orientation (8 x 6)"));
     }
     tracking::DepthCamera rough = camera;
     rough.X_WC = camera.X_WC * fromXyzRpy({0.3, -0.2, 0.1}, {0.5, 0.3, -0.4});
@@ -144,7 +144,7 @@ tracking::PlacedBoard measured(const tracking::DepthCamera& camera, const Transf
   return board;
 }
 
-TEST(BoardPose, TheCovarianceIsThatOfManyFits) {
+TEST(BoardPose, CovarianceMatchesMonteCarlo) {
   constexpr double kNoise = 0.2;  // pixels
   constexpr int kSets = 300;
   const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.8, 0.7, 0.2, 0.0);
@@ -167,7 +167,7 @@ TEST(BoardPose, TheCovarianceIsThatOfManyFits) {
   EXPECT_NEAR(said / squares, 1.0, 0.25);
 }
 
-TEST(BoardPose, RefusesTwoPosesThatExplainTheCornersAlike) {
+TEST(BoardPose, RejectsAmbiguousPoses) {
   const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 6.0, 0.4, 0.2, 0.0);
   const tracking::PlacedBoard board = measured(camera, boardOnTable(), 0.5, 3);
   EXPECT_THROW(tracking::fitBoardPose(unplaced(camera), kBoard, std::span(&board, 1)), UsageError);
@@ -176,7 +176,7 @@ TEST(BoardPose, RefusesTwoPosesThatExplainTheCornersAlike) {
   EXPECT_GT(fit.spread, 0.01);
 }
 
-TEST(Intrinsics, AreFoundAgain) {
+TEST(Intrinsics, AreRecovered) {
   std::vector<tracking::BoardCorners> views;
   tracking::DepthCamera truth;
   for (int i = 0; i < 6; ++i) {
@@ -204,7 +204,7 @@ TEST(Intrinsics, AreFoundAgain) {
   EXPECT_THROW(tracking::fitIntrinsics(kBoard, std::span(views).first(4), 640, 480), UsageError);
 }
 
-TEST(Intrinsics, BoardsThatFaceTheCameraLeaveTheFocalLengthOpen) {
+TEST(Intrinsics, FrontalBoardsLeaveFocalLengthUndetermined) {
   std::vector<tracking::BoardCorners> views;
   for (int i = 0; i < 5; ++i) {
     const tracking::DepthCamera camera = cameraBefore(kBoard, boardOnTable(), 0.5, 0.0, 0.0, 0.5 * i);
@@ -214,11 +214,11 @@ TEST(Intrinsics, BoardsThatFaceTheCameraLeaveTheFocalLengthOpen) {
     tracking::fitIntrinsics(kBoard, views, 640, 480);
     FAIL() << "taken";
   } catch (const UsageError& e) {
-    EXPECT_THAT(e.what(), ::testing::HasSubstr("leave the focal length open"));
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("do not determine the focal length"));
   }
 }
 
-TEST(PoseSpread, IsTheMeanOverAllDirections) {
+TEST(PoseSpread, IsMeanOverAllDirections) {
   Random random(5, 0);
   Eigen::Matrix<double, 6, 6> root;
   for (int i = 0; i < 36; ++i) root(i / 6, i % 6) = random.between(-1.0, 1.0);
@@ -238,7 +238,7 @@ TEST(PoseSpread, IsTheMeanOverAllDirections) {
   EXPECT_NEAR(tracking::spreadAt(covariance, kReach), std::sqrt(sum), 1e-12);
 }
 
-TEST(PoseSpread, StepsTurnAboutThePoint) {
+TEST(PoseSpread, StepsRotateAboutPivot) {
   const Transform X = randomPose(3, 2.0);
   const Vector3d pivot(0.3, -0.4, 1.0);
   tracking::Vector6d step;

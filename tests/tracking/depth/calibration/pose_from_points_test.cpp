@@ -26,7 +26,7 @@ std::vector<tracking::MatchedPoint> matched(const Transform& X_WC, std::size_t c
   return points;
 }
 
-TEST(PoseFromPoints, IsFoundAgain) {
+TEST(PoseFromPoints, RecoversPose) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const Transform X_WC = randomPose(seed, 3.0);
     for (const std::size_t count : {3u, 4u, 20u}) {
@@ -38,7 +38,7 @@ TEST(PoseFromPoints, IsFoundAgain) {
   }
 }
 
-TEST(PoseFromPoints, SpreadIsThatOfThePoints) {
+TEST(PoseFromPoints, SpreadMatchesPointNoise) {
   constexpr double kNoise = 0.004;  // m
   double sum = 0.0;
   constexpr int kSets = 200;
@@ -50,7 +50,7 @@ TEST(PoseFromPoints, SpreadIsThatOfThePoints) {
   EXPECT_NEAR(std::sqrt(sum / kSets), kNoise, 0.1 * kNoise);
 }
 
-TEST(PoseFromPoints, TheWorstPointIsNamed) {
+TEST(PoseFromPoints, ReportsWorstPoint) {
   auto points = matched(randomPose(3, 2.0), 12, 0.0, 5);
   points[8].p_W.x() += 0.05;
   const tracking::PoseFit fit = tracking::fitPose(points);
@@ -58,7 +58,7 @@ TEST(PoseFromPoints, TheWorstPointIsNamed) {
   EXPECT_GT(fit.worst, 0.03);
 }
 
-TEST(PoseFromPoints, RefusesTooFewAndPointsOnALine) {
+TEST(PoseFromPoints, RejectsTooFewAndCollinearPoints) {
   auto points = matched(randomPose(3, 2.0), 6, 0.0, 5);
   EXPECT_THROW(tracking::fitPose(std::span(points).first(2)), UsageError);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -67,7 +67,7 @@ TEST(PoseFromPoints, RefusesTooFewAndPointsOnALine) {
   EXPECT_THROW(tracking::fitPose(points), UsageError);
 }
 
-TEST(PoseFromPoints, TablesSayWhatIsWrongAndWhere) {
+TEST(PoseFromPoints, ReportsTableErrorsWithPosition) {
   const std::string header = "cx,cy,cz,wx,wy,wz\n";
   EXPECT_EQ(tracking::readMatchedPoints(header + "1,2,3,4,5,6\r\n\n-1,0,1e-3,4,5,6\n", "p.csv").size(), 2u);
   struct Wrong {

@@ -75,7 +75,7 @@ Transform wrong(const Transform& X_WC, double move, double turn, std::uint64_t s
   return X;
 }
 
-TEST(SurfacePose, IsFoundFromWrongStarts) {
+TEST(SurfacePose, RecoversPoseFromWrongStarts) {
   const Arm arm;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     tracking::DepthCamera camera = kinect({1.7, 0.5, 1.4}, {0.0, 0.1, 0.8});
@@ -96,7 +96,7 @@ TEST(SurfacePose, IsFoundFromWrongStarts) {
   }
 }
 
-TEST(SurfacePose, MorePosturesAreOneFit) {
+TEST(SurfacePose, SeveralPosturesAreOneFit) {
   const Arm arm;
   tracking::DepthCamera camera = kinect({1.7, 0.5, 1.4}, {0.0, 0.1, 0.8});
   const Transform truth = camera.X_WC;
@@ -122,18 +122,18 @@ std::string refusal(const tracking::DepthCamera& camera, const std::vector<const
   return "taken";
 }
 
-TEST(SurfacePose, RefusesABallAndALoneCylinder) {
+TEST(SurfacePose, RejectsBallAndSingleCylinder) {
   const tracking::DepthCamera camera = kinect({1.7, 0.5, 1.4}, {0.0, 0.1, 0.8});
   const auto ball = geometry::makeSurface(geometry::Sphere{0.25});
   EXPECT_THAT(refusal(camera, {ball.get()}, seen(camera, {ball.get()}, {movedTo({0.0, 0.1, 0.9})}, 1)),
-              ::testing::HasSubstr("leave a freedom of the camera open"));
+              ::testing::HasSubstr("do not determine every degree of freedom"));
   const auto cylinder = geometry::makeSurface(geometry::Cylinder{0.2, 3.0});
   EXPECT_THAT(
       refusal(camera, {cylinder.get()}, seen(camera, {cylinder.get()}, {movedTo({0.0, 0.1, 0.9})}, 1)),
-      ::testing::HasSubstr("leave a freedom of the camera open"));
+      ::testing::HasSubstr("do not determine every degree of freedom"));
 }
 
-TEST(SurfacePose, RefusesWhatIsNotThere) {
+TEST(SurfacePose, RejectsRobotThatIsNotVisible) {
   const Arm arm;
   const tracking::DepthCamera camera = kinect({1.7, 0.5, 1.4}, {0.0, 0.1, 0.8});
   const tracking::SurfaceView view = seen(camera, arm.bodies, Arm::at(1.2), 1);
@@ -153,7 +153,7 @@ TEST(SurfacePose, RefusesWhatIsNotThere) {
   EXPECT_NE(refusal(camera, arm.bodies, wall), "taken");
 }
 
-TEST(SurfaceSamples, LieOnTheSurfacesInProportionToTheirAreas) {
+TEST(SurfaceSamples, AreDistributedByArea) {
   const auto large = geometry::makeSurface(geometry::Cuboid{{0.4, 0.4, 0.4}}),
              small = geometry::makeSurface(geometry::Sphere{0.1});
   const std::vector<const geometry::Surface*> bodies{large.get(), small.get()};

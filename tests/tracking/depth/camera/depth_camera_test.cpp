@@ -10,7 +10,7 @@ namespace depth_camera_test {
 
 constexpr double kRounding = 1e-12;  // of poses through three angles
 
-TEST(DepthCamera, IsReadBackAsItWasWritten) {
+TEST(DepthCamera, RoundTrips) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     tracking::DepthCamera camera;
     camera.width = 320;
@@ -40,7 +40,7 @@ struct Wrong {
   const char* message;
 };
 
-TEST(DepthCamera, SaysWhatIsWrongAndWhere) {
+TEST(DepthCamera, ReportsErrorsWithPosition) {
   const std::string whole =
       "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\ndepth_scale: 1000\n";
   EXPECT_NO_THROW(tracking::parseDepthCamera(whole, "c.yaml"));
@@ -59,7 +59,7 @@ TEST(DepthCamera, SaysWhatIsWrongAndWhere) {
     EXPECT_THROW(tracking::parseDepthCamera(whole + more, "c.yaml"), ParseError) << more;
 }
 
-TEST(DepthCamera, LooksAtItsTarget) {
+TEST(DepthCamera, LooksAtTarget) {
   const Vector3d eye(3, 1, 1.5), target(0, 0, 1);
   const Transform X_WC = tracking::lookingAt(eye, target);
   EXPECT_TRUE(isPose(X_WC, kRounding));

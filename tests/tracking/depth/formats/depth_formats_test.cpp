@@ -16,7 +16,7 @@
 namespace abstand::testing {
 namespace depth_formats_test {
 
-TEST(NpyArray, ReadsNumbersOfAllKinds) {
+TEST(NpyArray, ReadsAllNumberTypes) {
   const auto only = [](const std::string& type, const std::string& data) {
     const std::string bytes = npy(type, "(2,)", data);
     const tracking::NpyArray a = tracking::parseNpy(bytes, "a.npy");
@@ -39,7 +39,7 @@ TEST(NpyArray, ReadsNumbersOfAllKinds) {
   EXPECT_TRUE(std::isnan(only("<f2", bytesOf(0x7e00, 2) + bytesOf(0, 2)).first));
 }
 
-TEST(NpyArray, RefusesWhatItDoesNotKnow) {
+TEST(NpyArray, RejectsUnsupportedFiles) {
   const auto says = [](const std::string& bytes) {
     return refusal([&] { tracking::parseNpy(bytes, "a.npy"); });
   };
@@ -53,7 +53,7 @@ TEST(NpyArray, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(holds(says(std::string("\x93NUMPY\1\0\xff\xff{", 11) + "      "), "header"));
 }
 
-TEST(DepthTiff, ReadsPlainAndPackedOnes) {
+TEST(DepthTiff, ReadsPlainAndPackBits) {
   for (const bool low : {true, false}) {
     TiffText tiff;
     tiff.is_low_first = low;
@@ -72,7 +72,7 @@ TEST(DepthTiff, ReadsPlainAndPackedOnes) {
   }
 }
 
-TEST(DepthTiff, RefusesWhatIsNoDepth) {
+TEST(DepthTiff, RejectsNonDepthImages) {
   const auto says = [](const std::string& bytes) {
     return refusal([&] { tracking::decodeDepthTiff(bytes, 1000.0, "a.tiff"); });
   };
@@ -115,7 +115,7 @@ TEST(Lzf, UnpacksRunsAndRepeats) {
       << "ends in a copy";
 }
 
-TEST(PcdCloud, ReadsAllThreeKindsAndFindsItsCamera) {
+TEST(PcdCloud, ReadsAllEncodingsAndFindsCamera) {
   tracking::DepthCamera camera;
   camera.width = 40;
   camera.height = 30;
@@ -147,10 +147,10 @@ TEST(PcdCloud, ReadsAllThreeKindsAndFindsItsCamera) {
   tracking::PcdCloud moved = tracking::parsePcd(pcd(image, camera, "binary"), "a.pcd");
   for (Vector3f& p : moved.points)
     p = Eigen::AngleAxisf(0.5f, Vector3f::UnitX()) * p + Vector3f(0.1f, 0.0f, 0.5f);
-  EXPECT_TRUE(holds(refusal([&] { tracking::fitCamera(moved, "a.pcd"); }), "no pinhole camera"));
+  EXPECT_TRUE(holds(refusal([&] { tracking::fitCamera(moved, "a.pcd"); }), "do not fit a pinhole camera"));
 }
 
-TEST(PcdCloud, RefusesWhatHasNoPixels) {
+TEST(PcdCloud, RejectsUnorganizedClouds) {
   const std::string whole = pcd(tracking::DepthImage(4, 3), {}, "binary");
   const auto says = [](const std::string& bytes) {
     return refusal([&] { tracking::parsePcd(bytes, "a.pcd"); });
@@ -165,7 +165,7 @@ TEST(PcdCloud, RefusesWhatHasNoPixels) {
   EXPECT_TRUE(holds(says(with("FIELDS x y z", "FIELDS x y w")), "no field z"));
   EXPECT_TRUE(holds(says(with("TYPE F F F", "TYPE F F I")), "z of type I4"));
   EXPECT_TRUE(holds(says(with("DATA binary", "DATA zip")), "DATA 'zip'"));
-  EXPECT_TRUE(holds(says(with("SIZE 4 4 4 4", "SIZE 4 4 4")), "3 values behind SIZE"));
+  EXPECT_TRUE(holds(says(with("SIZE 4 4 4 4", "SIZE 4 4 4")), "3 values after SIZE"));
   EXPECT_TRUE(holds(says(whole.substr(0, whole.size() - 1)), "bytes of points"));
   std::string packed = pcd(tracking::DepthImage(4, 3), {}, "binary_compressed");
   // A copy from before the start in the place of the first run.
@@ -177,7 +177,7 @@ TEST(PcdCloud, RefusesWhatHasNoPixels) {
                     "found 0 points"));
 }
 
-TEST(FreenectDepth, DumpsWhatItReads) {
+TEST(FreenectDepth, RoundTrips) {
   int depths = 0;
   for (int raw = 0; raw < 2048; ++raw) {
     const float z = tracking::freenectDepth(raw);
@@ -203,7 +203,7 @@ TEST(FreenectDepth, DumpsWhatItReads) {
   EXPECT_EQ(read.image.z, image.z);
 }
 
-TEST(FreenectDepth, TellsDisparitiesFromMillimetresInBothOrders) {
+TEST(FreenectDepth, DistinguishesDisparityMillimetresAndByteOrder) {
   const auto dump = [](const std::vector<unsigned>& values, bool low,
                        const std::string& header = "P5 3 2 65535\n") {
     std::string bytes = header;

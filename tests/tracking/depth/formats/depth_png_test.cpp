@@ -13,7 +13,7 @@
 namespace abstand::testing {
 namespace depth_png_test {
 
-TEST(DepthPng, KeepsWholeUnitsAndNothingElse) {
+TEST(DepthPng, RoundTripsWholeUnits) {
   const ScratchFolder folder;
   tracking::DepthImage image(7, 3);
   image.at(0, 0) = 1.2345f;
@@ -31,7 +31,7 @@ TEST(DepthPng, KeepsWholeUnitsAndNothingElse) {
   for (int u = 1; u <= 3; ++u) EXPECT_EQ(again.at(u, 1), 0.0f) << u;
 }
 
-TEST(DepthPng, RefusesWhatIsNoDepth) {
+TEST(DepthPng, RejectsNonDepthImages) {
   const ScratchFolder folder;
   const auto file = folder.path() / "d.png";
   tracking::saveDepthPng(tracking::DepthImage(20, 20), 1000.0, file);

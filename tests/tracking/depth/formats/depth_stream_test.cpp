@@ -49,7 +49,7 @@ std::string refusal(const std::filesystem::path& path, const tracking::DepthStre
   return "nothing was refused";
 }
 
-TEST(DepthStream, ReadsAClipOfTheSimulator) {
+TEST(DepthStream, ReadsSimulatorClip) {
   const ScratchFolder folder;
   folder.write("camera.yaml", cameraText());
   folder.write("depth.txt", "# time [s], file\n2.000000 depth_000000.png\n2.033333 depth_000001.png\n");
@@ -69,7 +69,7 @@ TEST(DepthStream, ReadsAClipOfTheSimulator) {
   EXPECT_THROW(tracking::openDepthStream(folder.path(), {{}, -1.0}), UsageError);
 }
 
-TEST(DepthStream, ReadsTheTumLayout) {
+TEST(DepthStream, ReadsTumLayout) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path() / "depth");
   for (const int i : {1, 2})
@@ -94,13 +94,13 @@ TEST(DepthStream, ReadsTheTumLayout) {
   EXPECT_EQ(other->facts().notes.size(), 1u);
 }
 
-TEST(DepthStream, RefusesListsThatLeadAstray) {
+TEST(DepthStream, RejectsBadLists) {
   const auto says = [](const std::string& list) {
     const ScratchFolder folder;
     tracking::saveDepthPng(numbered(1, 640, 480), 5000.0, folder.path() / "1.png");
     return refusal(folder.write("depth.txt", list));
   };
-  EXPECT_EQ(says("1.0 1.png\n0.5 1.png\n"), "found the time 0.5 after 1, expected times that rise");
+  EXPECT_EQ(says("1.0 1.png\n0.5 1.png\n"), "found the time 0.5 after 1, expected increasing times");
   EXPECT_EQ(says("1.0 ../1.png\n"), "found '../1.png', expected a file within the folder");
   EXPECT_EQ(says("1.0 /1.png\n"), "found '/1.png', expected a file within the folder");
   EXPECT_EQ(says("one 1.png\n"), "found 'one', expected a time in seconds");
@@ -108,7 +108,7 @@ TEST(DepthStream, RefusesListsThatLeadAstray) {
   EXPECT_EQ(says("# nothing\n"), "found no image in the list, expected at least one");
 }
 
-TEST(DepthStream, ReadsAFolderOfImagesInNaturalOrder) {
+TEST(DepthStream, ReadsImagesInNaturalOrder) {
   const ScratchFolder folder;
   for (const int i : {1, 2, 10, 11})
     tracking::saveDepthPng(numbered(i), 1000.0, folder.path() / ("d" + std::to_string(i) + ".png"));
@@ -125,13 +125,13 @@ TEST(DepthStream, ReadsAFolderOfImagesInNaturalOrder) {
   EXPECT_EQ(numbers(*tracking::openDepthStream(folder.path(), {camera, 0.0})),
             (std::vector<int>{2, 4, 20, 22}));
   const auto wrong = elsewhere.write("wrong.yaml", cameraText(9, 6));
-  EXPECT_EQ(refusal(folder.path(), {wrong, 0.0}), "found 8 x 6 pixels, expected 9 x 6 as its camera has");
+  EXPECT_EQ(refusal(folder.path(), {wrong, 0.0}), "found 8 x 6 pixels, expected 9 x 6 as in its camera file");
   // One that is of another size is found when it is its turn.
   tracking::saveDepthPng(numbered(3, 4, 4), 1000.0, folder.path() / "d3.png");
   EXPECT_THROW(numbers(*tracking::openDepthStream(folder.path())), ParseError);
 }
 
-TEST(DepthStream, KnowsKinectsByTheirSize) {
+TEST(DepthStream, IdentifiesKinectsByImageSize) {
   const ScratchFolder folder;
   tracking::saveDepthPng(numbered(8, 320, 240), 1000.0, folder.path() / "1.png");
   const auto stream = tracking::openDepthStream(folder.path() / "1.png");
@@ -197,16 +197,16 @@ TEST(DepthStream, ReadsCloudsTiffAndArrays) {
   EXPECT_EQ(refusal(clouds.path()), "found depth as png and as pcd in one folder, expected one kind");
 }
 
-TEST(DepthStream, SaysWhyItRefuses) {
+TEST(DepthStream, ReportsReasonForRejection) {
   const ScratchFolder folder;
-  EXPECT_EQ(refusal(folder.path() / "none"), "found nothing there, expected a depth recording");
+  EXPECT_EQ(refusal(folder.path() / "none"), "found no such file, expected a depth recording");
   EXPECT_EQ(refusal(folder.path()),
             "found no depth image in the folder, expected PNG of 16 bits, TIFF, PCD or NumPy");
   EXPECT_NE(refusal(folder.write("a.oni", "NI10 and more")).find("OpenNI"), std::string::npos);
   EXPECT_NE(refusal(folder.write("a.txt", "hello")).find("no depth recording"), std::string::npos);
 }
 
-TEST(DepthStream, TakesDistortionOut) {
+TEST(DepthStream, RemovesDistortion) {
   const ScratchFolder folder;
   tracking::DepthCamera camera;
   camera.width = 64;
@@ -232,7 +232,7 @@ TEST(DepthStream, TakesDistortionOut) {
 
 // Real recordings.
 
-TEST(DepthStream, FivePeopleAreThePointsThatPclReads) {
+TEST(DepthStream, FivePeopleMatchPcl) {
   const auto file = sharedData("depth/pcl/five_people.pcd");
   if (!exists(file)) GTEST_SKIP() << file;
   const auto stream = tracking::openDepthStream(file);
@@ -248,7 +248,7 @@ TEST(DepthStream, FivePeopleAreThePointsThatPclReads) {
   EXPECT_NEAR(sum, 754365.616794944, 1e-6);
 }
 
-TEST(DepthStream, ItopIsTheSameAsArrayAndAsImage) {
+TEST(DepthStream, ItopArrayMatchesImage) {
   const auto array = sharedData("depth/itop/ITOP_train_000000000053.npy");
   if (!exists(array)) GTEST_SKIP() << array;
   tracking::DepthFrame a, b;
@@ -259,7 +259,7 @@ TEST(DepthStream, ItopIsTheSameAsArrayAndAsImage) {
   EXPECT_EQ(a.image.z, b.image.z);
 }
 
-TEST(DepthStream, UtdMhadIsTheSameAsMatrixAndAsImages) {
+TEST(DepthStream, UtdMhadMatrixMatchesImages) {
   const auto file = sharedData("depth/utd_mhad/a18_s1_t1_depth.mat");
   if (!exists(file)) GTEST_SKIP() << file;
   const auto matrix = tracking::openDepthStream(file),
@@ -277,7 +277,7 @@ TEST(DepthStream, UtdMhadIsTheSameAsMatrixAndAsImages) {
   EXPECT_FALSE(images->next(b));
 }
 
-TEST(DepthStream, ReadsATiffOfPackBits) {
+TEST(DepthStream, ReadsPackBitsTiff) {
   const auto folder = sharedData("depth/pcl/grabber");
   if (!exists(folder)) GTEST_SKIP() << folder;
   tracking::DepthFrame frame;

@@ -33,7 +33,7 @@ TEST(GreyPng, ReadsColourAndSixteenBits) {
   EXPECT_NEAR(tracking::loadGreyPng(folder.path() / "infrared.png").at(0, 0), 64, 1);
 }
 
-TEST(GreyPng, RefusesWhatIsNone) {
+TEST(GreyPng, RejectsBadFiles) {
   ScratchFolder folder;
   EXPECT_THROW(tracking::loadGreyPng(folder.path() / "none.png"), ParseError);
   EXPECT_THROW(tracking::loadGreyPng(folder.write("text.png", "no image")), ParseError);

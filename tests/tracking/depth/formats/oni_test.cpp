@@ -27,7 +27,7 @@ std::string refusalOf(const std::string& bytes) {
 /// Recorded by OpenNI2 2.2.0.33 of Debian 12 from its driver DummyDevice: 320 x 240 pixels, the first row at
 /// 2 m, and a disc with its centre at (n, n) in image n, 1 m + 3 mm (x - y) away. The zeros behind its last
 /// record are left out.
-TEST(OniRecording, ReadsWhatOpenNIWrote) {
+TEST(OniRecording, ReadsFileOfOpenNI) {
   const auto stream =
       tracking::openDepthStream(projectFile("tests/tracking/depth/formats/openni2_dummy.oni"));
   EXPECT_EQ(stream->facts().format, "oni");
@@ -56,7 +56,7 @@ TEST(OniRecording, ReadsWhatOpenNIWrote) {
   }
 }
 
-TEST(OniPacking, UnpacksWhatIsPacked) {
+TEST(OniPacking, RoundTrips) {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {
     // From flat walls to noise: steps of every coding, and runs of every length.
@@ -77,7 +77,7 @@ TEST(OniPacking, UnpacksWhatIsPacked) {
   }
 }
 
-TEST(OniPacking, RefusesWhatIsDamaged) {
+TEST(OniPacking, RejectsDamagedData) {
   const auto says = [](const std::string& bytes, tracking::OniPacking packing, std::size_t count) {
     return refusal([&] { tracking::unpackOni(bytes, packing, count, "a.oni"); });
   };
@@ -108,7 +108,7 @@ tracking::DepthImage imageOf(const std::string& bytes, std::size_t i) {
   return tracking::readOniImage(in, depth, depth.frames.at(i), "a.oni");
 }
 
-TEST(OniRecording, TakesTheDepthAmongOtherStreams) {
+TEST(OniRecording, SelectsDepthAmongStreams) {
   for (const bool old : {false, true}) {
     OniText text(old);
     text.stream(1, "JPEG", 3).size(1, 2, 2).stream(4, "16zP").size(4, 4, 2);
@@ -134,7 +134,7 @@ TEST(OniRecording, TakesTheDepthAmongOtherStreams) {
   }
 }
 
-TEST(OniRecording, IsAStreamOfDepth) {
+TEST(OniRecording, IsDepthStream) {
   ScratchFolder folder;
   OniText text;
   text.stream(1, "NONE").size(1, 4, 2).property(1, "xnFOV", OniText::real(1.0) + OniText::real(0.8));
@@ -157,7 +157,7 @@ TEST(OniRecording, IsAStreamOfDepth) {
 }
 
 /// As a recorder leaves it that did not end: every cut gives the whole images before, or a sentence.
-TEST(OniRecording, ReadsWhatIsWholeOfACutFile) {
+TEST(OniRecording, ReadsWholeImagesOfTruncatedFile) {
   OniText text;
   text.stream(1, "16zT").size(1, 4, 2).image(1, 0.0, packed16zTable(kFirst));
   const std::size_t one = text.cut().size();
@@ -176,7 +176,7 @@ TEST(OniRecording, ReadsWhatIsWholeOfACutFile) {
   }
 }
 
-TEST(OniRecording, SaysWhatIsWrong) {
+TEST(OniRecording, ReportsErrors) {
   OniText depth;
   depth.stream(1, "16zP").size(1, 4, 2);
   const auto with = [&](const std::string& name, const std::string& value) {
@@ -192,7 +192,7 @@ TEST(OniRecording, SaysWhatIsWrong) {
   EXPECT_TRUE(holds(with("xnCropping", bytesOf(1, 4) + bytesOf(0, 8)), "cropped"));
   OniText falls(depth);
   falls.image(1, 0.5, packed16z(kFirst)).image(1, 0.4, packed16z(kFirst));
-  EXPECT_TRUE(holds(refusalOf(falls.end()), "a time that falls"));
+  EXPECT_TRUE(holds(refusalOf(falls.end()), "a decreasing time"));
   EXPECT_TRUE(holds(refusalOf(depth.cut() + std::string(40, 'x')), "found no record, expected NIR"));
   std::string future = depth.image(1, 0.0, packed16z(kFirst)).end();
   future[5] = 3;

@@ -26,7 +26,7 @@ void record(const std::filesystem::path& folder, int count) {
   writeFile(folder / "INDEX.txt", index);
 }
 
-TEST(Fakenect, TheDriverGivesTheDepthsOfTheFileReader) {
+TEST(Fakenect, DriverMatchesFileReader) {
   if (!loadDriver(ABSTAND_FAKENECT)) GTEST_SKIP() << "libfreenect0.5, which has fakenect";
   ScratchFolder folder;
   constexpr int kCount = 6;
@@ -36,7 +36,7 @@ TEST(Fakenect, TheDriverGivesTheDepthsOfTheFileReader) {
   const std::vector<tracking::LiveFrame> frames = watch(camera);
   ASSERT_FALSE(frames.empty());
   EXPECT_EQ(frames.size() + camera.dropped(), static_cast<std::size_t>(kCount));
-  EXPECT_EQ(camera.ended(), "found the camera gone after 6 images, expected it to stay plugged in");
+  EXPECT_EQ(camera.ended(), "found the camera disconnected after 6 images, expected it to stay plugged in");
 
   const auto file = tracking::openDepthStream(folder.path());
   EXPECT_EQ(file->size(), static_cast<std::size_t>(kCount));

@@ -17,26 +17,26 @@ std::string refusal(const char* role, const std::string& name = tracking::kKinec
   return "nothing was refused";
 }
 
-TEST(LiveDepth, SaysWhyThereIsNoCamera) {
+TEST(LiveDepth, ReportsWhyCameraIsUnavailable) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   EXPECT_EQ(refusal("no_usb"),
-            "live:kinect: error: found no USB that libfreenect can use, expected a machine with a Kinect v1 "
+            "live:kinect: error: found no USB access for libfreenect, expected a machine with a Kinect v1 "
             "at a USB port");
   EXPECT_EQ(refusal("no_camera"),
             "live:kinect: error: found no camera, expected a Kinect v1 at a USB port, with its power supply");
   EXPECT_EQ(refusal("locked"),
             "live:kinect: error: found a Kinect that cannot be opened (Could not open camera: "
             "LIBUSB_ERROR_ACCESS), "
-            "expected one that no other program uses, and the right to use it, which on Debian the group "
-            "plugdev has");
+            "expected one not in use by another program, and access rights (on Debian: group "
+            "plugdev)");
   EXPECT_EQ(refusal("mm:1", "live:webcam"), "found the camera 'live:webcam', expected live:kinect");
   tracking::DepthStreamOptions rate;
   rate.rate = 30.0;
   EXPECT_EQ(refusal("mm:1", tracking::kKinectSource, rate),
-            "--rate: found with a camera that looks now, expected a recording");
+            "--rate: found with a live camera, expected a recording");
 }
 
-TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
+TEST(LiveDepth, KeepsFramesReceivedBeforeDisconnect) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:7", 1);
   tracking::LiveDepth camera(tracking::kKinectSource, {});
@@ -55,15 +55,15 @@ TEST(LiveDepth, KeepsWhatCameBeforeTheCameraWent) {
     EXPECT_GT(frames[i].frame.t, frames[i - 1].frame.t);
     EXPECT_GT(frames[i].frame.image.z.back(), frames[i - 1].frame.image.z.back());
   }
-  EXPECT_EQ(
-      camera.ended(),
-      "found the camera gone after 7 images (USB camera marked dead, stopping streams), expected it to stay "
-      "plugged in");
+  EXPECT_EQ(camera.ended(),
+            "found the camera disconnected after 7 images (USB camera marked dead, stopping streams), "
+            "expected it to stay "
+            "plugged in");
   tracking::LiveFrame none;
   EXPECT_EQ(camera.next(none, 0.0), tracking::LiveDepth::Outcome::kEnded) << "it stays ended";
 }
 
-TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
+TEST(LiveDepth, WaitsAtMostTimeout) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "silent", 1);
   tracking::LiveDepth camera(tracking::kKinectSource, {});
@@ -72,7 +72,7 @@ TEST(LiveDepth, WaitsNoLongerThanItIsTold) {
   EXPECT_EQ(camera.ended(), "");
 }
 
-TEST(LiveDepth, TurnsTheImagesOfAMirrorBack) {
+TEST(LiveDepth, CorrectsMirroredImages) {
   if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
   ::setenv("FAKE_KINECT", "mm:1", 1);
   tracking::DepthStreamOptions options;

@@ -36,7 +36,7 @@ struct Scattered {
   tracking::PointGrid grid;
 };
 
-TEST(FloorConsensus, FindsThePlaneThatMostPointsAreOn) {
+TEST(FloorConsensus, FindsPlaneWithMostPoints) {
   const Scattered s;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const tracking::ConsensusOptions options{unit::deg(35.0), 0.999, 2000, seed};
@@ -53,7 +53,7 @@ TEST(FloorConsensus, FindsThePlaneThatMostPointsAreOn) {
   }
 }
 
-TEST(FloorConsensus, RefusesWhatLeansTooMuchAndWhatTheCountRefuses) {
+TEST(FloorConsensus, RejectsTiltedAndUncountedPlanes) {
   const Scattered s;
   std::size_t most = 0;
   const auto plane =
@@ -70,7 +70,7 @@ TEST(FloorConsensus, RefusesWhatLeansTooMuchAndWhatTheCountRefuses) {
       }).has_value());
 }
 
-TEST(FloorConsensus, NothingInImagesWithNextToNothing) {
+TEST(FloorConsensus, FindsNothingInNearlyEmptyImages) {
   const auto all = [](const tracking::FloorPlane&) { return std::size_t{1}; };
   tracking::PointGrid grid;
   EXPECT_FALSE(tracking::consensusPlane(grid, {1.0, 0.99, 100, 1}, all).has_value());

@@ -35,7 +35,7 @@ float topAt(const Furniture& furniture, const Place& p) {
   return furniture.topOf(PlanView::cellAt(p.x(), p.y()));
 }
 
-TEST(Furniture, IsABenchAndNotWhoStandsBehindIt) {
+TEST(Furniture, DistinguishesBenchFromPersonBehindIt) {
   PlanView plan;
   Furniture furniture;
   plan.clear();
@@ -49,7 +49,7 @@ TEST(Furniture, IsABenchAndNotWhoStandsBehindIt) {
   EXPECT_EQ(topAt(furniture, {0.05, 2.31}), 0.0f) << "a leg";
 }
 
-TEST(Furniture, IsNoneOfPeopleSideBySide) {
+TEST(Furniture, PeopleSideBySideAreNotFurniture) {
   PlanView plan;
   Furniture furniture;
   plan.clear();
@@ -58,7 +58,7 @@ TEST(Furniture, IsNoneOfPeopleSideBySide) {
   EXPECT_FALSE(furniture.find(plan));
 }
 
-TEST(Furniture, IsAWallAlsoWhereSomebodyHidesItsLowerPart) {
+TEST(Furniture, FindsPartlyHiddenWall) {
   PlanView plan;
   Furniture furniture;
   plan.clear();
@@ -69,7 +69,7 @@ TEST(Furniture, IsAWallAlsoWhereSomebodyHidesItsLowerPart) {
   EXPECT_GT(topAt(furniture, {0.1, 4.01}), 2.2f);
 }
 
-TEST(Furniture, IsATableAndNotABowedBack) {
+TEST(Furniture, DistinguishesTableFromBentBack) {
   PlanView plan;
   Furniture furniture;
   plan.clear();
@@ -83,7 +83,7 @@ TEST(Furniture, IsATableAndNotABowedBack) {
   EXPECT_GT(topAt(furniture, {-1.5, 2.3}), 0.74f);
 }
 
-TEST(Furniture, IsRememberedForSomeImagesAndForgotten) {
+TEST(Furniture, PersistsForLimitedImages) {
   PlanView bench, empty;
   Furniture furniture;
   bench.clear();

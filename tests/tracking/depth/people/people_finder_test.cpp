@@ -99,7 +99,7 @@ Overlap overlap(const Room& room, const tracking::DepthImage& image, std::size_t
   return o;
 }
 
-TEST(FloorPlane, IsFoundWhereItLies) {
+TEST(FloorPlane, MatchesTrueFloor) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Room room;
     const tracking::DepthImage image = room.see({personAt(2.6, 0.3, 1.0)}, seed);
@@ -121,7 +121,7 @@ TEST(FloorPlane, IsFoundWhereItLies) {
   EXPECT_FALSE(finder.find(image, room.camera(), 1).has_value());
 }
 
-TEST(PeopleFinder, FindsNobodyInARoomWithFurniture) {
+TEST(PeopleFinder, FindsNoPeopleInFurnishedRoom) {
   Room room;
   room.furnish(box({0.8, 1.4, 0.04}, {3.0, -1.0, 0.72}));  // a table
   room.furnish(box({0.4, 0.9, 1.8}, {4.3, 1.2, 0.9}));     // a shelf, as high as a person
@@ -131,7 +131,7 @@ TEST(PeopleFinder, FindsNobodyInARoomWithFurniture) {
     EXPECT_TRUE(finder.find(i * kStep, room.see({}, static_cast<std::uint64_t>(i))).persons.empty()) << i;
 }
 
-TEST(PeopleFinder, KeepsTwoWhoCrossApart) {
+TEST(PeopleFinder, SeparatesCrossingPeople) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   int near_id = 0, far_id = 0, together = 0;
@@ -162,7 +162,7 @@ TEST(PeopleFinder, KeepsTwoWhoCrossApart) {
   EXPECT_GE(together, 30);  // hidden behind the other for a while
 }
 
-TEST(PeopleFinder, TellsTouchingShouldersApart) {
+TEST(PeopleFinder, SeparatesTouchingShoulders) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   for (int i = 0; i < 10; ++i) {
@@ -180,7 +180,7 @@ TEST(PeopleFinder, TellsTouchingShouldersApart) {
   }
 }
 
-TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
+TEST(PeopleFinder, FollowsPersonRaisingArmsAndBending) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   for (int i = 0; i <= 30; ++i) {
@@ -201,7 +201,7 @@ TEST(PeopleFinder, StaysWithOneWhoRaisesArmsAndBends) {
   }
 }
 
-TEST(PeopleFinder, LearnsFurnitureSoThatWhoTouchesItIsCutOut) {
+TEST(PeopleFinder, SeparatesPersonTouchingLearnedFurniture) {
   Room room;
   room.furnish(box({0.6, 1.2, 0.72}, {3.0, -0.75, 0.36}));
   tracking::PeopleFinder finder(room.camera());
@@ -217,7 +217,7 @@ TEST(PeopleFinder, LearnsFurnitureSoThatWhoTouchesItIsCutOut) {
   }
 }
 
-TEST(PeopleFinder, NeverLearnsAPersonWhoStandsStill) {
+TEST(PeopleFinder, NeverLearnsStandingPersonAsFurniture) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   const humanmodel::SkeletonFrame still = personAt(2.8, 0.0, 0.5);
@@ -229,7 +229,7 @@ TEST(PeopleFinder, NeverLearnsAPersonWhoStandsStill) {
   }
 }
 
-TEST(PeopleFinder, LeavesKnownThingsOut) {
+TEST(PeopleFinder, ExcludesKnownObjects) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   const humanmodel::SkeletonFrame robot = personAt(2.4, 0.7, 0.2);
@@ -245,7 +245,7 @@ TEST(PeopleFinder, LeavesKnownThingsOut) {
   }
 }
 
-TEST(PeopleFinder, GivesTheNumberBackToWhoIsGoneForAMoment) {
+TEST(PeopleFinder, BriefAbsenceKeepsId) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   const auto count = [&](int i, bool is_there) {
@@ -261,7 +261,7 @@ TEST(PeopleFinder, GivesTheNumberBackToWhoIsGoneForAMoment) {
   EXPECT_GT(count(34, true).at(0).id, 1);
 }
 
-TEST(PeopleFinder, DoesNotTakeTheWallThatSomebodyUncoversForHim) {
+TEST(PeopleFinder, UncoveredWallIsNotTakenForPerson) {
   Room room;
   tracking::PeopleFinder finder(room.camera());
   int i = 0;
@@ -275,7 +275,7 @@ TEST(PeopleFinder, DoesNotTakeTheWallThatSomebodyUncoversForHim) {
   }
 }
 
-TEST(PeopleFinder, AllocatesNothingAndGivesTheSameBits) {
+TEST(PeopleFinder, IsDeterministicWithoutAllocation) {
   Room room;
   std::vector<tracking::DepthImage> images;
   for (int i = 0; i < 6; ++i)
@@ -300,7 +300,7 @@ TEST(PeopleFinder, AllocatesNothingAndGivesTheSameBits) {
   EXPECT_EQ(std::count(mask.begin(), mask.end(), 1), 0);
 }
 
-TEST(PeopleFinder, TakesTheFloorOfACameraThatIsPlaced) {
+TEST(PeopleFinder, UsesFloorOfPlacedCamera) {
   Room room;
   tracking::DepthCamera placed = room.camera();
   placed.X_WC = room.X_WC();
@@ -312,7 +312,7 @@ TEST(PeopleFinder, TakesTheFloorOfACameraThatIsPlaced) {
 
 // Real images.
 
-TEST(PeopleFinder, FindsTheFivePeopleOfPcl) {
+TEST(PeopleFinder, FindsFivePeopleOfPcl) {
   const auto file = sharedData("depth/pcl/five_people.pcd");
   if (!exists(file)) GTEST_SKIP() << file;
   const auto stream = tracking::openDepthStream(file);
@@ -330,7 +330,7 @@ TEST(PeopleFinder, FindsTheFivePeopleOfPcl) {
   }
 }
 
-TEST(PeopleFinder, FindsTheOnePersonOfUtdMhadInEveryImage) {
+TEST(PeopleFinder, FindsUtdMhadPersonInEveryImage) {
   for (const char* name : {"a18_s1_t1", "a25_s3_t1"}) {
     const auto file = sharedData(std::string("depth/utd_mhad/") + name + "_depth.mat");
     if (!exists(file)) GTEST_SKIP() << file;
@@ -347,7 +347,7 @@ TEST(PeopleFinder, FindsTheOnePersonOfUtdMhadInEveryImage) {
   }
 }
 
-TEST(PeopleFinder, FindsThePersonOfItopAndNobodyInPclsOffice) {
+TEST(PeopleFinder, FindsItopPersonAndNobodyInPclOffice) {
   const auto file = sharedData("depth/itop/ITOP_train_000000000053.npy");
   if (!exists(file)) GTEST_SKIP() << file;
   tracking::DepthFrame frame;

@@ -28,7 +28,7 @@ geometry::TriangleMesh wall(double left, double right) {
   return mesh;
 }
 
-TEST(DepthRender, SeesABallWhereItsRaysMeetIt) {
+TEST(DepthRender, BallMatchesRayIntersection) {
   const tracking::DepthCamera camera;
   tracking::DepthRender render(camera);
   const Vector3d centre(0.2, -0.1, 1.7);
@@ -53,7 +53,7 @@ TEST(DepthRender, SeesABallWhereItsRaysMeetIt) {
   EXPECT_GT(inside, 1000);
 }
 
-TEST(DepthRender, KeepsTheNearestAndCutsWhatIsBehindTheCamera) {
+TEST(DepthRender, KeepsNearestAndClipsBehindCamera) {
   tracking::DepthRender render({});
   render.draw(wall(-5, 5), at(0, 0, 3));
   render.draw(wall(-5, 0), at(0, 0, 2));
@@ -76,7 +76,7 @@ TEST(DepthRender, KeepsTheNearestAndCutsWhatIsBehindTheCamera) {
   EXPECT_THROW(tracking::DepthRender{bent}, UsageError);
 }
 
-TEST(KinectNoise, OfAWallHasTheSpreadAndTheStepsOfItsLaw) {
+TEST(KinectNoise, WallHasModelledSpreadAndSteps) {
   const tracking::DepthCamera camera;
   const tracking::KinectNoise noise;
   for (const double z : {1.0, 2.0, 4.0}) {
@@ -103,7 +103,7 @@ TEST(KinectNoise, OfAWallHasTheSpreadAndTheStepsOfItsLaw) {
   }
 }
 
-TEST(KinectNoise, ShadowsAreAsWideAsTheProjectorIsAway) {
+TEST(KinectNoise, ShadowWidthFollowsProjectorBaseline) {
   const tracking::DepthCamera camera;
   tracking::KinectNoise noise;
   noise.across = 0.0;
@@ -123,7 +123,7 @@ TEST(KinectNoise, ShadowsAreAsWideAsTheProjectorIsAway) {
   EXPECT_EQ(left, dark);
 }
 
-TEST(KinectNoise, OfAHalvedImageIsAsDeepInMetres) {
+TEST(KinectNoise, HalvedImageHasSameDepthNoise) {
   tracking::DepthCamera half;
   half.width = 320, half.height = 240;
   half.fx = half.fy = 290.0;
@@ -134,7 +134,7 @@ TEST(KinectNoise, OfAHalvedImageIsAsDeepInMetres) {
   EXPECT_DOUBLE_EQ(scaled.along, whole.along);
 }
 
-TEST(KinectNoise, IsTheSameForTheSameSeed) {
+TEST(KinectNoise, IsReproducibleForSameSeed) {
   const tracking::DepthCamera camera;
   tracking::DepthRender render(camera);
   render.draw(wall(-1, 1), at(0, 0, 2));

@@ -25,7 +25,7 @@ const geometry::TriangleMesh& part(const std::vector<tracking::SkinPart>& parts,
   throw std::runtime_error("no part " + std::string(name));
 }
 
-TEST(SkinLoft, ACurveKeepsItsPointsAndLeavesNoStretchOfThem) {
+TEST(SkinLoft, CurveInterpolatesPointsMonotonically) {
   const std::vector<tracking::CurvePoint> points{{0.0, 1.0}, {0.3, 2.0}, {0.4, 2.1}, {1.0, -1.0}};
   for (const tracking::CurvePoint& p : points) EXPECT_DOUBLE_EQ(tracking::smoothCurve(points, p.x), p.y);
   EXPECT_EQ(tracking::smoothCurve(points, -5.0), 1.0);
@@ -53,7 +53,7 @@ TEST(SkinBody, IsClosedAndFacesOutwards) {
   }
 }
 
-TEST(SkinBody, CoversItsJointsFromAllSides) {
+TEST(SkinBody, CoversJointsFromAllSides) {
   tracking::DepthCamera camera;
   const tracking::SkinBody skin(kStature, {});
   for (double t = 0.0; t < 2.0; t += 0.41) {
@@ -77,7 +77,7 @@ TEST(SkinBody, CoversItsJointsFromAllSides) {
   }
 }
 
-TEST(SkinBody, ClothingLiesOnTheLimbsAndLeavesHeadAndHands) {
+TEST(SkinBody, ClothingCoversLimbsNotHeadAndHands) {
   const humanmodel::SkeletonFrame frame = walking(0.3);
   constexpr double kClothing = 0.017;  // m
   const auto bare = tracking::SkinBody(kStature, {}).wrap(frame),
@@ -96,7 +96,7 @@ TEST(SkinBody, ClothingLiesOnTheLimbsAndLeavesHeadAndHands) {
             mesh_file::inspect(part(bare, "torso")).volume);
 }
 
-TEST(SkinBody, IsAsThickAsItsGirthAsks) {
+TEST(SkinBody, HasRequestedGirth) {
   const humanmodel::SkeletonFrame frame = walking(0.3);
   const Vector3d hip = frame[kHipLeft], axis = (frame[kKneeLeft] - hip).normalized();
   for (const double girth : {0.8, 1.0, 1.3}) {
@@ -108,7 +108,7 @@ TEST(SkinBody, IsAsThickAsItsGirthAsks) {
   }
 }
 
-TEST(SkinBody, IsTheSameForTheSameSeed) {
+TEST(SkinBody, IsReproducibleForSameSeed) {
   const humanmodel::SkeletonFrame frame = walking(1.1);
   const auto wrap = [&](std::uint64_t seed) {
     return tracking::SkinBody(kStature, {1.0, 0.0, seed}).wrap(frame);
@@ -122,7 +122,7 @@ TEST(SkinBody, IsTheSameForTheSameSeed) {
   }
 }
 
-TEST(SkinBody, LeavesOutWhatItsJointsDoNotShow) {
+TEST(SkinBody, OmitsPartsOfMissingJoints) {
   humanmodel::SkeletonFrame frame = walking(0.0);
   drop(frame, kWristLeft);
   drop(frame, kHeadTop);
@@ -133,14 +133,14 @@ TEST(SkinBody, LeavesOutWhatItsJointsDoNotShow) {
   EXPECT_TRUE(tracking::SkinBody(kStature, {}).wrap(humanmodel::SkeletonFrame{}).empty());
 }
 
-TEST(SkinBody, RefusesWhatNoPersonIs) {
+TEST(SkinBody, RejectsOutOfRangeValues) {
   EXPECT_THROW(tracking::SkinBody(0.1, {}), UsageError);
   EXPECT_THROW(tracking::SkinBody(kNaN, {}), UsageError);
   EXPECT_THROW(tracking::SkinBody(kStature, {5.0}), UsageError);
   EXPECT_THROW(tracking::SkinBody(kStature, {1.0, -0.01}), UsageError);
 }
 
-TEST(SkinBody, LegsSayTheStature) {
+TEST(SkinBody, LegsDetermineStature) {
   const std::vector<humanmodel::SkeletonFrame> frames{humanmodel::SkeletonFrame{}, walking(0.1, 1.62),
                                                       walking(0.2, 1.62)};
   // The model's legs are those of other people than Drillis's and Contini's.
