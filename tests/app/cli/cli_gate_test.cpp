@@ -281,7 +281,7 @@ TEST_F(CheckCommand, MisplacedLinkMeshRaisesReservation) {
   ASSERT_FALSE(found.is_null()) << away["reservations"];
   EXPECT_EQ(found["fails"], "strict");
   EXPECT_NE(
-      found["text"].get<std::string>().find("cube: its centre is 0.500 m from the one that r.mech gives"),
+      found["text"].get<std::string>().find("cube: its centre is 0.500 m from the one that r.mech states"),
       std::string::npos)
       << found;
   EXPECT_EQ(run(check("") + " --strict").code, 1);

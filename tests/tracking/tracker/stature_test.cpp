@@ -127,7 +127,7 @@ TEST(Facing, UndecidedIsFrontWithWarning) {
   for (const double ratio : {1.0, 1.03, 1.06, kNaN}) {
     EXPECT_FALSE(decided(ratio)) << ratio;
     EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing the camera is assumed")));
-    EXPECT_THAT(facingReason(person.facing), HasSubstr("initially facing the camera, assumed"));
+    EXPECT_THAT(facingReason(person.facing), HasSubstr("initially facing the camera, undecided"));
   }
   person.facing.given = true;
   EXPECT_THAT(trackWarnings(person), IsEmpty());
