@@ -46,6 +46,16 @@ double bodyMass(const HumanOptions& options, double height) {
   return mass;
 }
 
+/// Sizes, mass and joints are those of the body; only the shapes change.
+void putOn(const Clothing& clothing, std::vector<HumanPart>& parts) {
+  for (HumanPart& part : parts) part.bare = part.shape;
+  for (const auto& [part, thickness] : clothing) {
+    checkRange(thickness, 0.0, kMaxClothing, "the clothing of " + std::string(partName(part)), "m");
+    HumanPart& clothed = parts[index(part)];
+    clothed.shape = widened(clothed.bare, thickness);
+  }
+}
+
 }  // namespace
 
 HumanModel makeHuman(const HumanOptions& options) {
@@ -70,6 +80,7 @@ HumanModel makeHuman(const HumanOptions& options) {
   }
   assignInertia(model.mass, options.sex, model.parts);
   model.rest = restPose(body, model.parts);
+  putOn(options.clothing, model.parts);
   return model;
 }
 

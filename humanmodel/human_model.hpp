@@ -7,6 +7,7 @@
 
 #include "core/geometry/shape.hpp"
 #include "humanmodel/body_part.hpp"
+#include "humanmodel/clothing.hpp"
 #include "humanmodel/joints.hpp"
 
 namespace abstand::humanmodel {
@@ -38,6 +39,7 @@ struct HumanOptions {
   std::optional<double> percentile;
   HumanPreset preset{HumanPreset::kAnthropometric};
   std::map<BodyPart, PartOverride> overrides;
+  Clothing clothing;  ///< m, 0 to kMaxClothing; changes the shapes alone
 };
 
 /// One part in its own frame P: origin at the centre of the shape, z from the distal to the proximal joint
@@ -45,7 +47,8 @@ struct HumanOptions {
 /// torso extends from the neck (proximal) to the pelvis (distal), the head from the vertex to the neck.
 struct HumanPart {
   BodyPart part{};
-  geometry::Shape shape;  ///< Ellipsoid or Cuboid
+  geometry::Shape shape;  ///< Ellipsoid or Cuboid, with clothing
+  geometry::Shape bare;   ///< without clothing
   /// m, along the segment: from joint to joint for arms and legs, wrist to finger tip, heel to toe, neck to
   /// vertex, the whole trunk. The thesis's shapes have exactly this length. An anthropometric ellipsoid
   /// extends beyond its joints, since a wrist or a knee has thickness where an ellipsoid would end in a
@@ -74,8 +77,8 @@ struct HumanModel {
   const HumanPart& part(BodyPart p) const { return parts[static_cast<std::size_t>(p)]; }
 };
 
-/// Throws UsageError for a stature, mass, percentile or override out of range, for a mass that does not fit
-/// the stature (body mass index outside of 8 to 100 kg/m^2), and for a percentile with kThesis.
+/// Throws UsageError for a stature, mass, percentile, override or clothing out of range, for a mass that does
+/// not fit the stature (body mass index outside of 8 to 100 kg/m^2), and for a percentile with kThesis.
 HumanModel makeHuman(const HumanOptions& options);
 
 }  // namespace abstand::humanmodel

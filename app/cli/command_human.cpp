@@ -1,5 +1,6 @@
 // abstand human: the parametric human from the stature.
 #include "app/cli/command_line.hpp"
+#include "app/cli/worn_arguments.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_folder.hpp"
@@ -13,7 +14,7 @@ namespace {
 constexpr double kMeshSagitta = 2e-4;  // m, of the written meshes
 
 struct HumanArguments {
-  std::string height, mass, percentile, sex, preset{"anthropometric"}, out;
+  std::string height, mass, percentile, sex, preset{"anthropometric"}, out, clothing;
   std::vector<std::string> set;
 };
 
@@ -40,13 +41,16 @@ void applyOverride(humanmodel::HumanOptions& options, const std::string& text) {
     throw UsageError("--set: found '" + key + "', expected contour, length, breadth, depth or shape");
 }
 
-nlohmann::ordered_json partJson(const humanmodel::HumanPart& p, const humanmodel::EnclosedShare& enclosed) {
+nlohmann::ordered_json partJson(const humanmodel::HumanModel& human, const humanmodel::HumanPart& p,
+                                const humanmodel::EnclosedShare& enclosed) {
   nlohmann::ordered_json j{{"name", humanmodel::partName(p.part)},
                            {"shape", geometry::shapeName(p.shape)},
                            {"length", p.length},
                            {"contour", p.contour}};
   if (const auto* e = std::get_if<geometry::Ellipsoid>(&p.shape)) j["semi_axes"] = toJson(e->semi_axes);
   if (const auto* c = std::get_if<geometry::Cuboid>(&p.shape)) j["size"] = toJson(c->size);
+  const auto worn = human.options.clothing.find(p.part);
+  j["clothing"] = worn == human.options.clothing.end() ? 0.0 : worn->second;
   j["mass"] = p.mass;
   j["com"] = toJson(p.com);
   j["inertia"] = toJson(p.inertia);
@@ -70,6 +74,7 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
   options.preset =
       args.preset == "thesis" ? humanmodel::HumanPreset::kThesis : humanmodel::HumanPreset::kAnthropometric;
   for (const auto& s : args.set) applyOverride(options, s);
+  options.clothing = clothingOf(args.clothing);
   const humanmodel::HumanModel human = humanmodel::makeHuman(options);
 
   const auto enclosed = humanmodel::enclosedShare(human, options.sex);
@@ -87,7 +92,7 @@ int runHuman(const CommandLine& line, const HumanArguments& args) {
                  "encloses %");
   for (const humanmodel::HumanPart& p : human.parts) {
     const humanmodel::EnclosedShare& share = enclosed[humanmodel::index(p.part)];
-    document["parts"].push_back(partJson(p, share));
+    document["parts"].push_back(partJson(human, p, share));
     text +=
         format("%-14s %-10s %9.4f %9.4f %8.2f %10.1f\n", std::string(humanmodel::partName(p.part)).c_str(),
                std::string(geometry::shapeName(p.shape)).c_str(), p.length, p.contour, p.mass,
@@ -125,6 +130,8 @@ void addHuman(CLI::App& root, CommandLine& line) {
   command->add_option("--preset", args->preset, "thesis or anthropometric")
       ->check(CLI::IsMember({"thesis", "anthropometric"}));
   command->add_option("--set", args->set, "PART.contour=m, also length, breadth, depth, shape");
+  command->add_option("--clothing", args->clothing,
+                      "PRESET,PART=m,...: what the person wears; widens the shapes (docs/human.md)");
   line.output(command->add_option("--out", args->out, "folder for one mesh per part"), OutputKind::kFolder);
   command->callback([&line, args] { line.run = [&line, args] { return runHuman(line, *args); }; });
 }

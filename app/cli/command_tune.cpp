@@ -10,6 +10,7 @@
 #include "app/cli/tune_texts.hpp"
 #include "app/cli/version.hpp"
 #include "app/cli/warm_start.hpp"
+#include "app/cli/worn_arguments.hpp"
 #include "app/depth/open_session.hpp"
 #include "app/report/moment_picture.hpp"
 #include "app/report/tune_report.hpp"
@@ -26,13 +27,14 @@ namespace abstand::cli {
 namespace {
 
 struct TuneArguments {
-  std::string scene, limit, reaction_time, deceleration, restart_time, near, calibration_error,
+  std::string scene, limit, reaction_time, deceleration, restart_time, near, calibration_error, latency,
       contact_limits, out, shard;
   std::vector<std::string> recordings, separation, clamped;
   QuestionArguments questions;
   int jobs{1};
   bool cut_things{false}, worst_phase{false};
   SpeedArguments speeds;
+  WornArguments worn;
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
@@ -80,6 +82,7 @@ tune::TuneOptions optionsOf(const TuneArguments& args) {
   if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
   if (!args.calibration_error.empty())
     o.pass.calibration_error = numberWithin(args.calibration_error, "--calibration-error", 0.0, 10.0, "m");
+  if (!args.latency.empty()) o.pass.latency = numberWithin(args.latency, "--latency", 0.0, 10.0, "s");
   o.pass.separation.reaction_time = o.pass.braking.reaction_time;
   takeSeparation(args.separation, o.pass.separation);
   o.restart_time = restartTime(args.restart_time);
@@ -106,16 +109,19 @@ session::SessionOptions sessionOptions(const CommandLine& line, const TuneArgume
 
 /// The runs named by the arguments.
 std::vector<tune::PlanItem> itemsOf(const TuneArguments& args) {
+  std::vector<tune::PlanItem> items;
   if (tune::isPlan(args.scene)) {
     if (!args.recordings.empty())
       throw UsageError(
           "--recordings: found together with a plan, expected one of them: a plan names its recordings");
-    return tune::loadPlan(args.scene);
+    items = tune::loadPlan(args.scene);
+  } else {
+    for (const std::string& recording : args.recordings)
+      items.push_back({args.scene, recording, {}, {}, 1.0, {}, recording});
+    if (items.empty()) items.push_back({args.scene, {}, {}, {}, 1.0, {}, args.scene});
   }
-  std::vector<tune::PlanItem> items;
-  for (const std::string& recording : args.recordings)
-    items.push_back({args.scene, recording, {}, {}, 1.0, {}, recording});
-  if (items.empty()) items.push_back({args.scene, {}, {}, {}, 1.0, {}, args.scene});
+  const tune::WornVariant worn = args.worn.worn();
+  for (tune::PlanItem& item : items) item.worn_always = worn;
   return items;
 }
 
@@ -252,7 +258,8 @@ class MomentPainter {
     for (const PairId id : scene.pairsOf(link)) {
       const scene::Pair& pair = scene.pairs()[id.index()];
       const std::string& name = scene.object(pair.a == link ? pair.b : pair.a).spec.name;
-      const bool is_part = name.size() > wanted.size() && name.ends_with("/" + wanted);
+      // PERSON/PART, or PERSON/PART/TOOL.
+      const bool is_part = name.ends_with("/" + wanted) || name.find("/" + wanted + "/") != std::string::npos;
       if (is_part && pair.result.distance < least) part = name, least = pair.result.distance;
     }
     return part;
@@ -403,10 +410,14 @@ void addTune(CLI::App& root, CommandLine& line) {
   command->add_option(
       "--calibration-error", args->calibration_error,
       "calibration error in m between recording and robot, part of every uncertainty (default: 0)");
+  command->add_option(
+      "--latency", args->latency,
+      "s: how old a person's pose is when it arrives, part of every uncertainty (default: 0)");
   command->add_option("--contact-limits", args->contact_limits,
                       "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
   command->add_option("--clamped", args->clamped,
                       "PART...: parts that may be clamped; quasi-static contact limits apply to them");
+  args->worn.add(*command);
   command->add_flag(
       "--cut-things", args->cut_things,
       "remove the scene's robots and objects from the depth images, at their poses in the scene");

@@ -67,6 +67,7 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
     row["clearance"] = seen ? nlohmann::ordered_json(c.clearance()) : nullptr;
     row["shares"] = {{"bound", c.bound},
                      {"pose", c.pose},
+                     {"latency", c.latency},
                      {"calibration", c.calibration},
                      {"between_frames", c.between_frames}};
     row["pose_shares"] = {{"tracker", c.poseTracker()}, {"age", c.pose_age}};
@@ -78,15 +79,15 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
 std::string closestText(const tune::TuneAnswer& answer) {
   std::string text =
       "\nclosest approaches: measured distance and its uncertainty (engine + pose + "
-      "calibration + between frames; age: share of the pose age in the pose term):\n";
+      "latency + calibration + between frames; age: share of the pose age in the pose term):\n";
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
       text += format("%-14s never tracked\n", c.part.c_str());
       continue;
     }
-    text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f; age %.1f)  %s, %s at %.3f s\n",
+    text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f + %.1f; age %.1f)  %s, %s at %.3f s\n",
                    c.part.c_str(), 1e3 * c.distance, 1e3 * c.error(), 1e3 * c.bound, 1e3 * c.pose,
-                   1e3 * c.calibration, 1e3 * c.between_frames, 1e3 * c.pose_age,
+                   1e3 * c.latency, 1e3 * c.calibration, 1e3 * c.between_frames, 1e3 * c.pose_age,
                    tune::verdictText(c.verdict()), c.link.c_str(), c.t);
   }
   return text;

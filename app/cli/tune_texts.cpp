@@ -8,6 +8,7 @@
 #include "app/cli/margin_texts.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/speed_texts.hpp"
+#include "app/tune/separation_table.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -23,6 +24,23 @@ Json rowJson(const tune::MarginRow& row) {
   return j;
 }
 
+/// Shares of people as tall as the model, and of all people.
+Json enclosedJson(const tune::TuneAnswer& answer, const std::string& part) {
+  const auto range = tune::enclosedRange(answer.recordings, part);
+  if (!range) return nullptr;
+  return {{"at_stature", {{"min", range->min.at_stature}, {"max", range->max.at_stature}}},
+          {"all_statures", {{"min", range->min.all_statures}, {"max", range->max.all_statures}}}};
+}
+
+/// "29 %" or "3 to 97 %" of all people.
+std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part) {
+  const auto range = tune::enclosedRange(answer.recordings, part);
+  if (!range) return "not known";
+  const std::string least = format("%.0f", 100.0 * range->min.all_statures),
+                    largest = format("%.0f", 100.0 * range->max.all_statures);
+  return least == largest ? largest + " %" : least + " to " + largest + " %";
+}
+
 Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
   Json j{{"part", p.part}, {"margin", p.margin}};
   if (const auto& d = p.decided_by) {
@@ -33,6 +51,7 @@ Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p)
     j["decided_by"] = nullptr;
     j["uncertainty"] = nullptr;
   }
+  j["enclosed_share"] = enclosedJson(answer, p.part);
   j["confidence"] = {{"level", 0.95}, {"recordings", p.needed.size()}, {"unseen_share", p.unseen_share}};
   Json& fit = j["confidence"]["gumbel"];
   if (p.fit)
@@ -86,23 +105,12 @@ std::string approachesText(const tune::TuneAnswer& answer) {
 Json separationJson(const tune::TuneAnswer& answer) {
   Json rows = Json::array();
   for (const tune::ProposedMargin& p : answer.table.proposed) {
-    double broken = 0.0;
-    const tune::TunedRecording* worst_in = nullptr;
-    const tune::SeparationMoment* worst = nullptr;
-    for (const auto& r : answer.recordings)
-      for (const auto& part : r.pass.parts) {
-        if (part.part != p.part) continue;
-        for (std::size_t i = 0; i + 1 < part.track.frames(); ++i)
-          if (part.separation.missing[i] > 0.0) broken += part.track.t[i + 1] - part.track.t[i];
-        const auto& w = part.separation.worst;
-        if (w && (!worst || w->needed.sum() - w->clearance > worst->needed.sum() - worst->clearance))
-          worst = &*w, worst_in = &r;
-      }
-    Json j{{"part", p.part}, {"broken_time", broken}, {"worst", nullptr}};
-    if (worst)
-      j["worst"] = {{"recording", worst_in->recording},
+    const tune::SeparationRow row = tune::separationRow(answer.recordings, p.part);
+    Json j{{"part", p.part}, {"broken_time", row.broken}, {"worst", nullptr}};
+    if (const tune::SeparationMoment* worst = row.worst)
+      j["worst"] = {{"recording", row.worst_in->recording},
                     {"t", worst->t},
-                    {"link", worst_in->pass.links[worst->link]},
+                    {"link", row.worst_in->pass.links[worst->link]},
                     {"clearance", worst->clearance},
                     {"needed", worst->needed.sum()},
                     {"person", worst->needed.person},
@@ -114,6 +122,13 @@ Json separationJson(const tune::TuneAnswer& answer) {
     rows.push_back(std::move(j));
   }
   return rows;
+}
+
+Json filesJson(const tune::TuneAnswer& answer) {
+  Json files = Json::array();
+  for (const tune::InputFile& file : tune::inputFiles(answer.recordings))
+    files.push_back({{"file", file.name}, {"content", file.content}});
+  return files;
 }
 
 Json worstPhasesJson(const tune::TuneAnswer& answer) {
@@ -146,6 +161,13 @@ std::string worstPhasesText(const tune::TuneAnswer& answer) {
   return text;
 }
 
+Json peopleJson(const tune::TunedRecording& r) {
+  Json people = Json::array();
+  for (const tune::PersonNote& person : r.people)
+    people.push_back({{"name", person.name}, {"body", person.text}});
+  return people;
+}
+
 double secondsOf(const tune::TuneAnswer& answer) {
   double seconds = 0.0;
   for (const auto& r : answer.recordings) seconds += r.seconds();
@@ -159,13 +181,19 @@ std::size_t framesOf(const tune::TuneAnswer& answer) {
 }
 
 std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
-  if (std::isinf(p.margin)) return format("%-14s no margin suffices\n", p.part.c_str());
-  if (!p.decided_by) return format("%-14s      0 mm  no stop needed\n", p.part.c_str());
+  const std::string enclosed = enclosedText(answer, p.part);
+  if (std::isinf(p.margin))
+    return format("%-14s no margin suffices; body encloses %s of people\n", p.part.c_str(), enclosed.c_str());
+  if (!p.decided_by)
+    return format("%-14s      0 mm  no stop needed; body encloses %s of people\n", p.part.c_str(),
+                  enclosed.c_str());
   const auto& d = *p.decided_by;
   return format(
-      "%-14s %6.0f mm  determined by %s at %.3f s, %s; including bound %.1f, pose %.1f, one frame %.1f mm\n",
+      "%-14s %6.0f mm  determined by %s at %.3f s, %s; including bound %.1f, pose %.1f, one frame %.1f mm; "
+      "body "
+      "encloses %s of people\n",
       p.part.c_str(), 1e3 * p.margin, answer.recordings[d.recording].recording.c_str(), d.t, d.link.c_str(),
-      1e3 * d.bound, 1e3 * d.pose, 1e3 * d.sampling);
+      1e3 * d.bound, 1e3 * d.pose, 1e3 * d.sampling, enclosed.c_str());
 }
 
 }  // namespace
@@ -196,7 +224,8 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                   {"reaction_time", o.pass.braking.reaction_time},
                   {"deceleration", o.pass.braking.deceleration},
                   {"restart_time", o.restart_time},
-                  {"calibration_error", o.pass.calibration_error}};
+                  {"calibration_error", o.pass.calibration_error},
+                  {"latency", o.pass.latency}};
   j["inputs"] = Json::array();
   for (const auto& r : answer.recordings)
     j["inputs"].push_back({{"recording", r.recording},
@@ -204,7 +233,9 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                            {"seconds", r.seconds()},
                            {"not_judged", r.unjudged},
                            {"clamped", r.clamped},
+                           {"people", peopleJson(r)},
                            {"reservations", reservationsJson(r.reservations)}});
+  j["files"] = filesJson(answer);
   j["failed"] = Json::array();
   for (const auto& f : answer.failed) j["failed"].push_back({{"recording", f.recording}, {"error", f.error}});
   if (answer.made || answer.kept)

@@ -46,7 +46,7 @@ py::dict optionsOf(const PairResultFile& file) {
   const tune::PassOptions& o = file.stored.options.pass;
   return py::dict("limit"_a = o.limit, "near"_a = o.near, "reaction_time"_a = o.braking.reaction_time,
                   "deceleration"_a = o.braking.deceleration, "calibration_error"_a = o.calibration_error,
-                  "contact_limits"_a = file.stored.tuned.contact_limits,
+                  "latency"_a = o.latency, "contact_limits"_a = file.stored.tuned.contact_limits,
                   "clamped"_a = file.stored.tuned.clamped);
 }
 

@@ -9,6 +9,9 @@
 namespace abstand::report {
 namespace {
 
+// m: below it nothing is stated, but sums are rounded.
+constexpr double kStated = 1e-6;
+
 std::string millimetresText(double metres, int digits = 0) {
   if (std::isinf(metres)) return metres > 0.0 ? "none" : "not seen";
   return text::rounded(1e3 * metres, digits) + " mm";
@@ -33,23 +36,25 @@ std::string linkTable(const tune::TuneAnswer& answer) {
 
 std::string closestSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
-  std::vector<std::string> header{"part",     "distance",    "engine (mm)", "tracker (mm)",
-                                  "age (mm)", "calib. (mm)", "frames (mm)", "certified clearance",
-                                  "verdict",  "link",        "at (s)"};
+  std::vector<std::string> header{
+      "part",        "distance",    "engine (mm)",         "tracker (mm)", "age (mm)", "latency (mm)",
+      "calib. (mm)", "frames (mm)", "certified clearance", "verdict",      "link",     "at (s)"};
   const bool several = answer.recordings.size() > 1;
   if (several) header.push_back("recording");
   for (const tune::ClosestApproach& c : answer.closest) {
     if (c.link.empty()) {
       rows.push_back(
-          {c.part, "never tracked", "", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
+          {c.part, "never tracked", "", "", "", "", "", "", "", tune::verdictText(c.verdict()), "", ""});
       if (several) rows.back().push_back("");
       continue;
     }
     rows.push_back({c.part, text::rounded(1e3 * c.distance, 1) + " \u00b1 " + millimetresText(c.error(), 1),
-                    text::rounded(1e3 * c.bound, 1), text::rounded(1e3 * c.poseTracker(), 1),
-                    text::rounded(1e3 * c.pose_age, 1), text::rounded(1e3 * c.calibration, 1),
-                    text::rounded(1e3 * c.between_frames, 1), millimetresText(c.clearance(), 1),
-                    tune::verdictText(c.verdict()), c.link, text::rounded(c.t, 3)});
+                    text::rounded(1e3 * c.bound, 1),
+                    c.poseTracker() > kStated ? text::rounded(1e3 * c.poseTracker(), 1) : "not stated",
+                    text::rounded(1e3 * c.pose_age, 1), text::rounded(1e3 * c.latency, 1),
+                    text::rounded(1e3 * c.calibration, 1), text::rounded(1e3 * c.between_frames, 1),
+                    millimetresText(c.clearance(), 1), tune::verdictText(c.verdict()), c.link,
+                    text::rounded(c.t, 3)});
     if (several) rows.back().push_back(answer.recordings[c.recording].recording);
   }
   return "<h2>Closest approaches</h2>\n<p>For each body part, the time of the minimum certified clearance: "
@@ -59,10 +64,30 @@ std::string closestSection(const tune::TuneAnswer& answer) {
          "engine's bound, the uncertainty of the person's pose (as stated by the tracker, plus the share "
          "that the age "
          "of the "
-         "pose adds while a part is not tracked), the calibration between "
+         "pose adds where a part was not seen of late), the latency of the pose and the calibration between "
          "recording "
-         "and robot (an assumption, below), and the motion between two frames.</p>\n" +
+         "and robot (assumptions, below), and the motion between two frames. \"Not stated\": the recording "
+         "says nothing of the error of its tracker; it "
+         "counts as 0, and the verdict holds only for the bodies where they were recorded.</p>\n" +
          htmlTable(header, rows);
+}
+
+std::string worstPhaseSection(const tune::TuneAnswer& answer) {
+  if (answer.worst_phases.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& r : answer.worst_phases)
+    for (const tune::WorstPhase& w : r.parts)
+      rows.push_back({r.recording, w.part, w.touches ? "touch" : millimetresText(w.lower, 1), w.link,
+                      secondsText(w.t_person), secondsText(w.t_robot), secondsText(w.phase),
+                      w.unseen > 0.0 ? secondsText(w.unseen) : ""});
+  return "<h2>The worst phase</h2>\n<p>Recording and program are not synchronised: the least certified "
+         "clearance "
+         "over every time of the one and every time of the other, between frames too. The phase says by how "
+         "much "
+         "the program would have run ahead. Where a part was not seen nothing was searched.</p>\n" +
+         htmlTable(
+             {"recording", "part", "clearance", "link", "person at", "program at", "phase", "not seen for"},
+             rows);
 }
 
 std::string marginSetSection(const tune::TuneAnswer& answer) {

@@ -84,7 +84,9 @@ std::string momentPicture(const session::Session& session, const MomentBodies& b
     const View& view = kViews[v];
     const double left = v * kViewWidth;
     const Frame frame(view, centre, half, left);
-    const std::string clip = "clip" + std::to_string(v);
+    // A page has several pictures: the place makes the id its own, and equal ones clip alike.
+    const std::string clip = "clip-" + pixels(1e3 * centre.x()) + "_" + pixels(1e3 * centre.y()) + "_" +
+                             pixels(1e3 * centre.z()) + "-" + std::to_string(v);
     svg += "<clipPath id=\"" + clip + "\"><rect x=\"" + pixels(left + 2.0) + "\" y=\"0\" width=\"" +
            pixels(kViewWidth - 4.0) + "\" height=\"" + pixels(kViewHeight) +
            "\"/></clipPath>\n<g clip-path=\"url(#" + clip + ")\">\n";

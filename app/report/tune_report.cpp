@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/assumption_section.hpp"
 #include "app/report/exposure_section.hpp"
 #include "app/report/margin_section.hpp"
 #include "app/report/page.hpp"
+#include "app/report/separation_section.hpp"
 #include "app/report/speed_section.hpp"
+#include "app/report/summary_section.hpp"
 #include "app/report/svg_plot.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -16,6 +19,8 @@ namespace abstand::report {
 namespace {
 
 constexpr std::size_t kApproaches = 20, kPictures = 3;
+// With fewer, more than a quarter of unseen recordings may need more (margin::unseenShare).
+constexpr std::size_t kFewRecordings = 10;
 constexpr std::size_t kPlotPoints = 350;
 
 std::string shown(const char* pattern, double value) {
@@ -32,12 +37,14 @@ std::string mm(double metres) { return shown("%.0f mm", 1e3 * metres); }
 std::string percent(double share) {
   return std::isfinite(share) ? shown("%.0f %%", 100.0 * share) : "not certain";
 }
+std::string massText(double kg) { return std::isfinite(kg) ? shown("%.1f kg", kg) : "wall"; }
 std::string seconds(double t) { return shown("%.3f s", t); }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
+std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part) {
+  const auto range = tune::enclosedRange(answer.recordings, part);
+  if (!range) return "not known";
+  const std::string least = percent(range->min.all_statures), largest = percent(range->max.all_statures);
+  return least == largest ? least : least + " to " + largest;
 }
 
 std::string proposedSection(const tune::TuneAnswer& answer) {
@@ -50,15 +57,22 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
                                  " + " + shown("%.1f mm", 1e3 * d->sampling)});
     else
       row.insert(row.end(), {"no stop needed", "", ""});
+    row.push_back(enclosedText(answer, p.part));
     row.push_back(p.fit ? mm(p.fit->quantile(0.99)) : "too few recordings");
     rows.push_back(std::move(row));
   }
   const double share = answer.table.proposed.front().unseen_share;
   return "<h2>Proposed margins</h2>\n<p>The smallest margin of each part without a missed stop in " +
          counted(answer.recordings.size(), "recording") +
-         ". The last but one column lists the shares of each margin: the engine's bound, the uncertainty "
-         "of the pose and the displacement within one frame of the sensor.</p>\n" +
-         htmlTable({"part", "margin", "determined by", "link", "bound + pose + frame",
+         ". Of each margin, one column says what the engine's bound, the uncertainty of the pose (with "
+         "latency and "
+         "calibration) and the way within one frame of the sensor take. \"Body encloses\" is the share of "
+         "all "
+         "people (ANSUR II; of the stated sex, else women and men half and half) whose bare part is no "
+         "thicker "
+         "than that of the body that the margin was judged with; with others the margin may be too small. A "
+         "larger percentile of the person raises it.</p>\n" +
+         htmlTable({"part", "margin", "determined by", "link", "bound + pose + frame", "body encloses",
                     "99 % of recordings (Gumbel)"},
                    rows) +
          "<p><strong>Confidence.</strong> If further recordings are of the same kind and independent of each "
@@ -67,7 +81,12 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
          shown("%.1f %%", 100.0 * share) +
          " of them need a larger margin for a part (order statistics; the rule of three). More recordings "
          "make this percentage "
-         "smaller; others of another kind (other people, tasks, speeds) are not covered by it at all.</p>\n";
+         "smaller; others of another kind (other people, tasks, speeds) are not covered by it at all." +
+         (answer.recordings.size() < kFewRecordings ? " <strong>So few recordings say nearly nothing about "
+                                                      "others: a margin of 0 mm means that these "
+                                                      "did not need one.</strong>"
+                                                    : "") +
+         "</p>\n";
 }
 
 verify::Plot curveOf(const tune::TuneAnswer& answer) {
@@ -127,7 +146,15 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
   std::string html =
       "<h2>Nearest approaches</h2>\n<p>Local minima of the certified clearance, nearest first, and the "
       "contact at the highest closing speed of the approach, as percentages of the limits of "
-      "the body region: transient, or quasi-static where the part may be clamped.</p>\n";
+      "the body region: transient, or quasi-static where the part may be clamped. The force is v sqrt(mu k), "
+      "with "
+      "v the closing speed, mu the reduced mass of the robot (effective mass in that posture, but at least "
+      "half of "
+      "its moving mass; wall: its file has no masses) and of the body region, and k the region's spring "
+      "constant; half the robot's speed "
+      "halves the robot's part of v. \"Not certain\" is a pressure on a point that is too sharp to have a "
+      "certain area. "
+      "Masses, constants and limits are those of the table stamped below.</p>\n";
   std::vector<std::vector<std::string>> rows;
   std::string pictures;
   const auto all = ranked(answer);
@@ -139,13 +166,13 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
     std::vector<std::string> row{mm(a.clearance), part, link, seconds(a.t)};
     if (contact)
       row.insert(row.end(),
-                 {shown("%.2f m/s", a.contact.closing),
+                 {shown("%.2f m/s", a.contact.closing), massText(a.motion.robot_mass),
                   a.contact.region + ", " + std::string(contact::kindText(a.contact.kind)),
                   a.contact.excluded ? "excluded"
                                      : shown("%.0f N", a.contact.force) + ", " + percent(a.contact.share),
                   a.contact.excluded ? "" : percent(a.contact.pressure_share)});
     else
-      row.insert(row.end(), {"not closing", "", "", ""});
+      row.insert(row.end(), {"not closing", "", "", "", ""});
     if (answer.recordings.size() > 1) row.push_back(r.recording);
     rows.push_back(std::move(row));
     if (i >= kPictures || !options.picture) continue;
@@ -161,6 +188,7 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
                                   "link",
                                   "time",
                                   "hardest closing before",
+                                  "robot's mass",
                                   "region",
                                   "force, of its limit",
                                   "pressure, of its limit"};
@@ -201,46 +229,6 @@ std::string timeSection(const tune::TuneAnswer& answer) {
          svgPlot(plot);
 }
 
-std::string assumptions(const tune::TuneAnswer& answer) {
-  const tune::TuneOptions& o = answer.options;
-  std::string html =
-      "<h2>Assumptions</h2>\n" +
-      htmlTable(
-          {"quantity", "value", "effect of a change"},
-          {{"reaction time", shown("%.0f ms", 1e3 * o.pass.braking.reaction_time),
-            "each 10 ms more need 10 ms times the closing speed more margin: 16 mm at 1.6 m/s"},
-           {"deceleration of each joint", shown("%.3g rad/s^2 or m/s^2", o.pass.braking.deceleration),
-            "half of it doubles the braking time and the person's displacement in it"},
-           {"limit", mm(o.pass.limit), "margins grow with it one to one"},
-           {"calibration error between recording and robot", mm(o.pass.calibration_error),
-            "every clearance is smaller by it, and margins grow with it one to one; 0 means that it was not "
-            "measured"},
-           {"parts that may be clamped", listed(tune::clampedParts(answer.recordings)),
-            "quasi-static limits apply to their contacts, which are usually half of the transient ones, "
-            "and no "
-            "part of their mass recoils"},
-           {"restart time", seconds(o.restart_time), "adds to the time stopped, not to margins"}}) +
-      "<p>Each stop is evaluated separately; robot and person follow the recording until the margin is "
-      "violated. Distances "
-      "and braking are certified between frames too (docs/margins.md).</p>\n<h2>Inputs</h2>\n";
-  std::vector<std::vector<std::string>> rows;
-  for (const tune::TunedRecording& r : answer.recordings)
-    rows.push_back({r.recording, std::to_string(r.frames), seconds(r.seconds()),
-                    r.unjudged > 0.0 ? seconds(r.unjudged) : "", r.content});
-  html += htmlTable({"recording", "frames", "length", "not evaluated", "content (XXH3)"}, rows);
-  for (const auto& f : answer.failed)
-    html += "<p class=\"failed\">Not run: " + text::escapedXml(f.recording + ": " + f.error) + "</p>\n";
-  const std::string& stamp = answer.recordings.front().contact_limits;
-  if (!stamp.empty()) html += "<p>Limits of contact: " + text::escapedXml(stamp) + ".</p>\n";
-  rows.clear();
-  for (const tune::TunedRecording& r : answer.recordings)
-    for (const run::Reservation& reservation : r.reservations)
-      rows.push_back({r.recording, reservation.kind, reservation.text});
-  html += "<h2>Reservations</h2>\n";
-  return html +
-         (rows.empty() ? std::string("<p>None.</p>\n") : htmlTable({"recording", "kind", "reason"}, rows));
-}
-
 constexpr const char* kSignature = R"(<div class="whole"><h2>Signature</h2>
 <p>The numbers above follow from the inputs and assumptions listed. They are an analysis, no certified safety function, and replace
 neither a risk assessment nor a measurement at the machine.</p>
@@ -261,11 +249,12 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
                << counted(answer.recordings.size(), "recording") << ", " << shown("%.1f minutes", time / 60.0)
                << (answer.interrupted ? ", <span class=\"failed\">interrupted: incomplete</span>" : "")
                << ".</p>\n"
-               << closestSection(answer) << proposedSection(answer) << marginSetSection(answer)
-               << bandSection(answer) << curveSection(answer) << speedSection(answer) << tradeSection(answer)
-               << approachSection(answer, options) << timeSection(answer) << exposureSection(answer.exposure)
-               << assumptions(answer) << kSignature << "<p class=\"soft\">Made by abstand "
-               << text::escapedXml(options.version) << ".</p>\n"
+               << summarySection(answer) << closestSection(answer) << proposedSection(answer)
+               << marginSetSection(answer) << bandSection(answer) << worstPhaseSection(answer)
+               << curveSection(answer) << separationSection(answer) << speedSection(answer)
+               << tradeSection(answer) << approachSection(answer, options) << timeSection(answer)
+               << exposureSection(answer.exposure) << assumptionSection(answer) << kSignature
+               << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version) << ".</p>\n"
                << pageEnd();
   out.commit();
 }

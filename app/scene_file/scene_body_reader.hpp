@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/scene_file/mesh_or_shape.hpp"
 #include "app/scene_file/scene_description.hpp"
 #include "core/config/yaml_reader.hpp"
 
@@ -43,12 +44,12 @@ class SceneBodyReader {
   control::ReactionDescription reaction(const config::YamlNode& node, int dof) const;
   RecordingDescription recording(const config::YamlNode& node);
   void readPart(const std::string& name, const config::YamlNode& node, HumanDescription& h) const;
+  void readWorn(const config::YamlFields& fields, HumanDescription& h);
+  FindFile finder() const;
   std::string newName(const config::YamlFields& fields, std::set<std::string>& taken, const char* kind);
   std::string newBody(const config::YamlFields& fields);
   void addBody(std::string name, const SourcePos& pos);
   void takeBody(const std::string& name, const SourcePos& pos);
-  template <class Body>
-  void meshOrShape(const config::YamlFields& fields, Body& body) const;
 
   const std::string& file_;
   std::filesystem::path folder_;

@@ -84,6 +84,22 @@ struct RecordingDescription {
   SourcePos pos;
 };
 
+/// Something rigid that a hand holds. It is a body of the person, `PERSON/HAND/NAME`, and counts as that
+/// hand.
+struct ToolDescription {
+  std::string name;
+  humanmodel::BodyPart hand{humanmodel::BodyPart::kHandRight};
+  std::filesystem::path mesh, structure;  ///< as of a link
+  Vector3d scale{Vector3d::Ones()};
+  std::optional<geometry::Shape> shape;
+  Transform X_HT{Transform::Identity()};  ///< tool in the hand's frame (humanmodel::HumanPart)
+  BodySettings settings;                  ///< unset ones follow those of the hand
+  SourcePos pos;
+
+  /// "operator/hand_right/driver".
+  std::string bodyName(const std::string& person) const;
+};
+
 struct HumanDescription {
   std::string name;
   humanmodel::HumanOptions body;
@@ -92,6 +108,7 @@ struct HumanDescription {
   std::map<humanmodel::BodyPart, BodySettings> parts;  ///< settings of single parts
   /// Parts that a robot may clamp against something fixed; matters for limits of contacts only.
   std::set<humanmodel::BodyPart> clamped;
+  std::vector<ToolDescription> tools;
   RecordingDescription recording;
   SourcePos pos;
 };

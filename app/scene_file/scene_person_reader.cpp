@@ -1,5 +1,6 @@
 #include "app/scene_file/body_fields.hpp"
 #include "app/scene_file/scene_body_reader.hpp"
+#include "app/scene_file/worn_reader.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
@@ -72,11 +73,20 @@ void SceneBodyReader::readPart(const std::string& name, const config::YamlNode& 
   h.parts[part] = readSettings(fields);
 }
 
+void SceneBodyReader::readWorn(const config::YamlFields& fields, HumanDescription& h) {
+  if (const auto* clothing = fields.find("clothing")) h.body.clothing = readClothing(*clothing, file_);
+  for (const config::YamlNode& node : fields.list("tools")) {
+    ToolDescription tool = readTool(node, file_, finder());
+    takeBody(tool.bodyName(h.name), tool.pos);
+    h.tools.push_back(std::move(tool));
+  }
+}
+
 HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
   const config::YamlFields fields(
       node, file_, "a human",
       {"name", "height", "mass", "percentile", "sex", "preset", "lengths", "parts", "recording", "voxel",
-       "point", "outer_layers", "margin", "max_speed", "clamped"});
+       "point", "outer_layers", "margin", "max_speed", "clamped", "clothing", "tools"});
   HumanDescription h;
   h.pos = fields.pos();
   h.name = newName(fields, groups_, "group");
@@ -112,6 +122,7 @@ HumanDescription SceneBodyReader::human(const config::YamlNode& node) {
           "found `" + text + "` in `clamped`, expected parts of the body: hand_left, torso, ...");
     h.clamped.insert(*part);
   }
+  readWorn(fields, h);
   if (const auto* node_recording = fields.find("recording")) h.recording = recording(*node_recording);
   return h;
 }

@@ -51,7 +51,7 @@ LinkDescription SceneBodyReader::link(const config::YamlNode& node, const mechan
         "found " + config::yamlFound(frame) + " for `frame`, expected 0 or a frame of the mechanism's file",
         config::nearestHint(l.frame, names));
   }
-  meshOrShape(fields, l);
+  readMeshOrShape(fields, finder(), l);
   placeLink(fields, mechanism, l);
   l.held = readFlag(fields, "held");
   l.settings = readSettings(fields);

@@ -143,6 +143,21 @@ std::string partText(const humanmodel::PartOverride& sizes, const BodySettings& 
   return "{" + s + "}";
 }
 
+std::string wornText(const HumanDescription& h) {
+  std::map<std::string_view, double> clothing;
+  for (const auto& [part, thickness] : h.body.clothing) clothing[humanmodel::partName(part)] = thickness;
+  std::string s;
+  for (const auto& [part, thickness] : clothing)
+    s += (s.empty() ? "    clothing: {" : ", ") + std::string(part) + ": " + formatDouble(thickness);
+  if (!s.empty()) s += "}\n";
+  if (!h.tools.empty()) s += "    tools:\n";
+  for (const ToolDescription& t : h.tools)
+    s += "      - {name: " + scalar(t.name) +
+         ", hand: " + (t.hand == humanmodel::BodyPart::kHandLeft ? "left" : "right") + meshOrShape(t) +
+         ", pose: " + pose(t.X_HT) + settings(t.settings) + "}\n";
+  return s;
+}
+
 std::string humanText(const HumanDescription& h) {
   const humanmodel::HumanOptions& body = h.body;
   std::string s = "  - name: " + scalar(h.name) + "\n";
@@ -166,6 +181,7 @@ std::string humanText(const HumanDescription& h) {
   for (const humanmodel::BodyPart part : h.clamped)
     clamped += (clamped.empty() ? "" : ", ") + std::string(humanmodel::partName(part));
   if (!clamped.empty()) s += "    clamped: [" + clamped + "]\n";
+  s += wornText(h);
   return h.recording.file.empty() ? s : s + recordingText(h.recording);
 }
 

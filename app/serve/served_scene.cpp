@@ -32,9 +32,8 @@ ServedScene::ServedScene(std::unique_ptr<session::Session> session, const Served
   for (std::size_t p = 0; p < d.humans.size(); ++p) {
     const session::HumanDriver& driver = *session_->humans()[p];
     format_.people.push_back(d.humans[p].name);
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      if (const auto object = driver.object(static_cast<humanmodel::BodyPart>(i)))
-        person_of[object->index()] = static_cast<int>(p);
+    for (const session::HumanDriver::Body& body : driver.bodies())
+      person_of[body.object.index()] = static_cast<int>(p);
     driver.markStale(0.0, scene);
   }
   for (const ObjectId id : links_) names_.links.push_back(scene.object(id).spec.name);

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/safety/body_motion.hpp"
+#include "humanmodel/held_tool.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "humanmodel/recording_lengths.hpp"
 #include "tracking/recording/mirrored_person.hpp"
@@ -68,6 +70,50 @@ HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::
   humanmodel::Poser(model_).pose(model_.rest, standing_);
 }
 
+void HumanDriver::hold(humanmodel::BodyPart hand, ObjectId object, const Transform& X_HT, double reach) {
+  held_.push_back({hand, object, X_HT, reach, humanmodel::turnLever(model_.part(hand))});
+}
+
+std::vector<HumanDriver::Body> HumanDriver::bodies() const {
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
+    if (objects_[i]) bodies.push_back({*objects_[i], static_cast<humanmodel::BodyPart>(i)});
+  for (const Held& held : held_) bodies.push_back({held.object, held.hand});
+  return bodies;
+}
+
+std::vector<double> HumanDriver::recordedSpeeds(const scene::Scene& scene) const {
+  const std::vector<Body> all = bodies();
+  std::vector<double> fastest(all.size(), 0.0);
+  if (!recording_) return fastest;
+  struct Last {
+    Transform X;
+    double t{kNaN};
+  };
+  std::vector<Last> last(all.size());
+  humanmodel::Poser poser = poser_;
+  poser.reset();
+  humanmodel::HumanPose pose;
+  for (const humanmodel::SkeletonFrame& frame : recording_->frames) {
+    poser.pose(frame, pose);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::size_t part = humanmodel::index(all[i].part);
+      if (poseState(pose.state[part]) == scene::PoseState::kStale) continue;
+      Transform X = pose.X_WP[part];
+      for (const Held& held : held_)
+        if (held.object == all[i].object) X = X * held.X_HT;
+      if (frame.t > last[i].t) {
+        const auto& sphere = scene.object(all[i].object).spec.structure->bounding_sphere;
+        const double duration = frame.t - last[i].t;
+        const safety::PoseSegment motion(sphere, last[i].X, X, duration);
+        fastest[i] = std::max(fastest[i], motion.speed(0.0, duration));
+      }
+      last[i] = {X, frame.t};
+    }
+  }
+  return fastest;
+}
+
 Transform HumanDriver::poseOf(std::size_t part) const {
   if (pose_.state[part] != humanmodel::PartState::kNone) return pose_.X_WP[part];
   constexpr auto kTorso = static_cast<std::size_t>(humanmodel::BodyPart::kTorso);
@@ -117,21 +163,34 @@ void HumanDriver::follow(const humanmodel::SkeletonFrame& frame, scene::Scene& s
 }
 
 void HumanDriver::markStale(double t, scene::Scene& scene) const {
+  const auto mark = [&](ObjectId object) {
+    scene.setPose(object, scene.object(object).X_WB, t, scene::PoseState::kStale);
+  };
   for (const auto& object : objects_)
-    if (object) scene.setPose(*object, scene.object(*object).X_WB, t, scene::PoseState::kStale);
+    if (object) mark(*object);
+  for (const Held& held : held_) mark(held.object);
   growUncertainty(t, scene);
 }
 
 void HumanDriver::growUncertainty(double t, scene::Scene& scene) const {
   const double since = std::max(0.0, t - last_t_);
+  std::array<double, humanmodel::kBodyPartCount> all{}, aged{};
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
     if (!objects_[i]) continue;
     const double bound = scene.object(*objects_[i]).max_speed;
     // A bound of 0 is for a person who stands still in the scene; it does not hold for a followed one.
     const double speed = std::isfinite(bound) && bound > 0.0 ? bound : humanmodel::kPersonSpeed;
     const double age = pose_.age[i] + since;
-    scene.setPoseUncertainty(*objects_[i], humanmodel::partUncertainty(age, pose_.spread[i], speed),
-                             humanmodel::ageUncertainty(age, speed));
+    all[i] = humanmodel::partUncertainty(age, pose_.spread[i], speed);
+    aged[i] = humanmodel::ageUncertainty(age, speed);
+    scene.setPoseUncertainty(*objects_[i], all[i], aged[i]);
+  }
+  for (const Held& held : held_) {
+    const std::size_t hand = humanmodel::index(held.hand);
+    const double whole = humanmodel::heldUncertainty(all[hand], held.reach, held.lever);
+    const double fresh =
+        humanmodel::heldUncertainty(std::max(0.0, all[hand] - aged[hand]), held.reach, held.lever);
+    scene.setPoseUncertainty(held.object, whole, std::isfinite(whole) ? whole - fresh : whole);
   }
 }
 
@@ -143,6 +202,10 @@ double HumanDriver::liveAge(double t) const {
 void HumanDriver::place(double t, scene::Scene& scene) const {
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
     if (objects_[i]) scene.setPose(*objects_[i], X_WR_ * poseOf(i), t, poseState(pose_.state[i]));
+  for (const Held& held : held_) {
+    const std::size_t hand = humanmodel::index(held.hand);
+    scene.setPose(held.object, X_WR_ * poseOf(hand) * held.X_HT, t, poseState(pose_.state[hand]));
+  }
   growUncertainty(t, scene);
 }
 

@@ -69,7 +69,10 @@ std::vector<std::filesystem::path> inputFiles(const scene_file::SceneDescription
     for (const auto& link : m.links) add(link.mesh), add(link.structure);
   }
   for (const auto& o : scene.objects) add(o.mesh), add(o.structure);
-  for (const auto& h : scene.humans) add(h.recording.file), add(h.recording.options.joint_map);
+  for (const auto& h : scene.humans) {
+    add(h.recording.file), add(h.recording.options.joint_map);
+    for (const auto& tool : h.tools) add(tool.mesh), add(tool.structure);
+  }
   return files;
 }
 

@@ -11,9 +11,7 @@ std::vector<bool> partsOfPeople(const scene::Scene& scene,
                                 const std::vector<std::unique_ptr<HumanDriver>>& humans) {
   std::vector<bool> people(scene.objectCount());
   for (const auto& human : humans)
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      if (const auto object = human->object(static_cast<humanmodel::BodyPart>(i)))
-        people[object->index()] = true;
+    for (const HumanDriver::Body& body : human->bodies()) people[body.object.index()] = true;
   return people;
 }
 

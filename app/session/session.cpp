@@ -127,6 +127,7 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
                       settings.max_speed, driver->recording() ? kHandSpeed : 0.0,
                       [driver, id = part.part](ObjectId object) { driver->bind(id, object); }});
     }
+    for (const scene_file::ToolDescription& tool : d.tools) planTool(plan, options, d, tool, first);
     for (const auto& [a, b] : humanmodel::adjacentParts()) {
       const int i = first + static_cast<int>(a), j = first + static_cast<int>(b);
       adjacent_.emplace_back(std::min(i, j), std::max(i, j));
@@ -140,6 +141,29 @@ void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& optio
       for (const auto& note : report.notes) remarks_.push_back(fileName(d.recording.file) + ": " + note);
     }
   }
+}
+
+void Session::planTool(std::vector<Planned>& plan, const SessionOptions& options,
+                       const scene_file::HumanDescription& d, const scene_file::ToolDescription& tool,
+                       int first_part) {
+  scene_file::BodySettings settings = tool.settings;
+  if (const auto hand = d.parts.find(tool.hand); hand != d.parts.end()) settings.fillFrom(hand->second);
+  settings.fillFrom(d.settings);
+  // The tip of a tool may be faster than the hand.
+  settings.max_speed = tool.settings.max_speed;
+  const std::string name = tool.bodyName(d.name);
+  const auto made = options.made.find(name);
+  const auto key =
+      made != options.made.end() ? library_.take(made->second) : request(tool, hapticOptions(settings));
+  HumanDriver* driver = humans_.back().get();
+  adjacent_.emplace_back(first_part + static_cast<int>(tool.hand), static_cast<int>(plan.size()));
+  plan.push_back({name, d.name, key, settings.margin.value_or(description_.defaults.margin),
+                  settings.max_speed, driver->recording() ? kInfinity : 0.0,
+                  [this, driver, hand = tool.hand, X_HT = tool.X_HT](ObjectId id) {
+                    const geometry::EnclosingSphere& sphere =
+                        scene_.object(id).spec.structure->bounding_sphere;
+                    driver->hold(hand, id, X_HT, (X_HT * sphere.centre).norm() + sphere.radius);
+                  }});
 }
 
 void Session::planObjects(std::vector<Planned>& plan, const SessionOptions& options) {

@@ -103,6 +103,9 @@ class Session {
   };
   void planMechanisms(std::vector<Planned>& plan, const SessionOptions& options);
   void planHumans(std::vector<Planned>& plan, const SessionOptions& options);
+  void planTool(std::vector<Planned>& plan, const SessionOptions& options,
+                const scene_file::HumanDescription& person, const scene_file::ToolDescription& tool,
+                int first_part);
   void planObjects(std::vector<Planned>& plan, const SessionOptions& options);
   template <class Body>
   StructureLibrary::Key request(const Body& body, const structure::HapticOptions& options);

@@ -19,10 +19,12 @@ QSet<QString> bodiesOf(const scene_file::SceneDescription& scene) {
   QSet<QString> names;
   for (const auto& mechanism : scene.mechanisms)
     for (const auto& link : mechanism.links) names.insert(QString::fromStdString(link.name));
-  for (const auto& human : scene.humans)
+  for (const auto& human : scene.humans) {
+    for (const auto& tool : human.tools) names.insert(QString::fromStdString(tool.bodyName(human.name)));
     for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
       names.insert(QString::fromStdString(
           human.name + "/" + std::string(humanmodel::partName(static_cast<humanmodel::BodyPart>(i)))));
+  }
   for (const auto& object : scene.objects) names.insert(QString::fromStdString(object.name));
   return names;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/contact/allowed_speed.hpp"
+#include "humanmodel/held_tool.hpp"
 
 namespace abstand::tune {
 namespace {
@@ -11,18 +12,18 @@ namespace {
 // m: nearer points define no direction.
 constexpr double kNoDirection = 1e-9;
 
-/// m: the smallest half extent of the part. A larger radius would increase the area and reduce the pressure.
-double bodyRadius(const structure::HapticStructure& part) {
-  const geometry::Bounds bounds = part.surface->bounds();
-  return 0.5 * (bounds.upper - bounds.lower).minCoeff();
-}
-
 }  // namespace
 
 ApproachJudge::ApproachJudge(const session::Session& session,
                              std::shared_ptr<const contact::ContactLimits> limits,
                              std::vector<std::string> clamped)
     : session_(session), limits_(std::move(limits)), clamped_(std::move(clamped)) {
+  for (const auto& human : session.humans())
+    for (const session::HumanDriver::Body& body : human->bodies()) {
+      const geometry::Bounds bounds = session.scene().object(body.object).spec.structure->surface->bounds();
+      radius_of_[body.object.index()] =
+          std::min(humanmodel::bareRadius(human->model().part(body.part)), 0.5 * bounds.extent().minCoeff());
+    }
   std::size_t first = 0;
   for (const auto& m : session.mechanisms()) {
     const auto dof = static_cast<std::size_t>(m->dof());
@@ -90,8 +91,7 @@ contact::ContactArea ApproachJudge::areaAt(const ClosingMotion& motion, const Wa
   if (!surface)
     surface = std::make_unique<contact::ContactSurface>(
         *session_.scene().objects()[pair.link].spec.structure->surface);
-  return contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation,
-                                         bodyRadius(*session_.scene().objects()[pair.part].spec.structure)});
+  return contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation, radius_of_.at(pair.part)});
 }
 
 const std::vector<const contact::RegionLimits*>& ApproachJudge::regionsOf(const std::string& part) {

@@ -49,7 +49,8 @@ struct Approach {
   ContactShare contact;
 };
 
-/// Closing speeds, masses and predicted contacts of the frames of a pass. One thread.
+/// Closing speeds, masses and predicted contacts of the frames of a pass. A contact with a tool is judged as
+/// one with the hand that holds it: its force and energy arrive there. One thread.
 class ApproachJudge {
  public:
   /// `limits` null: contacts are not judged. `clamped`: names of parts whose contacts are quasi-static. The
@@ -89,6 +90,9 @@ class ApproachJudge {
   std::shared_ptr<const contact::ContactLimits> limits_;
   std::vector<std::string> clamped_;
   std::vector<Robot> robots_;
+  /// m, for an object of a person: the smallest half extent of the bare part, or of a tool if that is
+  /// smaller. A larger radius would increase the area and reduce the pressure.
+  std::map<std::size_t, double> radius_of_;
   std::map<std::size_t, int> frame_of_;  ///< for a link's object: index of its mechanism's frame
   std::map<std::size_t, std::unique_ptr<contact::ContactSurface>> surfaces_;
   std::map<std::string, std::vector<const contact::RegionLimits*>> regions_;  ///< of parts, cached

@@ -24,7 +24,8 @@ void takeFrames(const TunedRecording& recording, std::size_t index, const PartCl
     closest.distance = part.distance[i];
     closest.bound = part.bound[i];
     closest.calibration = calibration;
-    closest.pose = std::max(0.0, part.uncertainty[i] - calibration);
+    closest.latency = part.latency_uncertainty[i];
+    closest.pose = std::max(0.0, part.uncertainty[i] - calibration - closest.latency);
     closest.pose_age = std::min(part.age_uncertainty[i], closest.pose);
     // Between frames another link may be nearer; this contribution is the rest of the difference.
     closest.between_frames = 0.0;

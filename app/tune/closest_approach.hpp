@@ -17,15 +17,16 @@ struct ClosestApproach {
   std::string link;
   double distance{kInfinity};  ///< m
   /// m, contributions to the error: the engine's bound, uncertainty of the person's pose (tracking, gaps),
-  /// calibration between recording and robot, and possible approach between two frames.
-  double bound{0.0}, pose{0.0}, calibration{0.0}, between_frames{0.0};
+  /// latency of the pose (latency.hpp), calibration between recording and robot, and possible approach
+  /// between two frames.
+  double bound{0.0}, pose{0.0}, latency{0.0}, calibration{0.0}, between_frames{0.0};
   double pose_age{0.0};  ///< m, the share of `pose` due to the age of the pose: the part was not seen of late
   double not_seen{0.0};  ///< s, over all recordings, in which the part was not seen
   bool always_seen{true};  ///< in every frame of every recording
 
   /// m, the share of `pose` that the tracker states.
   double poseTracker() const { return pose - pose_age; }
-  double error() const { return bound + pose + calibration + between_frames; }
+  double error() const { return bound + pose + latency + calibration + between_frames; }
   /// Certified clearance (m).
   double clearance() const { return distance - error(); }
   enum class Verdict : std::uint8_t { kApart, kTouchPossible, kNotKnown };

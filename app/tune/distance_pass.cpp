@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "app/tune/latency.hpp"
 #include "core/base/error.hpp"
 #include "core/safety/clearance_verdict.hpp"
 #include "humanmodel/body_part.hpp"
@@ -23,6 +24,8 @@ void validate(const PassOptions& options) {
        "a deceleration that is not positive, expected rad/s^2 or m/s^2");
   need(std::isfinite(options.calibration_error) && options.calibration_error >= 0.0,
        "a calibration error that is negative, expected metres");
+  need(std::isfinite(options.latency) && options.latency >= 0.0 && options.latency <= 10.0,
+       "a latency outside of 0 to 10 s");
   options.separation.validate();
   need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
 }
@@ -34,8 +37,8 @@ double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedS
 void reserveFrames(std::size_t frames, PartClearance& part) {
   for (auto* list :
        {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
-        &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed,
-        &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
+        &part.bound, &part.uncertainty, &part.age_uncertainty, &part.latency_uncertainty, &part.robot_speed,
+        &part.person_speed, &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
     list->reserve(frames);
   part.link.reserve(frames);
 }
@@ -44,7 +47,8 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
     : session_(session),
       options_(options),
       swept_(session.scene()),
-      window_(session, watchedPairs(session), options.braking, options.calibration_error),
+      window_(session, watchedPairs(session), options.braking,
+              {options.calibration_error, latencyUncertainty(session, options.latency)}),
       braking_(session, window_, options.limit),
       judge_(session, options.contact, options.clamped) {
   validate(options);
@@ -55,7 +59,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
     result_.parts.push_back(
-        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
+        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
   for (PartClearance& part : result_.parts) {
     part.contact_excluded = judge_.excluded(part.part);
     if (options.keep_frames) reserveFrames(options.frames, part);
@@ -89,7 +93,7 @@ void DistancePass::frame(double t, const std::vector<query::PairResult>& results
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     const PairId id = window_.pairs()[p].id;
     const query::PairResult& r = results[id.index()];
-    const double now = session_.scene().pairUncertainty(id) + options_.calibration_error;
+    const double now = window_.uncertaintyOf(window_.pairs()[p]);
     double& closest = closest_[result_.pairs[p].part];
     limits_[id.index()] = std::max(now, uncertainty_[id.index()]);
     uncertainty_[id.index()] = now;
@@ -134,10 +138,10 @@ void DistancePass::settle() {
 void DistancePass::addFrame(double t) {
   for (PartClearance& part : result_.parts) {
     if (!options_.keep_frames) {
-      for (auto* list :
-           {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
-            &part.bound, &part.uncertainty, &part.age_uncertainty, &part.robot_speed, &part.person_speed,
-            &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
+      for (auto* list : {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking,
+                         &part.distance, &part.bound, &part.uncertainty, &part.age_uncertainty,
+                         &part.latency_uncertainty, &part.robot_speed, &part.person_speed,
+                         &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
         list->clear();
       part.link.clear();
     }
@@ -149,6 +153,7 @@ void DistancePass::addFrame(double t) {
     part.bound.push_back(0.0);
     part.uncertainty.push_back(0.0);
     part.age_uncertainty.push_back(0.0);
+    part.latency_uncertainty.push_back(0.0);
     part.link.push_back(0);
     part.robot_speed.push_back(0.0);
     part.person_speed.push_back(0.0);
@@ -167,6 +172,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
       part.track.clearance[i] = frame.clearance[p];
       part.uncertainty[i] = frame.uncertainty[p];
       part.age_uncertainty[i] = frame.age_uncertainty[p];
+      part.latency_uncertainty[i] = window_.latencyOf(window_.pairs()[p]);
       part.link[i] = result_.pairs[p].link;
       part.distance[i] = frame.distance[p];
       nearest_[result_.pairs[p].part] = p;

@@ -32,6 +32,8 @@ struct PassOptions {
   double near{0.2};
   /// m: registration error between the frames of recording and robots. Part of every uncertainty.
   double calibration_error{0.0};
+  /// s: how old a pose of a person is when it arrives (latency.hpp). Part of every uncertainty.
+  double latency{0.0};
   std::shared_ptr<const contact::ContactLimits> contact;  ///< null: contacts are not judged
   /// Names of body parts that may be clamped between a robot and something fixed: their contacts are judged
   /// as quasi-static ones. Sorted, each once.
@@ -53,7 +55,8 @@ struct PartClearance {
   std::vector<double> uncertainty;  ///< m, of that pair: pose uncertainty of the person
   /// m, of that pair: share of the uncertainty due to the age of the pose, for a part not seen of late.
   std::vector<double> age_uncertainty;
-  std::vector<std::uint16_t> link;  ///< index of that pair's link in PassResult::links
+  std::vector<double> latency_uncertainty;  ///< m, of that pair: share of the uncertainty due to the latency
+  std::vector<std::uint16_t> link;          ///< index of that pair's link in PassResult::links
   /// m/s, of that pair, towards each other; rounded up to whole steps of kSpeedStep.
   std::vector<double> robot_speed, person_speed;
   PartSeparation

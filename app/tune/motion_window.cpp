@@ -8,8 +8,12 @@
 namespace abstand::tune {
 
 MotionWindow::MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs,
-                           const BrakingOptions& options, double calibration_error)
-    : session_(session), pairs_(std::move(pairs)), options_(options), calibration_error_(calibration_error) {}
+                           const BrakingOptions& options, ExtraUncertainty extra)
+    : session_(session), pairs_(std::move(pairs)), options_(options), extra_(std::move(extra)) {}
+
+double MotionWindow::uncertaintyOf(const WatchedPair& pair) const {
+  return session_.scene().pairUncertainty(pair.id) + extra_.calibration_error + latencyOf(pair);
+}
 
 WindowFrame MotionWindow::emptyFrame() {
   if (spare_.empty()) return {};
@@ -39,7 +43,7 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   };
   for (const WatchedPair& p : pairs_) {
     const query::PairResult& r = results[p.id.index()];
-    const double uncertainty = scene.pairUncertainty(p.id) + calibration_error_;
+    const double uncertainty = uncertaintyOf(p);
     now.distance.push_back(r.distance);
     now.bound.push_back(r.bound);
     now.on_part.push_back(p.part_is_a ? r.witness_a : r.witness_b);

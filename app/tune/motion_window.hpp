@@ -30,12 +30,24 @@ struct WindowFrame {
                                             ///< path
 };
 
+/// What is not known of poses besides what the scene says.
+struct ExtraUncertainty {
+  double calibration_error{0.0};  ///< m, of each pair (PassOptions)
+  std::vector<double> latency{};  ///< m, of each object (latencyUncertainty); empty: none
+};
+
 /// A window over the frames of a recording. One thread.
 class MotionWindow {
  public:
-  /// `calibration_error`: m, added to the uncertainty of pairs (PassOptions).
   MotionWindow(const session::Session& session, std::vector<WatchedPair> pairs, const BrakingOptions& options,
-               double calibration_error);
+               ExtraUncertainty extra);
+
+  /// m, of a pair: share of its uncertainty due to the latency of the person's pose.
+  double latencyOf(const WatchedPair& pair) const {
+    return extra_.latency.empty() ? 0.0 : extra_.latency[pair.part];
+  }
+  /// m, of a pair now: of both poses in the scene, and what is added to it.
+  double uncertaintyOf(const WatchedPair& pair) const;
 
   /// Adds a frame. From the last frame to this one (SweptCheck; empty in the first frame): `between` of the
   /// scene's pairs, and `motions` of its objects.
@@ -66,7 +78,7 @@ class MotionWindow {
   const session::Session& session_;
   std::vector<WatchedPair> pairs_;
   BrakingOptions options_;
-  double calibration_error_;
+  ExtraUncertainty extra_;
   std::deque<WindowFrame> frames_;
   std::vector<WindowFrame> spare_;  ///< dropped ones, whose memory is used again
   bool finished_{false};

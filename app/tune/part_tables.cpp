@@ -9,8 +9,8 @@ namespace abstand::tune {
 namespace {
 
 /// Columns of one part, in file order.
-const char* const kPartColumns[] = {"clearance", "between",     "braking", "distance",
-                                    "bound",     "uncertainty", "link",    "age"};
+const char* const kPartColumns[] = {"clearance",   "between", "braking", "distance", "bound",
+                                    "uncertainty", "link",    "age",     "latency"};
 constexpr std::size_t kPartColumnCount = std::size(kPartColumns);
 /// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
 constexpr double kAllMissing = 1e4;
@@ -74,6 +74,7 @@ class PartLists {
       throw ParseError({file_}, "found the number of a link that is not among the links");
     part.link.push_back(static_cast<std::uint16_t>(v[6]));
     part.age_uncertainty.push_back(v[7]);
+    part.latency_uncertainty.push_back(v[8]);
   }
   static void addMissing(double missing, double scale, PartSeparation& separation) {
     separation.missing.push_back(std::isnan(missing)      ? -kInfinity
@@ -108,9 +109,9 @@ void PartTableWriter::add(const std::vector<PartClearance>& parts, std::size_t i
   out.add(t_, parts.front().track.t[i]);
   row_.clear();
   for (const PartClearance& p : parts)
-    row_.insert(row_.end(),
-                {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i], p.bound[i],
-                 p.uncertainty[i], static_cast<double>(p.link[i]), p.age_uncertainty[i]});
+    row_.insert(row_.end(), {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
+                             p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i]),
+                             p.age_uncertainty[i], p.latency_uncertainty[i]});
   out.add(values_, row_);
   row_.clear();
   for (const PartClearance& p : parts) row_.insert(row_.end(), {p.robot_speed[i], p.person_speed[i]});

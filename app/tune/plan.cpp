@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/scene_file/worn_reader.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
 #include "core/config/yaml_reader.hpp"
@@ -27,9 +28,9 @@ class PlanReader {
 
   std::vector<PlanItem> read(const std::string& text) {
     const config::YamlNode root = config::parseYaml(text, file_);
-    const config::YamlFields fields(
-        root, file_, "the plan",
-        {"abstand_plan", "scenes", "recordings", "people", "mirror", "places", "speeds", "programs"});
+    const config::YamlFields fields(root, file_, "the plan",
+                                    {"abstand_plan", "scenes", "recordings", "people", "mirror", "places",
+                                     "speeds", "programs", "clothing", "tools"});
     const config::YamlNode& version = fields.need("abstand_plan");
     if (version.kind != config::YamlNode::Kind::kScalar || version.text != "1")
       throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
@@ -44,9 +45,11 @@ class PlanReader {
     const std::vector<RecordingVariant> variants = variantsOf(fields);
     std::vector<double> speeds = speedsOf(fields);
     const auto programs = programsOf(fields);
+    const std::vector<NamedWorn> worn = wornOf(fields);
     const double all = static_cast<double>(scenes.size()) * static_cast<double>(recordings.size()) *
                        static_cast<double>(people.size()) * static_cast<double>(variants.size()) *
-                       static_cast<double>(speeds.size()) * static_cast<double>(programs.size());
+                       static_cast<double>(speeds.size()) * static_cast<double>(programs.size()) *
+                       static_cast<double>(worn.size());
     if (all > static_cast<double>(kMaxItems))
       throw ParseError(fields.pos(), "found more than a million runs in the plan, expected fewer");
     std::vector<PlanItem> items;
@@ -55,18 +58,50 @@ class PlanReader {
         for (const fs::path& recording : recordings)
           for (const PersonVariant& person : people)
             for (const RecordingVariant& variant : variants)
-              for (const double speed : speeds) {
-                PlanItem item{scene, recording, person, variant, speed, programs[program], ""};
-                item.name = nameOf(item, scenes.size() > 1, programs.size() > 1 ? program + 1 : 0);
-                if (!names_.insert(item.name).second)
-                  throw ParseError(fields.pos(),
-                                   "found the run `" + item.name + "` twice, expected each once");
-                items.push_back(std::move(item));
-              }
+              for (const double speed : speeds)
+                for (const NamedWorn& w : worn) {
+                  PlanItem item{scene, recording, person, variant, speed, programs[program], "", w.worn};
+                  item.name = nameOf(item, scenes.size() > 1, programs.size() > 1 ? program + 1 : 0) + w.name;
+                  if (!names_.insert(item.name).second)
+                    throw ParseError(fields.pos(),
+                                     "found the run `" + item.name + "` twice, expected each once");
+                  items.push_back(std::move(item));
+                }
     return items;
   }
 
  private:
+  struct NamedWorn {
+    WornVariant worn;
+    std::string name;  ///< ", clothing torso 0.015, tool hand_right/driver"; empty for nothing
+  };
+  /// The product of `clothing` and `tools`.
+  std::vector<NamedWorn> wornOf(const config::YamlFields& fields) const {
+    std::vector<NamedWorn> worn;
+    for (const config::YamlNode& node : fields.list("clothing")) {
+      NamedWorn w{{scene_file::readClothing(node, file_), {}}, ""};
+      for (const auto& [part, thickness] : w.worn.clothing)
+        w.name += (w.name.empty() ? ", clothing " : " ") + std::string(humanmodel::partName(part)) + " " +
+                  formatDouble(thickness);
+      worn.push_back(std::move(w));
+    }
+    if (worn.empty()) worn.emplace_back();
+    if (fields.list("tools").empty()) return worn;
+    std::vector<NamedWorn> all;
+    for (const NamedWorn& clothed : worn)
+      for (const config::YamlNode& node : fields.list("tools")) {
+        NamedWorn w = clothed;
+        for (const config::YamlNode& tool : config::yamlList(node, file_, "an item of `tools`")) {
+          w.worn.tools.push_back(
+              scene_file::readTool(tool, file_, [&](const auto& n, const auto& label, const char* expected) {
+                return scene_file::existingFile(n, {file_, folder_, "plan"}, label, expected);
+              }));
+          w.name += ", tool " + w.worn.tools.back().bodyName("").substr(1);
+        }
+        all.push_back(std::move(w));
+      }
+    return all;
+  }
   fs::path fileOf(const config::YamlNode& node, const char* label, const char* expected) const {
     const fs::path path = (folder_ / config::yamlText(node, file_, label)).lexically_normal();
     std::error_code ec;
@@ -190,11 +225,24 @@ void RecordingVariant::apply(scene_file::RecordingDescription& recording) const 
   recording.place_yaw += turn;
 }
 
+void WornVariant::apply(scene_file::HumanDescription& human) const {
+  humanmodel::addClothing(clothing, human.body.clothing);
+  for (const scene_file::ToolDescription& tool : tools) {
+    const std::string name = tool.bodyName(human.name);
+    for (const scene_file::ToolDescription& other : human.tools)
+      if (other.bodyName(human.name) == name)
+        throw UsageError("found the tool `" + name + "` twice, expected another name for one of them");
+    human.tools.push_back(tool);
+  }
+}
+
 void PlanItem::apply(scene_file::SceneDescription& description) const {
   for (auto& human : description.humans) {
     person.apply(human.body);
     human.recording.speed *= speed;
     variant.apply(human.recording);
+    worn.apply(human);
+    worn_always.apply(human);
   }
   for (const auto& [mechanism, motion] : motions) {
     const auto it = std::find_if(description.mechanisms.begin(), description.mechanisms.end(),

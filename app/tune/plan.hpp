@@ -29,6 +29,15 @@ struct RecordingVariant {
   void apply(scene_file::RecordingDescription& recording) const;
 };
 
+/// What people wear and hold in addition to the scene.
+struct WornVariant {
+  humanmodel::Clothing clothing;
+  std::vector<scene_file::ToolDescription> tools;
+
+  /// Throws UsageError for a tool whose name is taken.
+  void apply(scene_file::HumanDescription& human) const;
+};
+
 /// One run: recording, person and robot program.
 struct PlanItem {
   std::filesystem::path scene, recording;  ///< no recording: people follow those of the scene
@@ -38,8 +47,10 @@ struct PlanItem {
   std::map<std::string, std::filesystem::path> motions;  ///< of mechanisms by name, instead of the scene's
   /// "a.bvh, height 1.62, speed 1.2": unique in a plan.
   std::string name;
+  WornVariant worn{};
+  WornVariant worn_always{};  ///< of the command line: in addition, not in the name
 
-  /// Applies this item to the scene. Throws UsageError for an unknown mechanism.
+  /// Applies this item to the scene. Throws UsageError for an unknown mechanism and two tools of one name.
   void apply(scene_file::SceneDescription& description) const;
 };
 

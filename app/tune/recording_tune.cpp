@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/session/input_content.hpp"
+#include "app/tune/person_notes.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/margin/safe_margin.hpp"
 #include "humanmodel/body_part.hpp"
@@ -50,6 +51,17 @@ std::string contentOf(const session::Session& session) {
   return any ? hash.value().hex() : std::string();
 }
 
+std::vector<InputFile> filesOf(const session::Session& session) {
+  std::vector<InputFile> files;
+  for (const std::filesystem::path& file : session::inputFiles(session.description())) {
+    ContentHash hash;
+    session::addContent(hash, file);
+    // With its folder, and without the place of both on this machine.
+    files.push_back({(file.parent_path().filename() / file.filename()).string(), hash.value().hex()});
+  }
+  return files;
+}
+
 /// These parts and those that the scene names for any of its people, sorted.
 std::vector<std::string> clampedWith(const std::vector<std::string>& more, const session::Session& session) {
   std::set<std::string> parts(more.begin(), more.end());
@@ -93,8 +105,11 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.interrupted = summary.interrupted;
   tuned.clamped = pass_options.clamped;
   tuned.reservations = summary.reservations;
+  tuned.people = peopleOf(session);
+  tuned.files = filesOf(session);
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();
+  tuned.enclosed = enclosedIn(session, tuned.pass);
   tuned.t0 = times.t0;
   tuned.t1 = times.t1;
   tuned.unjudged = times.unjudged;

@@ -4,6 +4,7 @@
 #include "app/run/run_scene.hpp"
 #include "app/tune/distance_pass.hpp"
 #include "core/margin/margin_outcome.hpp"
+#include "humanmodel/enclosed_share.hpp"
 
 namespace abstand::tune {
 
@@ -12,6 +13,18 @@ struct TuneOptions {
   double restart_time{0.0};  ///< s, MarginOptions::restart_time
 
   margin::MarginOptions margins() const { return {pass.limit, restart_time}; }
+};
+
+/// One person of a run, for reports.
+struct PersonNote {
+  std::string name,
+      text;  ///< "operator"; "1.750 m, 81.6 kg, mean of both sexes; clothing: none; tools: none"
+};
+
+/// A file that a run depends on.
+struct InputFile {
+  std::string name, content;  ///< its name with that of its folder; content hash (XXH3)
+  bool operator==(const InputFile&) const = default;
 };
 
 /// Data of one recording for all later questions.
@@ -25,6 +38,11 @@ struct TunedRecording {
   PassResult pass;
   std::string contact_limits;        ///< ContactLimits::stamp(); empty: contacts were not judged
   std::vector<std::string> clamped;  ///< PassOptions::clamped, with the parts that the scene names
+  std::vector<InputFile> files;  ///< scene, robots, motions, meshes, recordings, in the order of the scene
+  std::vector<PersonNote> people;
+  /// For each of pass.parts: share of people whose part the model encloses, bare; of several people in the
+  /// scene the smallest.
+  std::vector<humanmodel::EnclosedShare> enclosed;
   std::vector<run::Reservation> reservations;
   bool interrupted{false};
 

@@ -117,6 +117,19 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
   return all;
 }
 
+std::vector<humanmodel::EnclosedShare> enclosedOf(const hdf5::TableReader& in, std::size_t parts,
+                                                  const std::string& file) {
+  const std::vector<double> v = in.table("enclosed", parts, 2);
+  std::vector<humanmodel::EnclosedShare> shares;
+  for (std::size_t p = 0; p < parts; ++p) {
+    shares.push_back({v[2 * p], v[2 * p + 1]});
+    for (const double share : {v[2 * p], v[2 * p + 1]})
+      if (!(share >= 0.0 && share <= 1.0))
+        throw ParseError({file}, "found an enclosed share outside of 0 to 1");
+  }
+  return shares;
+}
+
 }  // namespace
 
 ResultWriter::ResultWriter(const std::filesystem::path& file, const ContentKey& key) : out_(file) {
@@ -185,6 +198,7 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
   out_.attribute("deceleration", options.pass.braking.deceleration);
   out_.attribute("near", options.pass.near);
   out_.attribute("calibration_error", options.pass.calibration_error);
+  out_.attribute("latency", options.pass.latency);
   safety::SeparationOptions::eachNumber(options.pass.separation,
                                         [&](const char* key, const double& value, const config::NumberRule&) {
                                           out_.attribute(std::string("separation_") + key, value);
@@ -199,6 +213,21 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
     if (p.contact_excluded) excluded.push_back(p.part);
   out_.texts("contact_excluded", excluded);
   out_.texts("clamped", tuned.clamped);
+  std::vector<std::string> people;
+  for (const PersonNote& person : tuned.people) people.push_back(person.name + "\t" + person.text);
+  out_.texts("people", people);
+  std::vector<std::string> files;
+  for (const InputFile& file : tuned.files) files.push_back(file.content + "\t" + file.name);
+  out_.texts("files", files);
+}
+
+void ResultWriter::writeEnclosed(const std::vector<humanmodel::EnclosedShare>& shares) {
+  const std::size_t table = out_.table("enclosed", {2});
+  for (const humanmodel::EnclosedShare& share : shares) {
+    out_.add(table, share.at_stature);
+    out_.add(table, share.all_statures);
+    out_.endRow();
+  }
 }
 
 void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
@@ -246,6 +275,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   writeWorstSeparation(pass.parts, out_);
   out_.nextTables();
   writeExposure(pass.exposure, out_);
+  out_.nextTables();
+  writeEnclosed(tuned.enclosed);
   out_.commit();
 }
 
@@ -275,6 +306,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.limit = in.number("limit");
   stored.options.pass.near = in.number("near");
   stored.options.pass.calibration_error = in.number("calibration_error");
+  stored.options.pass.latency = in.number("latency");
   tuned.contact_limits = in.text("contact_limits");
   tuned.content = in.text("content");
   safety::SeparationOptions::eachNumber(stored.options.pass.separation,
@@ -285,6 +317,14 @@ StoredResult readResult(const std::filesystem::path& file) {
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));
   tuned.clamped = in.texts("clamped");
+  for (const std::string& text : in.texts("people")) {
+    const auto tab = std::min(text.find('\t'), text.size());
+    tuned.people.push_back({text.substr(0, tab), text.substr(std::min(tab + 1, text.size()))});
+  }
+  for (const std::string& text : in.texts("files")) {
+    const auto tab = std::min(text.find('\t'), text.size());
+    tuned.files.push_back({text.substr(std::min(tab + 1, text.size())), text.substr(0, tab)});
+  }
   const std::vector<std::string> parts = in.texts("parts");
   tuned.pass.links = in.texts("links");
   if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
@@ -296,6 +336,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.frames = frames;
   tuned.pass.parts = readPartTables(in, {parts, tuned.pass.links.size(), frames}, file.string());
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass.links.size(), file.string());
+  tuned.enclosed = enclosedOf(in, parts.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());
   return stored;
 }

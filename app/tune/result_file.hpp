@@ -29,6 +29,7 @@ class ResultWriter {
   void writeOptions(const TunedRecording& tuned, const TuneOptions& options);
   void writeApproaches(const std::vector<Approach>& approaches);
   void writeNeeds(const PassResult& pass);
+  void writeEnclosed(const std::vector<humanmodel::EnclosedShare>& shares);
 
   hdf5::TableWriter out_;
   bool begun_{false};

@@ -33,13 +33,14 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
   for (const auto& h : scene.humans) {
     if (recording.empty()) addContent(hash, h.recording.file);
     addContent(hash, h.recording.options.joint_map);
+    for (const auto& tool : h.tools) addContent(hash, tool.mesh), addContent(hash, tool.structure);
     hash.add(h.recording.speed);  // not in scene files
     hash.add(h.recording.mirrored);
   }
   addContent(hash, recording);
   const auto& braking = options.pass.braking;
   for (const double v : {options.pass.limit, options.pass.near, options.pass.calibration_error,
-                         braking.reaction_time, braking.deceleration})
+                         options.pass.latency, braking.reaction_time, braking.deceleration})
     hash.add(v);
   options.pass.separation.eachNumber(
       options.pass.separation, [&](const char*, const double& v, const config::NumberRule&) { hash.add(v); });

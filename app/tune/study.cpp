@@ -65,7 +65,7 @@ bool sameOptions(const StoredResult& x, const StoredResult& y) {
   const PassOptions &a = x.options.pass, &b = y.options.pass;
   if (numbersOf(a.separation) != numbersOf(b.separation)) return false;
   return a.limit == b.limit && a.near == b.near && a.calibration_error == b.calibration_error &&
-         a.braking.reaction_time == b.braking.reaction_time &&
+         a.latency == b.latency && a.braking.reaction_time == b.braking.reaction_time &&
          a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
 }
 

@@ -34,6 +34,31 @@ std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordi
   return {parts.begin(), parts.end()};
 }
 
+std::vector<InputFile> inputFiles(const std::vector<TunedRecording>& recordings) {
+  std::vector<InputFile> files;
+  std::set<std::pair<std::string, std::string>> known;
+  for (const TunedRecording& r : recordings)
+    for (const InputFile& file : r.files)
+      if (known.emplace(file.name, file.content).second) files.push_back(file);
+  return files;
+}
+
+std::optional<EnclosedRange> enclosedRange(const std::vector<TunedRecording>& recordings,
+                                           const std::string& part) {
+  std::optional<EnclosedRange> range;
+  for (const TunedRecording& r : recordings)
+    for (std::size_t p = 0; p < std::min(r.enclosed.size(), r.pass.parts.size()); ++p) {
+      if (r.pass.parts[p].part != part) continue;
+      const humanmodel::EnclosedShare& here = r.enclosed[p];
+      if (!range) range = EnclosedRange{here, here};
+      range->min = {std::min(range->min.at_stature, here.at_stature),
+                    std::min(range->min.all_statures, here.all_statures)};
+      range->max = {std::max(range->max.at_stature, here.at_stature),
+                    std::max(range->max.all_statures, here.all_statures)};
+    }
+  return range;
+}
+
 std::vector<RankedApproach> rankedApproaches(const TuneAnswer& answer) {
   std::vector<RankedApproach> ranked;
   for (const TunedRecording& r : answer.recordings)

@@ -63,6 +63,17 @@ TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders);
 /// Parts that may be clamped in any of the recordings, sorted.
 std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordings);
 
+/// Files of all recordings, each once.
+std::vector<InputFile> inputFiles(const std::vector<TunedRecording>& recordings);
+
+/// Smallest and largest share of people whose part `part` is enclosed by the model, over all recordings:
+/// plans have several bodies. nullopt if no recording knows it.
+struct EnclosedRange {
+  humanmodel::EnclosedShare min, max;
+};
+std::optional<EnclosedRange> enclosedRange(const std::vector<TunedRecording>& recordings,
+                                           const std::string& part);
+
 /// Approaches of all recordings, nearest first.
 struct RankedApproach {
   const TunedRecording* recording;

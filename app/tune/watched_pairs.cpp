@@ -11,10 +11,7 @@ std::vector<WatchedPair> watchedPairs(const session::Session& session) {
   std::map<std::size_t, humanmodel::BodyPart> part_of;
   std::map<std::size_t, std::size_t> robot_of;
   for (const auto& human : session.humans())
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i) {
-      const auto part = static_cast<humanmodel::BodyPart>(i);
-      if (const auto object = human->object(part)) part_of[object->index()] = part;
-    }
+    for (const session::HumanDriver::Body& body : human->bodies()) part_of[body.object.index()] = body.part;
   for (std::size_t r = 0; r < session.mechanisms().size(); ++r)
     for (const auto& link : session.mechanisms()[r]->links())
       if (link.object) robot_of[link.object->index()] = r;

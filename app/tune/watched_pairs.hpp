@@ -7,13 +7,13 @@
 
 namespace abstand::tune {
 
-/// A pair of a person's part and a robot's link.
+/// A pair of a person's part, or of a tool in a hand, and a robot's link.
 struct WatchedPair {
   PairId id;
   std::size_t part{0}, link{0};  ///< object indices in the scene
   std::size_t robot{0};          ///< mechanism index in the session
   bool part_is_a{false};
-  humanmodel::BodyPart body_part{humanmodel::BodyPart::kTorso};
+  humanmodel::BodyPart body_part{humanmodel::BodyPart::kTorso};  ///< of a tool: the hand that holds it
 };
 
 /// Every pair of a person's part with a robot's link, in the order of the scene's pairs.

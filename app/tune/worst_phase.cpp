@@ -182,12 +182,11 @@ std::vector<WorstPhase> worstPhases(session::Session& session, const WorstPhaseO
   std::vector<Part> parts;
   const scene::Scene& scene = session.scene();
   for (const auto& human : session.humans())
-    for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-      if (const auto object = human->object(static_cast<humanmodel::BodyPart>(i)))
-        parts.push_back({scene.object(*object).spec.name,
-                         object->index(),
-                         BodyPath(scene.object(*object).spec.structure->bounding_sphere),
-                         {}});
+    for (const session::HumanDriver::Body& body : human->bodies()) {
+      const scene::Object& object = scene.object(body.object);
+      parts.push_back(
+          {object.spec.name, body.object.index(), BodyPath(object.spec.structure->bounding_sphere), {}});
+    }
   for (const double t : times) {
     session.applyMotion(t);
     for (Part& part : parts) {

@@ -67,8 +67,8 @@ class OddResult {
     lists();
     const std::size_t frames = 1 + in_.byte() % 4, parts = 2;
     table("t", frames, {}, [](std::size_t row, std::size_t) { return 0.1 * static_cast<double>(row); });
-    table("part_values", frames, {parts, 8},
-          [](std::size_t, std::size_t i) { return i % 8 == 6 ? 1.0 : 0.3; });
+    table("part_values", frames, {parts, 9},
+          [](std::size_t, std::size_t i) { return i % 9 == 6 ? 1.0 : 0.3; });
     table("part_separation", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_speeds", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("worst_separation", parts, {10}, [](std::size_t, std::size_t) { return 0.5; });
@@ -78,7 +78,10 @@ class OddResult {
     table("approaches", in_.byte() % 3, {17}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_contact", frames, {parts}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("contact_excluded", {"part1"});
+    table("enclosed", parts, {2}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("clamped", {"part2"});
+    out_.texts("files", {in_.text("0123\tscene.yaml")});
+    out_.texts("people", {in_.text("person\t1.750 m")});
     out_.commit();
   }
 
@@ -96,6 +99,7 @@ class OddResult {
     for (const char* name : {"key", "version", "recording", "contact_limits", "content"})
       if (!in_.rarely()) out_.attribute(name, in_.text(name));
     out_.attribute("calibration_error", 0.0);
+    out_.attribute("latency", 0.0);
     out_.attribute("abstand_result", tune::kResultFormat + static_cast<long long>(in_.rarely()));
   }
   void lists() {

@@ -19,6 +19,7 @@ class MarginVariants : public Cli {
   std::string plan(const std::string& text) {
     return folder_.write("plan.yaml", "abstand_plan: 1\nscenes: [slide.yaml]\n" + text).string();
   }
+  std::string out(const std::string& name) const { return (folder_.path() / name).string(); }
   static const json& ofPart(const json& rows, const std::string& part) {
     for (const json& row : rows)
       if (row["part"] == part) return row;
@@ -78,9 +79,74 @@ TEST_F(MarginVariants, MirroredPersonSwapsSides) {
   EXPECT_FALSE(name.empty());
 }
 
+TEST_F(MarginVariants, ALatencyIsAShareOfEveryUncertainty) {
+  const json with = runJson("tune " + scene_ + options_ + " --latency 0.05 --out " + out("late"));
+  EXPECT_EQ(with["assumed"]["latency"], 0.05);
+  EXPECT_NEAR(ofPart(with["closest"], "torso")["shares"]["latency"], 0.05 * 2.0, 1e-12)
+      << "at the speed of a hand in ISO 13855";
+  EXPECT_EQ(runJson("merge " + out("late") + " --margins 0.1")["closest"], with["closest"])
+      << "the same from the files";
+  EXPECT_EQ(run("tune " + scene_ + options_ + " --latency -1").code, 2);
+}
+
+TEST_F(MarginVariants, ClothingTakesItsThicknessAndAToolStandsOut) {
+  const auto clearance = [](const json& j, const std::string& part) {
+    return ofPart(j["closest"], part)["clearance"].get<double>();
+  };
+  // Passes beside the trunk at 0.9 m.
+  const std::string plain = "tune " + plan("places: [{shift: [0, 0.9, 0]}]\n") + options_;
+  const json bare = runJson(plain), clothed = runJson(plain + " --clothing torso=0.05,gloves"),
+             armed = runJson(plain + " --tool right=sphere:0.1 --tool right=sphere:0.02");
+  EXPECT_NEAR(clearance(clothed, "torso"), clearance(bare, "torso") - 0.05, kMillimetre);
+  EXPECT_EQ(clearance(clothed, "head"), clearance(bare, "head"));
+  // The right hand, 40 to 50 mm wide, is within the ball of 100 mm about its centre.
+  EXPECT_LT(clearance(armed, "hand_right"), clearance(bare, "hand_right") - 0.03);
+  EXPECT_EQ(clearance(armed, "hand_left"), clearance(bare, "hand_left"));
+  const std::string body = armed["inputs"][0]["people"][0]["body"];
+  EXPECT_NE(body.find("tools: hand_right/sphere, hand_right/sphere_2"), std::string::npos) << body;
+  EXPECT_NE(clothed["inputs"][0]["people"][0]["body"].get<std::string>().find("torso 50 mm"),
+            std::string::npos);
+}
+
+TEST_F(MarginVariants, APlanHasClothingAndToolsAsVariants) {
+  const json j = runJson("tune " +
+                         plan("clothing: [{}, {preset: winter_clothes}]\n"
+                              "tools: [[], [{name: rod, hand: left, shape: {capsule: {radius: 0.02, length: "
+                              "0.4}}}]]\n") +
+                         options_);
+  ASSERT_EQ(j["recordings"], 4);
+  std::string names;
+  for (const json& input : j["inputs"]) names += input["recording"].get<std::string>() + "\n";
+  EXPECT_NE(names.find("foot"), 0u);
+  EXPECT_NE(names.find(", tool hand_left/rod\n"), std::string::npos) << names;
+  EXPECT_NE(names.find(", clothing torso 0.04 head 0.01"), std::string::npos) << names;
+  EXPECT_EQ(ofPart(j["bands"], "torso")["runs"], 4);
+}
+
+TEST_F(MarginVariants, SaysWhatShareOfPeopleTheBodyEncloses) {
+  const json j =
+      runJson("tune " + plan("people: [{percentile: 5, sex: f}, {percentile: 95, sex: m}]\n") + options_);
+  for (const json& row : j["proposed"]) {
+    const json& all = row["enclosed_share"]["all_statures"];
+    EXPECT_LT(all["min"], all["max"]) << row["part"];
+    EXPECT_GT(all["max"], 0.9) << row["part"];
+    EXPECT_LT(all["min"], 0.2) << row["part"];
+  }
+  // Of the body in the scene the same as `abstand human` says.
+  const json human = runJson("human --height 1.75");
+  const json scene = runJson("tune " + scene_ + options_);
+  for (const json& part : human["parts"]) {
+    const json& share = ofPart(scene["proposed"], part["name"])["enclosed_share"];
+    EXPECT_EQ(share["at_stature"]["min"], part["enclosed_share"]);
+    EXPECT_EQ(share["at_stature"]["max"], part["enclosed_share"]);
+    EXPECT_EQ(share["all_statures"]["max"], part["enclosed_share_all_statures"]);
+  }
+}
+
 TEST_F(MarginVariants, PlanRejectsUnknownKeysAndValues) {
   for (const std::string text :
-       {"places: [{shift: [1, 2]}]\n", "places: [{turns: 1}]\n", "mirror: [perhaps]\n"}) {
+       {"clothing: [{preset: tie}]\n", "tools: [[{name: t}]]\n", "tools: [{name: t}]\n",
+        "places: [{shift: [1, 2]}]\n", "places: [{turns: 1}]\n", "mirror: [perhaps]\n"}) {
     const Answer answer = run("tune " + plan(text) + options_);
     EXPECT_EQ(answer.code, 3) << text;
     EXPECT_NE(answer.err.find("plan.yaml:3:"), std::string::npos) << answer.err;

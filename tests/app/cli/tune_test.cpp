@@ -1,6 +1,7 @@
 // abstand tune and merge as a user runs them.
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include "tests/app/cli/seven_people.hpp"
@@ -33,6 +34,40 @@ TEST_F(Tune, ResultIsIndependentOfShardsAndProcesses) {
                 0);
     EXPECT_EQ(results(folder), kPeople);
     EXPECT_EQ(answerOf(runJson("merge " + out(folder) + " --margins 0:0.6:0.1")), expected) << shards;
+  }
+}
+
+TEST_F(Tune, HasTheKeysOfItsContractAndTheyAgreeWithEachOther) {
+  const json j = runJson("tune " + scene_ + " --recordings" + recordings_ + " --margins 0:0.4:0.1");
+  const auto expectKeys = [](const json& row, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) EXPECT_TRUE(row.contains(key)) << key << " in " << row;
+  };
+  expectKeys(j, {"recordings", "frames", "seconds", "margins", "proposed", "speeds", "curve"});
+  std::size_t frames = 0;
+  double seconds = 0.0;
+  for (const json& input : j["inputs"])
+    frames += input["frames"].get<std::size_t>(), seconds += input["seconds"].get<double>();
+  EXPECT_EQ(j["frames"], frames);
+  EXPECT_NEAR(j["seconds"], seconds, 1e-9);
+  // Five margins of each part and of the whole body, and the curve says of each the same.
+  ASSERT_EQ(j["margins"].size(), 5 * (j["proposed"].size() + 1));
+  ASSERT_EQ(j["curve"].size(), j["margins"].size());
+  for (std::size_t i = 0; i < j["margins"].size(); ++i) {
+    const json &row = j["margins"][i], &point = j["curve"][i];
+    expectKeys(row, {"part", "margin", "stops", "stopped_share", "false_stops", "missed_stops",
+                     "min_distance", "lead_time"});
+    expectKeys(point, {"part", "margin", "stopped_share", "missed_stops"});
+    for (const auto& [key, value] : point.items()) EXPECT_EQ(value, row[key]) << key;
+    EXPECT_LE(row["false_stops"], row["stops"]);
+  }
+  for (const json& p : j["proposed"]) {
+    expectKeys(p, {"part", "margin", "decided_by", "uncertainty", "confidence", "enclosed_share"});
+    if (!p["decided_by"].is_null()) expectKeys(p["decided_by"], {"recording", "t", "link"});
+  }
+  ASSERT_FALSE(j["speeds"].empty());
+  for (const json& s : j["speeds"]) {
+    expectKeys(s, {"motion", "segment", "t0", "t1", "speed_scale", "limited_by"});
+    EXPECT_EQ(s["limited_by"].is_null(), s["speed_scale"] == 1.0) << s;
   }
 }
 
@@ -164,15 +199,55 @@ TEST_F(Tune, ExportsAndComparesResults) {
 }
 
 TEST_F(Tune, WritesAReport) {
-  EXPECT_EQ(run("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html")).code,
-            0);
+  const json j =
+      runJson("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html"));
   const std::string html = readFile(out("report.html"));
-  for (const char* said : {"Proposed margins", "Cost of margins", "Nearest approaches", "Assumptions",
-                           "Inputs", "Signature", "hardest closing before", "stops per minute", "person6.csv",
-                           "no certified safety function", "ISO/TS 15066:2016", "class=\"moment\""})
+  for (const char* said : {"Proposed margins",
+                           "Cost of margins",
+                           "Nearest approaches",
+                           "Assumptions",
+                           "Inputs",
+                           "Signature",
+                           "hardest closing before",
+                           "stops per minute",
+                           "person6.csv",
+                           "no certified safety function",
+                           "ISO/TS 15066:2016",
+                           "class=\"moment\"",
+                           "Summary",
+                           "Protective distance",
+                           "robot's mass",
+                           "not stated",
+                           "latency of a person's pose",
+                           "Z_d, error of the person's place",
+                           "body encloses",
+                           "clothing: none; tools: none"})
     EXPECT_NE(html.find(said), std::string::npos) << said;
   for (const char* outside : {"http://", "https://", "<script", "src="})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+  // Every file with its fingerprint: scene, robot, motion, and each recording.
+  EXPECT_EQ(j["files"].size(), 3 + kPeople);
+  for (const json& file : j["files"])
+    EXPECT_NE(html.find(file["content"].get<std::string>()), std::string::npos) << file;
+  // S_p of the worst moment is the sum of its terms.
+  for (const json& row : j["separation"]) {
+    if (row["worst"].is_null()) continue;
+    const json& w = row["worst"];
+    EXPECT_NEAR(w["needed"].get<double>(),
+                w["person"].get<double>() + w["reaction"].get<double>() + w["stopping"].get<double>() +
+                    w["constant"].get<double>(),
+                1e-12);
+  }
+  // No id stands for two things.
+  std::set<std::string> ids;
+  std::size_t count = 0;
+  for (std::size_t at = html.find("<clipPath id="); at != std::string::npos;
+       at = html.find("<clipPath id=", at + 1)) {
+    ids.insert(html.substr(at, html.find('>', at) - at));
+    ++count;
+  }
+  EXPECT_GT(count, 0u);
+  EXPECT_EQ(ids.size(), count);
 }
 
 TEST_F(Tune, ReportsPositionOfPlanErrors) {

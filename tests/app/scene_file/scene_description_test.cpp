@@ -58,6 +58,10 @@ humans:
     preset: thesis
     lengths: recording
     margin: 0.10
+    clothing: {preset: [work_clothes, gloves], hand_left: 0.01}
+    tools:
+      - {name: driver, hand: right, shape: {cylinder: {radius: 0.01, length: 0.2}}, pose: {xyz: [0.1, 0, 0], rpy: [0, 1.5, 0]}, max_speed: 6}
+      - {name: plate, hand: left, mesh: table.obj, scale: 0.001, margin: 0.03}
     parts: {hand_left: {margin: 0.15, contour: 0.24}, torso: {shape: cuboid, breadth: 0.4, voxel: 0.01, max_speed: 1.6}, head: {}}
     recording: {file: boxing.bvh, format: bvh, units: 0.056444, up: -y, rate: 60, mirror: axes, joint_map: own.map, marker_set: own.markers, repair: false, cut_things: true, place: {xyz: [0.9, 0, 0.1], yaw: 3.14}}
   - {name: guest}
@@ -138,6 +142,20 @@ TEST_F(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(h.recording.place_xyz, Vector3d(0.9, 0, 0.1));
   EXPECT_EQ(h.recording.place_yaw, 3.14);
   EXPECT_TRUE(s.humans[1].recording.file.empty());
+  EXPECT_TRUE(s.humans[1].tools.empty());
+  EXPECT_TRUE(s.humans[1].body.clothing.empty());
+  EXPECT_EQ(h.body.clothing.at(humanmodel::BodyPart::kHandLeft), 0.01) << "thicker than the gloves";
+  EXPECT_EQ(h.body.clothing.at(humanmodel::BodyPart::kHandRight), 0.003);
+  EXPECT_EQ(h.body.clothing.at(humanmodel::BodyPart::kTorso), 0.015);
+  EXPECT_FALSE(h.body.clothing.contains(humanmodel::BodyPart::kHead));
+  ASSERT_EQ(h.tools.size(), 2u);
+  EXPECT_EQ(h.tools[0].bodyName(h.name), "operator/hand_right/driver");
+  EXPECT_EQ(std::get<geometry::Cylinder>(*h.tools[0].shape).length, 0.2);
+  EXPECT_TRUE(h.tools[0].X_HT.isApprox(fromXyzRpy({0.1, 0, 0}, {0, 1.5, 0}), 0.0));
+  EXPECT_EQ(h.tools[0].settings.max_speed, 6.0);
+  EXPECT_EQ(h.tools[1].mesh, path("table.obj"));
+  EXPECT_EQ(h.tools[1].scale, Vector3d::Constant(0.001));
+  EXPECT_EQ(h.tools[1].settings.margin, 0.03);
   EXPECT_EQ(s.humans[1].body.preset, humanmodel::HumanPreset::kAnthropometric);
 
   ASSERT_EQ(s.objects.size(), 5u);
@@ -153,7 +171,7 @@ TEST_F(SceneFile, ReadsEveryKey) {
   EXPECT_FALSE(s.pairs.exclude_adjacent);
   ASSERT_EQ(s.pairs.exclude.size(), 2u);
   EXPECT_EQ(s.pairs.exclude[1], (std::pair<std::string, std::string>("table", "ball")));
-  EXPECT_EQ(s.pairs.exclude_pos[1].line, 40);
+  EXPECT_EQ(s.pairs.exclude_pos[1].line, 44);
   EXPECT_EQ(s.pairs.include[0].second, "operator/head");
   ASSERT_EQ(s.threads.size(), 2u);
   EXPECT_EQ(s.threads[1].size(), 2u);

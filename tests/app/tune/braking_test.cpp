@@ -20,7 +20,7 @@ TEST(BrakingClearance, IsNeverAboveDenseSampling) {
   const auto session =
       depth::openSession(scene_file::loadScene(testing::projectFile("data/scenes/hug_reach.yaml")), options);
   const BrakingOptions braking{0.1, 1.0};
-  MotionWindow window(*session, watchedPairs(*session), braking, 0.0);
+  MotionWindow window(*session, watchedPairs(*session), braking, {});
   ASSERT_GT(window.pairs().size(), 100u);
   BrakingClearance clearance(*session, window, 0.0);
   run::SweptCheck swept(session->scene());

@@ -19,6 +19,7 @@ TunedRecording handOf(const std::vector<double>& clearance) {
     part.bound.push_back(0.0);
     part.uncertainty.push_back(0.5 - clearance[i]);
     part.age_uncertainty.push_back(0.0);
+    part.latency_uncertainty.push_back(0.0);
     part.link.push_back(0);
   }
   recording.pass.parts.push_back(part);
