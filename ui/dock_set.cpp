@@ -4,12 +4,16 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QTabBar>
+#include <algorithm>
+#include <vector>
 
 #include "ui/panel_set.hpp"
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/history_panel.hpp"
 #include "ui/panels/inspector_panel.hpp"
+#include "ui/panels/log_panel.hpp"
 #include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/note_panel.hpp"
@@ -18,6 +22,7 @@
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
+#include "ui/panels/separation_panel.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
@@ -29,7 +34,7 @@ namespace {
 
 // Sizes of the first layout, px.
 constexpr int kLeftWidth = 284, kRightWidth = 370, kTimelineHeight = 236, kTableHeight = 110,
-              kPlotHeight = 560, kMarginHeight = 300;
+              kPlotHeight = 560, kMarginHeight = 300, kLowWindow = 760, kLowTimelineHeight = 216;
 
 /// Not where it is hidden or covered by another tab.
 bool isInFront(const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); }
@@ -63,6 +68,12 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
                   key("Ctrl+Shift+7"), panels.inspector);
   matrix = add("matrix", tr("Pair matrix"), tr("Show or hide the matrix of pairs"), key("Ctrl+Shift+6"),
                panels.matrix);
+  separation = add("separation", tr("Separation"),
+                   tr("Show or hide protective distances and contact limits of the body parts"),
+                   key("Ctrl+Shift+3"), panels.separation);
+  log = add("log", tr("Log"), tr("Show or hide the messages of the window"), key("Ctrl+Shift+2"), panels.log);
+  history = add("history", tr("History"), tr("Show or hide the edits of the project"), key("Ctrl+Shift+1"),
+                panels.history);
 }
 
 QDockWidget* DockSet::add(const char* name, const QString& title, const QString& tip, const QString& key,
@@ -105,17 +116,55 @@ void DockSet::arrange() const {
   window_->addDockWidget(Qt::BottomDockWidgetArea, timeline);
   window_->addDockWidget(Qt::BottomDockWidgetArea, pairs);
   window_->splitDockWidget(timeline, pairs, Qt::Vertical);
-  window_->tabifyDockWidget(pairs, events);
+  window_->tabifyDockWidget(pairs, separation);
+  window_->tabifyDockWidget(separation, events);
   window_->tabifyDockWidget(events, bookmarks);
   window_->tabifyDockWidget(bookmarks, recordings);
   window_->tabifyDockWidget(recordings, curve);
   window_->tabifyDockWidget(curve, cycles);
-  pairs->raise();
+  window_->tabifyDockWidget(cycles, log);
+  window_->tabifyDockWidget(matrix, history);
+  for (QDockWidget* dock : {cycles, log, history}) dock->hide();
+  // Docks that were hidden take the front from those that stay.
+  for (QDockWidget* dock : {pairs, plots, margins}) dock->raise();
   for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
   window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window_->resizeDocks({timeline, pairs}, {kTimelineHeight, kTableHeight}, Qt::Vertical);
   window_->resizeDocks({plots, margins}, {kPlotHeight, kMarginHeight}, Qt::Vertical);
+  fitHeight();
+}
+
+void DockSet::fitHeight() const {
+  if (window_->height() >= kLowWindow) return;
+  QDockWidget* before = timeline;
+  for (QDockWidget* dock : {pairs, separation, events, bookmarks, recordings, curve, cycles, log}) {
+    window_->tabifyDockWidget(before, dock);
+    before = dock;
+  }
+  // The tabs of the others fit beside each other.
+  for (QDockWidget* dock : {bookmarks, curve, cycles, log}) dock->hide();
+  timeline->raise();
+  window_->resizeDocks({timeline}, {kLowTimelineHeight}, Qt::Vertical);
+}
+
+void DockSet::arrangeFor(Task task) const {
+  arrange();
+  const auto keep = [this](const std::vector<QDockWidget*>& wanted) {
+    for (QDockWidget* dock : all())
+      dock->setVisible(std::find(wanted.begin(), wanted.end(), dock) != wanted.end());
+  };
+  switch (task) {
+    case Task::kReplay:
+      return keep({scene, timeline, inspector});
+    case Task::kTuning:
+      keep({timeline, margins, plots, pairs, events, curve, separation});
+      return curve->raise();
+    case Task::kReview:
+      keep({scene, timeline, plots, inspector, events, bookmarks, recordings, notes, separation});
+      notes->raise();
+      return events->raise();
+  }
 }
 
 void DockSet::raise(QDockWidget* dock) {

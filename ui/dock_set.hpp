@@ -20,23 +20,29 @@ class DockSet {
 
  public:
   /// To be increased when docks are added or removed, so that an old layout is not applied to a new window.
-  static constexpr int kLayoutVersion = 10;
+  static constexpr int kLayoutVersion = 11;
 
   /// The docks take the panels over. `window` and `actions` outlive this object.
   DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels);
 
-  /// Shows all docks at their first places.
+  /// Shows the docks at their first places, those that are seldom needed hidden.
   void arrange() const;
+  /// In a low window the 3D view would have no room above both timeline and tables: they share a place.
+  void fitHeight() const;
+  /// What a user is about to do.
+  enum class Task { kReplay, kTuning, kReview };
+  /// The first places, with only those docks that the task needs.
+  void arrangeFor(Task task) const;
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 
-  std::array<QDockWidget*, 15> all() const {
-    return {scene,  pairs,     timeline,   plots, margins, robots,    groups, notes,
-            events, bookmarks, recordings, curve, cycles,  inspector, matrix};
+  std::array<QDockWidget*, 18> all() const {
+    return {scene,     pairs,      timeline, plots,  margins,   robots, groups,     notes, events,
+            bookmarks, recordings, curve,    cycles, inspector, matrix, separation, log,   history};
   }
 
   QDockWidget *scene, *pairs, *timeline, *plots, *margins, *robots, *groups, *notes, *events, *bookmarks,
-      *recordings, *curve, *cycles, *inspector, *matrix;
+      *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history;
 
  private:
   QDockWidget* add(const char* name, const QString& title, const QString& tip, const QString& key,

@@ -1,37 +1,44 @@
 // The window: builds the panels and connects them.
 #include "ui/main_window.hpp"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QMessageBox>
-#include <QMimeData>
-#include <QSettings>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
+#include <filesystem>
+#include <utility>
 
+#include "core/base/data_folder.hpp"
+#include "ui/camera_commands.hpp"
 #include "ui/dock_set.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
+#include "ui/exchange_commands.hpp"
+#include "ui/file_commands.hpp"
+#include "ui/import_commands.hpp"
+#include "ui/kept_settings.hpp"
 #include "ui/language_commands.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
-#include "ui/model/moment_sample.hpp"
-#include "ui/model/nearest_classes.hpp"
-#include "ui/model/play_rules.hpp"
+#include "ui/model/log_book.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recent_files.hpp"
 #include "ui/model/recording_review.hpp"
-#include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/moment_feed.hpp"
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
+#include "ui/panels/history_panel.hpp"
 #include "ui/panels/inspector_panel.hpp"
+#include "ui/panels/log_panel.hpp"
 #include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_tools.hpp"
@@ -41,19 +48,21 @@
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
+#include "ui/panels/separation_panel.hpp"
+#include "ui/panels/start_page.hpp"
 #include "ui/panels/status_panel.hpp"
-#include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
+#include "ui/picture_commands.hpp"
 #include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
+#include "ui/scene_edits.hpp"
 #include "ui/style/actions.hpp"
-#include "ui/style/file_kinds.hpp"
-#include "ui/style/format.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/kept_keys.hpp"
-#include "ui/style/theme.hpp"
+#include "ui/theme_commands.hpp"
+#include "ui/time_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -61,75 +70,60 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr int kSlowMs = 100;
-constexpr int kMessageMs = 3000;
+constexpr int kNoticeMs = 4000;
 constexpr int kPlotWidth = 280;  // px, at least
+constexpr char kDemonstration[] = "scenes/hug_boxing.yaml";
 
 using Id = ActionId;
 
-/// Those whose state is the user's taste and outlives the program.
-struct Remembered {
-  Id id;
-  const char* key;
-};
-constexpr Remembered kRemembered[] = {
-    {Id::kForces, "view/forces"},           {Id::kTorques, "view/torques"},
-    {Id::kVelocities, "view/velocities"},   {Id::kClosest, "view/closest"},
-    {Id::kLabels, "view/labels"},           {Id::kFloor, "view/floor"},
-    {Id::kShadows, "view/shadows"},         {Id::kLoop, "playback/loop"},
-    {Id::kTransparent, "view/transparent"}, {Id::kAutoScale, "view/auto_scale"}};
+/// The scene that the start page offers; empty: it is not installed.
+QString demonstration() {
+  const std::filesystem::path file = dataFolder() / kDemonstration;
+  std::error_code unknown;
+  return std::filesystem::exists(file, unknown) ? QString::fromStdString(file.string()) : QString();
+}
 
 }  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      history_{std::make_unique<RunHistory>()},
       document_{new Document(this)},
-      projects_{new ProjectCommands(*document_, this)},
       actions_{new Actions(this)},
       playback_{new Playback(this)},
       review_{new RecordingReview(this)},
       axis_{new TimeAxis(this)},
       selection_{new Selection(this)},
-      tree_model_{new SceneTreeModel(this)} {
-  const QVariant dark = QSettings().value(QStringLiteral("window/dark"));
-  const bool is_dark = dark.isValid() ? dark.toBool() : themeOf(QApplication::palette()) == Theme::kDark;
-  applyTheme(*qApp, is_dark ? Theme::kDark : Theme::kLight);
-  (*actions_)[Id::kDarkTheme]->setChecked(is_dark);
-  tree_model_->setTheme(is_dark ? Theme::kDark : Theme::kLight);
-
+      tree_model_{new SceneTreeModel(this)},
+      log_{new LogBook(this)} {
+  new ThemeCommands(*actions_, *tree_model_, this);
   setWindowIcon(programIcon());
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   viewport_ = new Viewport(*selection_, this);
-  outputs_ = {new ReportCommands(this), new VideoRecorder(*playback_, *viewport_, this)};
   setCentralWidget(viewport_);
+  start_ = new StartPage(*actions_, demonstration(), viewport_);
   new FocusKeys(this);
   buildPanels();
   opacity_ = buildMenus(*this, *actions_);
-  connectFile();
+  buildCommands();
   connectView();
   connectLanguages(*this, *actions_);
-  connectPlayback();
-  connectPanels();
-  connectReview();
-  connectVideo();
+  connectTime();
+  connectSession();
+  connectPicks();
+  connectSelection();
+  connectInspector();
+  connectHelp();
   connectDocument();
   resize(1440, 900);
   docks_->arrange();
-  restore();
+  arrange_at_first_show_ = !restoreSettings(*this, *actions_, *opacity_);
+  applyOptions();
+  commands_.files->showRecent();
   loadKeys(*actions_);
   Project first;
   first.work.view = document_->work().view;
   document_->open(first, QString(), false);
-
-  pull_timer_ = new QTimer(this);
-  pull_timer_->setTimerType(Qt::PreciseTimer);
-  pull_timer_->setInterval(viewport_->interval());
-  connect(pull_timer_, &QTimer::timeout, this, &MainWindow::pull);
-  slow_timer_ = new QTimer(this);
-  slow_timer_->setInterval(kSlowMs);
-  connect(slow_timer_, &QTimer::timeout, this, &MainWindow::refreshSlow);
   setSession(nullptr);
 }
 
@@ -153,148 +147,127 @@ void MainWindow::buildPanels() {
   panels_.cycles = new CyclePanel(this);
   panels_.inspector = new InspectorPanel(this);
   panels_.matrix = new PairMatrix(*selection_, this);
+  panels_.separation = new SeparationPanel(this);
+  panels_.log = new LogPanel(*log_, this);
+  panels_.history = new HistoryPanel(document_->steps(), this);
   panels_.status = new StatusPanel(statusBar());
   docks_ = std::make_unique<DockSet>(*this, *actions_, panels_);
+  feed_ = new MomentFeed({panels_, *viewport_, *tree_model_, *review_, *playback_}, this);
+  connect(feed_, &MomentFeed::shown, this, &MainWindow::momentShown);
   // What was hidden may show an older moment.
   for (QDockWidget* dock : docks_->all())
     connect(dock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-      if (visible) showMoment();
+      if (visible) feed_->show();
     });
 }
 
+void MainWindow::buildCommands() {
+  commands_.projects = new ProjectCommands(*document_, this);
+  commands_.files = new FileCommands(*actions_, *document_, *commands_.projects, this);
+  commands_.reports = new ReportCommands(this);
+  commands_.videos = new VideoRecorder(*playback_, *viewport_, this);
+  commands_.margins = new MarginCommands(*document_, follower_, *review_, *panels_.margins, *actions_, this);
+  commands_.scene = new SceneEdits({*document_, follower_, *tree_model_, feed_->moment()}, panels_, this);
+  commands_.exchange = new ExchangeCommands(*actions_, *selection_, *axis_, this);
+  commands_.imports = new ImportCommands(*actions_, *document_, this);
+  connect(commands_.imports, &ImportCommands::failed, this, &MainWindow::showProblem);
+  connect(commands_.scene, &SceneEdits::said, this, &MainWindow::say);
+  const auto* pictures =
+      new PictureCommands(*actions_, {*viewport_, *panels_.plots, *commands_.videos, *axis_}, this);
+  connect(pictures, &PictureCommands::said, this, &MainWindow::say);
+  connect(pictures, &PictureCommands::failed, this, &MainWindow::showProblem);
+  connect(commands_.files, &FileCommands::sceneWanted, this, &MainWindow::openSceneRequested);
+  connect(commands_.files, &FileCommands::recordingWanted, this, &MainWindow::openRecordingRequested);
+  connect(commands_.files, &FileCommands::marginsWanted, commands_.margins, &MarginCommands::openFile);
+  connect(commands_.files, &FileCommands::failed, this, &MainWindow::showProblem);
+}
+
 void MainWindow::setSession(SessionPort* session) {
-  outputs_.videos->cancel();
+  commands_.videos->cancel();
   if (session_) kept_selection_.keep(*selection_, session_->outline());
   session_ = session;
   selection_->clear();
-  snapshot_ = {};
-  samples_.clear();
+  feed_->attach(session_);
   static const view::SceneOutline kNothing;
   const view::SceneOutline& outline = session_ ? session_->outline() : kNothing;
-  if (session_) session_->takeSnapshot(snapshot_);
-
-  history_->open(outline);
   axis_->open(outline.start, outline.end, outline.frame_period);
   axis_->setRange(document_->work().range);
-  follower_.attach(session_, snapshot_, document_->work());
-  review_->open(session_ ? session_->analysis() : nullptr, outline, follower_.margins(document_->work()));
-  tree_model_->open(outline);
-  panels_.pairs->open(outline);
-  panels_.margins->open(outline, follower_.margins(document_->work()));
-  margin_commands_->open(session_ ? &outline : nullptr);
-  panels_.robots->open(outline);
-  shown_.loops = snapshot_.loops;
-  (outline.reacting.empty() ? docks_->margins : docks_->robots)->raise();
-  panels_.timeline->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
-  // What robots that react do differs from what was recorded.
-  shown_.whole_plot = review_->available() && outline.reacting.empty() && !outline.falls;
-  panels_.plots->setDistanceName(shown_.whole_plot ? tr("Clearance person – robot")
-                                                   : tr("Smallest distance"));
-  panels_.plots->setSeries(shown_.whole_plot ? &review_->nearest() : &history_->distance(),
-                           &history_->force(), &history_->torques(), outline.start, outline.end);
-  panels_.plots->setJoints(outline.joints);
-  panels_.groups->open(outline);
-  static const std::vector<scene::SceneNote> kNoNotes;
-  panels_.notes->open(session_ ? session_->notes() : kNoNotes);
-  docks_->notes->setWindowTitle(panels_.notes->title());
-  panels_.recordings->open(outline.recordings);
-  panels_.cycles->open(outline);
-  panels_.inspector->open(outline);
-  panels_.matrix->open(outline);
-  panels_.inspector->setWork(document_->work());
+  follower_.attach(session_, feed_->moment(), document_->work());
+  openPanels(outline);
   playback_->setPort(session_);
-  if (session_) playback_->onSnapshot(snapshot_);
-  panels_.status->clear();
-  for (const auto& entry : actions_->all())
-    if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(session_ != nullptr);
-  const bool can = outline.cannot_react.empty();
-  (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
-  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots})
-    (*actions_)[id]->setEnabled(session_ != nullptr);
-  (*actions_)[Id::kVideo]->setEnabled(session_ != nullptr && outputs_.videos->canRecord());
-  (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
-  (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
+  if (session_) playback_->onSnapshot(feed_->moment());
+  enableActions(outline);
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
-
   if (session_) {
-    viewport_->open(outline, snapshot_, session_->meshes());
+    start_->hide();
+    viewport_->open(outline, feed_->moment(), session_->meshes());
+    viewport_->setInsideSource([this](int object) { return session_->inside(object); });
     attachDocument();
-    shown_.is_stale = true;
-    showMoment();
-    refreshSlow();
-    pull_timer_->start();
-    slow_timer_->start();
+    commands_.camera->forget();
+    feed_->show();
+    feed_->refreshSlow();
+    timers_.pull->start();
+    timers_.slow->start();
   } else {
-    pull_timer_->stop();
-    slow_timer_->stop();
+    timers_.pull->stop();
+    timers_.slow->stop();
     viewport_->close();
     showStart();
   }
   showTitle();
+  if (session_)
+    log_->add(LogLevel::kNote, tr("Opened %1: %2 bodies, %3 pairs")
+                                   .arg(QString::fromStdString(outline.title))
+                                   .arg(outline.objects.size())
+                                   .arg(outline.pairs.size()));
 }
 
-void MainWindow::pull() {
-  if (!session_) return;
-  samples_.clear();
-  session_->drainPlot(samples_);
-  history_->add(samples_);
-  panels_.cycles->add(samples_);
-  if (!session_->takeSnapshot(snapshot_)) return;
-  history_->add(snapshot_);
-  shown_.is_stale = true;
-  playback_->onSnapshot(snapshot_);
-  showMoment();
+void MainWindow::openPanels(const view::SceneOutline& outline) {
+  const std::vector<double> margins = follower_.margins(document_->work());
+  review_->open(session_ ? session_->analysis() : nullptr, outline, margins);
+  feed_->open(outline, margins);
+  commands_.margins->open(session_ ? &outline : nullptr);
+  commands_.exchange->open(session_ ? &outline : nullptr);
+  commands_.scene->open(outline);
+  (outline.reacting.empty() ? docks_->margins : docks_->robots)->raise();
+  static const std::vector<scene::SceneNote> kNoNotes;
+  panels_.notes->open(session_ ? session_->notes() : kNoNotes);
+  docks_->notes->setWindowTitle(panels_.notes->title());
+  panels_.inspector->setWork(document_->work());
+  panels_.separation->setSettings(document_->work().separation);
 }
 
-void MainWindow::showMoment() {
-  if (!session_) return;
-  const view::SceneOutline& outline = session_->outline();
-  viewport_->refresh(snapshot_);
-  panels_.pairs->refresh(snapshot_);
-  tree_model_->refresh(outline, snapshot_);
-  panels_.status->refresh(outline, snapshot_);
-  panels_.timeline->refresh(snapshot_);
-  if (panels_.robots->isVisible()) panels_.robots->refresh(outline, snapshot_);
-  if (panels_.groups->isVisible()) panels_.groups->refresh(snapshot_);
-  panels_.inspector->refresh(snapshot_);
-  panels_.matrix->refresh(snapshot_);
-  view::PlotSample sample = momentSample(snapshot_, panels_.plots->joint());
-  if (shown_.whole_plot) sample.min_distance = nearestPersonRobot(outline, snapshot_);
-  panels_.plots->setMoment(snapshot_.step, sample);
-  panels_.plots->refresh();
-  if (std::exchange(shown_.loops, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
-    statusBar()->showMessage(
-        tr("Robots were restarted on their planned motion at %1").arg(secondsWithUnit(snapshot_.loop_start)),
-        kMessageMs);
-  outputs_.videos->onMoment(snapshot_.t);
-  Q_EMIT momentShown();
+void MainWindow::enableActions(const view::SceneOutline& outline) {
+  const bool open = session_ != nullptr;
+  for (const auto& entry : actions_->all())
+    if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(open);
+  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots})
+    (*actions_)[id]->setEnabled(open);
+  (*actions_)[Id::kVideo]->setEnabled(open && commands_.videos->canRecord());
+  const bool can = outline.cannot_react.empty();
+  (*actions_)[Id::kReact]->setEnabled(can && (outline.falls || !outline.reacting.empty()));
+  (*actions_)[Id::kResetStops]->setEnabled(can && !outline.reacting.empty());
+  (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
 }
 
-void MainWindow::refreshSlow() {
-  if (!session_) return;
-  review_->pull();
-  if (std::exchange(shown_.is_stale, false)) {
-    panels_.pairs->sortAgain();
-    panels_.status->refreshFigures(snapshot_);
-    if (shown_.whole_plot) panels_.plots->setMargin(review_->commonMargin().value_or(0.0));
-    const auto nearest = static_cast<std::size_t>(snapshot_.nearest_pair);
-    if (!shown_.whole_plot)
-      panels_.plots->setMargin(snapshot_.nearest_pair >= 0 && nearest < snapshot_.pairs.size()
-                                   ? snapshot_.pairs[nearest].margin
-                                   : 0.0);
-  }
-  panels_.timeline->strip()->refresh();
-  panels_.plots->refresh();
-  if (panels_.cycles->isVisible()) panels_.cycles->refresh();
+void MainWindow::pull() { feed_->pull(); }
+
+const view::SceneSnapshot& MainWindow::moment() const { return feed_->moment(); }
+
+std::vector<std::pair<const char*, long>> MainWindow::shownSteps() const { return feed_->shownSteps(); }
+
+void MainWindow::openFile(const QString& path) { commands_.files->open({path}); }
+
+void MainWindow::say(const QString& text) {
+  statusBar()->showMessage(text, kNoticeMs);
+  log_->add(LogLevel::kNote, text);
 }
 
-std::vector<std::pair<const char*, long>> MainWindow::shownSteps() const {
-  return {{"3D view", viewport_->shownStep()},
-          {"scene tree", tree_model_->shownStep()},
-          {"pairs", panels_.pairs->shownStep()},
-          {"plots", panels_.plots->shownStep()},
-          {"status", panels_.status->shownStep()}};
+/// The first layout is for the size that the window then has.
+void MainWindow::setVisible(bool visible) {
+  if (visible && std::exchange(arrange_at_first_show_, false)) docks_->fitHeight();
+  QMainWindow::setVisible(visible);
 }
 
 void MainWindow::showProblem(const QString& title, const QString& text) {
@@ -303,11 +276,14 @@ void MainWindow::showProblem(const QString& title, const QString& text) {
   box->setTextFormat(Qt::PlainText);
   box->setTextInteractionFlags(Qt::TextSelectableByMouse);
   box->open();
+  log_->add(LogLevel::kProblem, tr("%1: %2").arg(title, text));
 }
 
 void MainWindow::showOpening(const Opening& opening) {
   panels_.status->showOpening(opening);
-  if (!session_) viewport_->setMessage(tr("Opening…"));
+  if (session_) return;
+  start_->hide();
+  viewport_->setMessage(tr("Opening…"));
 }
 
 void MainWindow::hideOpening() {
@@ -316,57 +292,30 @@ void MainWindow::hideOpening() {
 }
 
 void MainWindow::showStart() {
-  viewport_->setMessage(
-      tr("Open a project or a scene (Ctrl+O),\nor drop a project, a scene, a robot or a recording here"));
-}
-
-void MainWindow::restore() {
-  QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), DockSet::kLayoutVersion);
-  for (const auto& [id, key] : kRemembered) {
-    QAction* action = (*actions_)[id];
-    action->setChecked(settings.value(QString::fromLatin1(key), action->isChecked()).toBool());
-  }
-  opacity_->setValue(settings.value(QStringLiteral("view/opacity"), opacity_->value()).toInt());
-  applyOptions();
-  showRecent();
-}
-
-void MainWindow::save() const {
-  QSettings settings;
-  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/state"), saveState(DockSet::kLayoutVersion));
-  settings.setValue(QStringLiteral("window/dark"), (*actions_)[Id::kDarkTheme]->isChecked());
-  for (const auto& [id, key] : kRemembered)
-    settings.setValue(QString::fromLatin1(key), (*actions_)[id]->isChecked());
-  settings.setValue(QStringLiteral("view/opacity"), opacity_->value());
+  viewport_->setMessage(QString());
+  QStringList recent;
+  for (const QString& file : recentFiles())
+    if (QFileInfo::exists(file)) recent << file;
+  start_->open(recent);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!projects_->mayDiscard()) {
+  if (!commands_.projects->mayDiscard()) {
     event->ignore();
     return;
   }
   if (kept_.autosave) kept_.autosave->finish();
-  save();
+  saveSettings(*this, *actions_, *opacity_);
   QMainWindow::closeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  for (const QUrl& url : event->mimeData()->urls())
-    if (kindOf(url.toLocalFile()) != FileKind::kUnknown) event->acceptProposedAction();
+  if (FileCommands::canOpen(*event->mimeData())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  // A scene before the recordings that shall run in it.
-  QStringList paths;
-  for (const FileKind kind : {FileKind::kProject, FileKind::kScene, FileKind::kRecording, FileKind::kMargins})
-    for (const QUrl& url : event->mimeData()->urls())
-      if (kindOf(url.toLocalFile()) == kind) paths << url.toLocalFile();
-  // Later: whoever drops them waits for this event, and a question may take long.
-  QTimer::singleShot(0, this, [this, paths] { openFiles(paths); });
+  commands_.files->openDropped(*event->mimeData());
 }
 
 }  // namespace abstand::ui

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/document/session_follower.hpp"
+#include "ui/model/body_inside.hpp"
 #include "ui/model/kept_selection.hpp"
 #include "ui/model/session_port.hpp"
 #include "ui/panel_set.hpp"
@@ -17,26 +18,32 @@ namespace abstand::ui {
 
 class Actions;
 class Autosave;
+class CameraCommands;
 class DockSet;
+class ExchangeCommands;
 class Document;
+class FileCommands;
+class ImportCommands;
+class LogBook;
 class MarginCommands;
+class MomentFeed;
 class Playback;
 class ProjectCommands;
 class RecordingReview;
 class ReportCommands;
-class RunHistory;
+class SceneEdits;
 class SceneTreeModel;
 class Selection;
+class StartPage;
 class TimeAxis;
 class VideoRecorder;
 class Viewport;
 struct LeftOver;
 struct Opening;
 
-/// Takes a snapshot from the session for each picture, and shows this one in all parts of the window before
-/// it takes the next. What is no matter of the moment (order of the table, figures of the loop, the analysis)
-/// is refreshed at most ten times a second. GUI thread only. Needs prepareOpenGl() before the QApplication,
-/// and the names of organisation and program for its settings.
+/// Builds docks and commands and connects them. MomentFeed shows a snapshot of the session for each picture,
+/// this one in all parts of the window before it takes the next. GUI thread only. Needs prepareOpenGl()
+/// before the QApplication, and the names of organisation and program for its settings.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -51,6 +58,8 @@ class MainWindow : public QMainWindow {
   void pull();
   /// Says what went wrong (an error's text) without blocking.
   void showProblem(const QString& title, const QString& text);
+  /// For the status bar and the log.
+  void say(const QString& text);
   /// In the status bar, until hideOpening().
   void showOpening(const Opening& opening);
   void hideOpening();
@@ -59,9 +68,11 @@ class MainWindow : public QMainWindow {
   void keepAutosaves(const QString& folder);
 
   Document& document() const { return *document_; }
-  ProjectCommands& projects() const { return *projects_; }
-  VideoRecorder& videos() const { return *outputs_.videos; }
-  ReportCommands& reports() const { return *outputs_.reports; }
+  ProjectCommands& projects() const { return *commands_.projects; }
+  VideoRecorder& videos() const { return *commands_.videos; }
+  ExchangeCommands& exchange() const { return *commands_.exchange; }
+  ImportCommands& imports() const { return *commands_.imports; }
+  ReportCommands& reports() const { return *commands_.reports; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
   Selection& selection() const { return *selection_; }
@@ -72,11 +83,12 @@ class MainWindow : public QMainWindow {
   /// What the lanes show, and the range between IN and OUT.
   TimeAxis& timeAxis() const { return *axis_; }
   /// What is shown.
-  const view::SceneSnapshot& moment() const { return snapshot_; }
+  const view::SceneSnapshot& moment() const;
   /// SceneSnapshot::step that each part of the window shows.
   std::vector<std::pair<const char*, long>> shownSteps() const;
 
  public Q_SLOTS:
+  void setVisible(bool visible) override;
   /// Asks for the file by its kind, and remembers it.
   void openFile(const QString& path);
 
@@ -103,54 +115,51 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildPanels();
-  void connectFile();
+  void buildCommands();
   void connectView();
-  void connectPlayback();
-  void connectPanels();
-  void connectReview();
-  void choosePair(int part, int link);
+  void connectTime();
+  void connectSession();
+  void connectPicks();
+  void connectSelection();
+  void connectHelp();
+  void followUnits();
+  void lookInside(InsideView view, int level);
+  void pinSelection();
+  void connectInspector();
   void connectDocument();
   void connectUndo();
   void connectProjects();
   void connectBookmarks();
-  void showBookmarks();
-  void connectEdits();
-  void connectGroups();
-  void connectInspector();
-  void poseJoint(int robot, int joint, double value);
-  void checkPair(int a, int b, bool checked);
+  void connectMargins();
+  void openPanels(const view::SceneOutline& outline);
+  void enableActions(const view::SceneOutline& outline);
+  void choosePair(int pair);
+  void chooseLane(int part, int link);
   void followWork(const Work& before, const Work& after);
+  void showBookmarks();
   void showDocument();
   void showHidden(const QSet<QString>& before, const QSet<QString>& after);
   void showView();
   void showTitle();
   void attachDocument();
-  void openFiles(const QStringList& paths);
   QString nameOf(int object) const;
-  void restore();
-  void save() const;
-  void showRecent();
   void showStart();
   void applyOptions();
-  void showMoment();
-  void refreshSlow();
-  void goToEvent(bool next);
-  void connectVideo();
-  void savePlotsAs();
-  void saveScreenshot();
 
-  std::unique_ptr<RunHistory> history_;
   SessionPort* session_{nullptr};
-  view::SceneSnapshot snapshot_;
-  std::vector<view::PlotSample> samples_;
-
   Document* document_;
-  ProjectCommands* projects_;
+  /// Objects that do what the commands of the window say.
   struct {
+    ProjectCommands* projects;
+    FileCommands* files;
     ReportCommands* reports;
     VideoRecorder* videos;
-  } outputs_;
-  MarginCommands* margin_commands_{nullptr};
+    MarginCommands* margins;
+    SceneEdits* scene;
+    CameraCommands* camera;
+    ExchangeCommands* exchange;
+    ImportCommands* imports;
+  } commands_{};
   struct {
     Autosave* autosave{nullptr};
     std::unique_ptr<LeftOver> recovered;  ///< until its work is in an autosave of this program
@@ -168,15 +177,14 @@ class MainWindow : public QMainWindow {
   Viewport* viewport_;
   PanelSet panels_;
   std::unique_ptr<DockSet> docks_;
+  MomentFeed* feed_;
+  LogBook* log_;
+  StartPage* start_;
   QSlider* opacity_;
-  QTimer* pull_timer_;
-  QTimer* slow_timer_;
-  /// What the panels show.
+  bool arrange_at_first_show_{false};  // no layout was kept
   struct {
-    bool is_stale{false};    ///< the tables and figures are older than the moment
-    bool whole_plot{false};  ///< the distance chart shows the whole recording, not what was played
-    long loops{0};           ///< SceneSnapshot::loops
-  } shown_;
+    QTimer *pull, *slow;
+  } timers_{};
 };
 
 }  // namespace abstand::ui

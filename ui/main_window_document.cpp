@@ -11,9 +11,11 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/time_axis.hpp"
+#include "ui/moment_feed.hpp"
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/separation_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/project_commands.hpp"
@@ -41,12 +43,20 @@ constexpr ViewSwitch kViewSwitches[] = {
 
 }  // namespace
 
+QString MainWindow::nameOf(int object) const {
+  return QString::fromStdString(session_->outline().objects[static_cast<std::size_t>(object)].name);
+}
+
 void MainWindow::followWork(const Work& before, const Work& after) {
   follower_.follow(before, after);
   if (session_ && before.margins != after.margins) {
     const std::vector<double> margins = follower_.margins(after);
     panels_.margins->show(margins);
     for (std::size_t i = 0; i < margins.size(); ++i) review_->setMargin(static_cast<int>(i), margins[i]);
+  }
+  if (!(before.separation == after.separation)) {
+    panels_.separation->setSettings(after.separation);
+    panels_.separation->refresh(feed_->moment());
   }
   if (before.range != after.range) axis_->setRange(after.range);
   if (before.bookmarks != after.bookmarks) showBookmarks();
@@ -146,7 +156,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::keepAutosaves(const QString& folder) {
   kept_.autosave = new Autosave(*document_, folder, this);
-  connect(kept_.autosave, &Autosave::aboutToWrite, projects_, &ProjectCommands::aboutToSave);
+  connect(kept_.autosave, &Autosave::aboutToWrite, commands_.projects, &ProjectCommands::aboutToSave);
   connect(kept_.autosave, &Autosave::failed, this, [this](const QString& problem) {
     showProblem(tr("Autosave"), tr("Work is not kept for the case of a crash:\n%1").arg(problem));
   });
@@ -154,7 +164,7 @@ void MainWindow::keepAutosaves(const QString& folder) {
   if (!left) return;
   kept_.recovered = std::make_unique<LeftOver>(std::move(*left));
   const ProjectFile content = kept_.recovered->content;
-  if (!projects_->recover(content.project, content.saved_as)) kept_.recovered.reset();
+  if (!commands_.projects->recover(content.project, content.saved_as)) kept_.recovered.reset();
 }
 
 }  // namespace abstand::ui

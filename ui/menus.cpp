@@ -51,14 +51,14 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   bar->addMenu(addGroup(bar, actions, ActionGroup::kEdit));
 
   QMenu* view = bar->addMenu(Actions::groupName(ActionGroup::kView));
-  addRange(view, actions, Id::kForces, Id::kAutoScale);
+  addRange(view, actions, Id::kForces, Id::kTreeCoarser);
   view->addSeparator();
   view->addMenu(addGroup(view, actions, ActionGroup::kCamera));
   view->addMenu(addGroup(view, actions, ActionGroup::kPanels));
   view->addSeparator();
   addRange(view, actions, Id::kFollowPlots, Id::kClearSelection);
   view->addSeparator();
-  addRange(view, actions, Id::kDarkTheme, Id::kResetLayout);
+  addRange(view, actions, Id::kDarkTheme, Id::kLayoutReview);
   QMenu* language = view->addMenu(Actions::tr("Lan&guage"));
   addRange(language, actions, Id::kLanguageSystem, Id::kLanguageGerman);
 

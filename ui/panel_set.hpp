@@ -7,7 +7,9 @@ class BookmarkPanel;
 class CyclePanel;
 class EventPanel;
 class GroupPanel;
+class HistoryPanel;
 class InspectorPanel;
+class LogPanel;
 class MarginCurve;
 class MarginPanel;
 class MarginTools;
@@ -18,6 +20,7 @@ class PlotPanel;
 class RecordingPanel;
 class RobotPanel;
 class SceneTreePanel;
+class SeparationPanel;
 class StatusPanel;
 class TimelinePanel;
 
@@ -39,6 +42,9 @@ struct PanelSet {
   CyclePanel* cycles{nullptr};
   InspectorPanel* inspector{nullptr};
   PairMatrix* matrix{nullptr};
+  SeparationPanel* separation{nullptr};
+  LogPanel* log{nullptr};
+  HistoryPanel* history{nullptr};
   StatusPanel* status{nullptr};
 };
 

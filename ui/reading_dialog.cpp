@@ -62,8 +62,10 @@ std::optional<ReadingOptions> askReading(const ReadingOptions& present, QWidget*
   form->addRow(cut);
   form->addRow(buttons);
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-  ReadingOptions reading{units->currentData().toString(), up->currentData().toString(), present.speed,
-                         cut->isChecked()};
+  ReadingOptions reading = present;
+  reading.units = units->currentData().toString();
+  reading.up = up->currentData().toString();
+  reading.cut_things = cut->isChecked();
   // A speed that the box rounds stays as it was.
   if (speed->value() != speed->valueFromText(speed->textFromValue(present.speed)))
     reading.speed = speed->value();

@@ -6,6 +6,7 @@
 
 #include "app/analysis/analysis_feed.hpp"
 #include "app/loop/live_session.hpp"
+#include "app/studio/inside_of_body.hpp"
 #include "ui/model/session_port.hpp"
 
 namespace abstand::studio {
@@ -20,6 +21,9 @@ class FeedPort final : public ui::AnalysisPort {
   std::shared_ptr<analysis::AnalysisFeed> feed_;
 };
 
+/// By object of the outline; constant.
+using Structures = std::vector<std::shared_ptr<const structure::HapticStructure>>;
+
 /// Hands the window's wishes to the loop's thread as values. What the loop has no room for waits here, in
 /// order, so that a change of many margins reaches it whole.
 class LivePort final : public ui::SessionPort {
@@ -27,16 +31,22 @@ class LivePort final : public ui::SessionPort {
   /// `analysis`: null for none.
   LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes,
            std::unique_ptr<FeedPort> analysis = nullptr,
-           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr)
+           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr, Structures structures = {})
       : live_(std::move(live)),
         notes_(std::move(notes)),
         analysis_(std::move(analysis)),
-        meshes_(std::move(meshes)) {}
+        meshes_(std::move(meshes)),
+        structures_(std::move(structures)) {}
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
   ui::AnalysisPort* analysis() override { return analysis_.get(); }
   std::shared_ptr<const ui::PreparedMeshes> meshes() const override { return meshes_; }
+  std::optional<ui::BodyInside> inside(int object) const override {
+    const auto i = static_cast<std::size_t>(object);
+    if (i >= structures_.size()) return {};
+    return insideOf(*structures_[i]);
+  }
   bool takeSnapshot(view::SceneSnapshot& out) override {
     flush();
     return live_->takeSnapshot(out);
@@ -67,6 +77,7 @@ class LivePort final : public ui::SessionPort {
   std::vector<scene::SceneNote> notes_;
   std::unique_ptr<FeedPort> analysis_;
   std::shared_ptr<const ui::PreparedMeshes> meshes_;
+  Structures structures_;
   std::deque<loop::Command> waiting_;
 };
 

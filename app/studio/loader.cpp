@@ -88,6 +88,8 @@ void Loader::start(const ui::Work& work, double t) {
       auto session = makeSession(work, packages_, job->cancelled, show);
       loaded->notes = run::notesOf(*session);
       loaded->analysis = analysis::requestFor(*session, optionsOf(work));
+      for (const scene::Object& object : session->scene().objects())
+        loaded->structures.push_back(object.spec.structure);
       if (job->cancelled) throw UsageError("abandoned");
       loaded->live = std::make_unique<loop::LiveSession>(std::move(session), t);
       loaded->meshes = ui::prepareMeshes(loaded->live->outline().meshes);

@@ -10,6 +10,7 @@
 
 #include "app/analysis/analysis_runner.hpp"
 #include "app/loop/live_session.hpp"
+#include "app/studio/live_port.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "core/scene/scene_note.hpp"
 #include "ui/document/work.hpp"
@@ -24,6 +25,7 @@ struct Loaded {
   std::vector<scene::SceneNote> notes;
   std::shared_ptr<const ui::PreparedMeshes> meshes;
   std::optional<analysis::AnalysisRequest> analysis;  ///< of a scene with people beside robots
+  Structures structures;                              ///< by object
   QString problem;                                    ///< why it failed
 };
 

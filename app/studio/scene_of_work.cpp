@@ -1,5 +1,7 @@
 #include "app/studio/scene_of_work.hpp"
 
+#include <QFile>
+
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::studio {
@@ -35,6 +37,9 @@ void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
   for (scene_file::HumanDescription& human : scene.humans) {
     if (!work.reading.units.isEmpty()) human.recording.options.units = work.reading.units.toStdString();
     if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
+    if (!work.reading.mirror.isEmpty()) human.recording.options.mirror = work.reading.mirror.toStdString();
+    if (!work.reading.joint_map.isEmpty())
+      human.recording.options.joint_map = QFile::encodeName(work.reading.joint_map).toStdString();
     applyPerson(work.people.value(QString::fromStdString(human.name)), human.body);
   }
   if (work.added.isEmpty()) return;
@@ -45,8 +50,8 @@ void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
 }
 
 bool changesScene(const ui::Work& work) {
-  return !work.reading.units.isEmpty() || !work.reading.up.isEmpty() || !work.people.isEmpty() ||
-         !work.added.isEmpty();
+  return !work.reading.units.isEmpty() || !work.reading.up.isEmpty() || !work.reading.mirror.isEmpty() ||
+         !work.reading.joint_map.isEmpty() || !work.people.isEmpty() || !work.added.isEmpty();
 }
 
 }  // namespace abstand::studio

@@ -1,14 +1,24 @@
 #include "app/studio/studio.hpp"
 
 #include <QApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QStatusBar>
 #include <QTimer>
+#include <filesystem>
 #include <utility>
 
 #include "app/studio/avi_file.hpp"
+#include "app/studio/import_reader.hpp"
+#include "app/studio/pair_file.hpp"
+#include "core/base/output_file.hpp"
+#include "core/contact/contact_limits_reader.hpp"
+#include "humanmodel/body_part.hpp"
 #include "ui/document/document.hpp"
+#include "ui/exchange_commands.hpp"
+#include "ui/import_commands.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/panels/separation_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
@@ -25,6 +35,14 @@ bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
 }
 
 constexpr int kNoticeMs = 8000, kSettleMs = 500;
+
+/// Those of the project's table; null where it is not installed.
+std::shared_ptr<const contact::ContactLimits> contactLimits() {
+  const std::filesystem::path file = contact::defaultContactLimits();
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) return nullptr;
+  return std::make_shared<contact::ContactLimits>(contact::loadContactLimits(file, humanmodel::partNames()));
+}
 
 QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
 
@@ -49,6 +67,7 @@ struct Studio::Request {
 Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
     : window_(window), packages_(packages), loader_(packages) {
   window.videos().setMaker(makeAviFile);
+  window.panels().separation->setLimits(contactLimits());
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
@@ -57,6 +76,8 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
   connect(&window, &ui::MainWindow::reloadRequested, this, &Studio::reload);
   connect(&window.reports(), &ui::ReportCommands::wanted, this, &Studio::makeReport);
   connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
+  window.imports().setReader(readForImport);
+  connectExchange();
   connect(&files_, &QFileSystemWatcher::fileChanged, this, [this](const QString& file) {
     window_.statusBar()->showMessage(
         tr("%1 has changed. Reload it with Ctrl+R").arg(QFileInfo(file).fileName()), kNoticeMs);
@@ -187,6 +208,51 @@ void Studio::makeReport(const ui::ReportRequest& request) {
   report_->start();
 }
 
+void Studio::connectExchange() {
+  const ui::ExchangeCommands& exchange = window_.exchange();
+  connect(&exchange, &ui::ExchangeCommands::rangeWanted, this,
+          [this](const QString& person, const ui::TimeRange& range, const QString& file) {
+            range_.start(shown_, packages_, person.toStdString(), range, file);
+          });
+  connect(&range_, &RangeJob::done, this,
+          [this](const QString& file) { window_.say(tr("Saved %1").arg(file)); });
+  connect(&range_, &RangeJob::failed, this,
+          [this](const QString& problem) { window_.showProblem(tr("Save range"), problem); });
+  connect(&exchange, &ui::ExchangeCommands::pairsWanted, this, &Studio::openPairs);
+  connect(&exchange, &ui::ExchangeCommands::savePairsWanted, this, &Studio::savePairs);
+}
+
+void Studio::openPairs(const QString& robot, const QString& file) {
+  try {
+    const robot_file::Srdf srdf = robot_file::loadSrdf(QFile::encodeName(file).toStdString());
+    std::size_t count = 0;
+    window_.document().edit(tr("pairs of %1").arg(QFileInfo(file).fileName()), [&](ui::Work& work) {
+      count = disablePairs(srdf, port_->outline(), robot.toStdString(), work);
+    });
+    window_.say(tr("%1 of %2 pairs of the file are checked here and no longer are")
+                    .arg(count)
+                    .arg(srdf.disabled.size()));
+  } catch (const std::exception& e) {
+    window_.showProblem(tr("Cannot open"), QString::fromUtf8(e.what()));
+  }
+}
+
+/// An SRDF that is there already keeps what else it has.
+void Studio::savePairs(const QString& robot, const QString& file) {
+  try {
+    const robot_file::Srdf srdf =
+        uncheckedPairs(port_->outline(), window_.document().work(), robot.toStdString());
+    const std::string name = QFile::encodeName(file).toStdString();
+    QFile present(file);
+    const bool there = present.open(QIODevice::ReadOnly);
+    writeFile(name, there ? robot_file::mergedSrdfText(present.readAll().toStdString(), name, srdf)
+                          : robot_file::srdfText(srdf));
+    window_.say(tr("Saved %1").arg(file));
+  } catch (const std::exception& e) {
+    window_.showProblem(tr("Cannot save"), QString::fromUtf8(e.what()));
+  }
+}
+
 /// A file that was replaced is watched no longer: all are added again.
 void Studio::watchFiles() {
   if (!files_.files().isEmpty()) files_.removePaths(files_.files());
@@ -237,7 +303,7 @@ void Studio::take(Loaded& loaded) {
   std::unique_ptr<FeedPort> feed;
   if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
   port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
-                                     std::move(loaded.meshes));
+                                     std::move(loaded.meshes), std::move(loaded.structures));
   shown_ = wanted;
   watchFiles();
   editDocument(*request);

@@ -10,6 +10,7 @@
 #include "app/analysis/analysis_runner.hpp"
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
+#include "app/studio/range_file.hpp"
 #include "app/studio/report_job.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
@@ -57,6 +58,9 @@ class Studio : public QObject {
   void giveUp(const Request& request);
   void followWork(const ui::Work& before, const ui::Work& after);
   void makeReport(const ui::ReportRequest& request);
+  void connectExchange();
+  void openPairs(const QString& robot, const QString& file);
+  void savePairs(const QString& robot, const QString& file);
   void watchFiles();
 
   ui::MainWindow& window_;
@@ -67,6 +71,7 @@ class Studio : public QObject {
   std::unique_ptr<Request> request_;  // of the load that is under way
   ui::Work shown_;                    // what port_ was loaded from
   std::unique_ptr<ReportJob> report_;
+  RangeJob range_;
   QFileSystemWatcher files_;  // of what is shown
 };
 

@@ -106,11 +106,11 @@ TEST_F(KeyboardTest, FitsSmallScreen) {
 }
 
 TEST_F(KeyboardTest, PanelActionRaisesThenHides) {
-  auto* dock = window.findChild<QDockWidget*>(QStringLiteral("cycles"));
+  auto* dock = window.findChild<QDockWidget*>(QStringLiteral("curve"));
   ASSERT_NE(dock, nullptr);
   QAction* action = nullptr;
   for (const auto& entry : window.actions().all())
-    if (entry.action->shortcut() == QKeySequence(QStringLiteral("Ctrl+Shift+4"))) action = entry.action;
+    if (entry.action->shortcut() == QKeySequence(QStringLiteral("Ctrl+Shift+5"))) action = entry.action;
   ASSERT_NE(action, nullptr);
   const auto in_front = [&] { return dock->isVisible() && !dock->visibleRegion().isEmpty(); };
   EXPECT_FALSE(in_front()) << "it starts behind the pairs";

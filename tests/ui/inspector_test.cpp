@@ -4,16 +4,20 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
 
+#include "core/base/number.hpp"
 #include "tests/ui/shown_window.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/project_file.hpp"
@@ -202,6 +206,22 @@ TEST_F(InspectorTest, RequestsPersonWithTickedOptions) {
   ASSERT_EQ(asked.size(), 2);
   EXPECT_EQ(asked[1][1].value<PersonOptions>(),
             (PersonOptions{std::nullopt, std::nullopt, std::nullopt, QStringLiteral("f")}));
+}
+
+TEST_F(InspectorTest, ThePoseOfARobotIsCopied) {
+  window.selection().setObjects(groupOf("arm"));
+  session.seek(1.3);
+  window.pull();
+  const auto copy = [this](int entry) {
+    panel->joints()->copyButton()->menu()->actions().at(entry)->trigger();
+    return QApplication::clipboard()->text();
+  };
+  const QVector<double> q(window.moment().joint_positions.begin(), window.moment().joint_positions.end());
+  QStringList numbers;
+  for (const double value : q) numbers << QString::fromStdString(formatDouble(value));
+  EXPECT_EQ(copy(1), "q: [" + numbers.join(", ") + "]");
+  EXPECT_EQ(copy(2), "{" + numbers.join(", ") + "}");
+  EXPECT_TRUE(copy(0).startsWith("{\"joint1\": " + numbers[0] + ", \"joint2\": "));
 }
 
 }  // namespace inspector_test

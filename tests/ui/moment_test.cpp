@@ -67,7 +67,7 @@ TEST_F(MomentTest, ReshownPanelShowsCurrentMoment) {
   ASSERT_GE(pair, 0);
   window.panels().pairs->sortAgain();
   EXPECT_EQ(model->index(0, PairTableModel::kDistance).data().toString(),
-            millimetres(window.moment().pairs[static_cast<std::size_t>(pair)].result.distance));
+            lengthNumber(window.moment().pairs[static_cast<std::size_t>(pair)].result.distance));
 }
 
 TEST_F(MomentTest, SignalsVisibleRowsOnly) {

@@ -64,7 +64,7 @@ TEST_F(PairMatrixTest, RowsArePartsAndColumnsAreLinks) {
       ASSERT_LT(pair, session.outline().pairs.size());
       const auto [a, b] = session.outline().pairs[pair];
       EXPECT_EQ(std::minmax(model->bodyOfRow(r), model->bodyOfColumn(c)), std::minmax(a, b));
-      EXPECT_EQ(index.data().toString(), millimetres(window.moment().pairs[pair].result.distance, 0));
+      EXPECT_EQ(index.data().toString(), lengthNumber(window.moment().pairs[pair].result.distance, 0));
       EXPECT_EQ(tick(index), Qt::Checked);
     }
   const QAbstractItemModelTester tester(matrix->model(),

@@ -276,7 +276,7 @@ TEST_F(WindowDocumentTest, RecordingOptionsAreUndoable) {
   });
   action(ActionId::kRecordingOptions)->trigger();
   EXPECT_TRUE(accept.answered());
-  EXPECT_EQ(work().reading, (ReadingOptions{"cm", "", 1.5, false}));
+  EXPECT_EQ(work().reading, (ReadingOptions{"cm", "", "", "", 1.5, false}));
   action(ActionId::kUndo)->trigger();
   EXPECT_EQ(work().reading, ReadingOptions());
   const ModalAnswer reject("recording_options",

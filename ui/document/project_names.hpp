@@ -22,6 +22,19 @@ struct ViewFlag {
   const char* name;
   bool ViewOptions::*member;
 };
+/// A number of the view, and its name in a project file; left out where it is the usual one.
+struct ViewNumber {
+  const char* name;
+  double ViewOptions::*member;
+};
+inline constexpr std::array<ViewNumber, 6> kViewNumbers{
+    {{"metres_per_newton", &ViewOptions::metres_per_newton},
+     {"metres_per_newton_metre", &ViewOptions::metres_per_newton_metre},
+     {"metres_per_metre_per_second", &ViewOptions::metres_per_metre_per_second},
+     {"least_force", &ViewOptions::min_force},
+     {"least_torque", &ViewOptions::min_torque},
+     {"least_speed", &ViewOptions::min_speed}}};
+
 inline constexpr std::array<ViewFlag, 9> kViewFlags{{{"forces", &ViewOptions::forces},
                                                      {"torques", &ViewOptions::torques},
                                                      {"velocities", &ViewOptions::velocities},

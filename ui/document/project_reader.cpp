@@ -27,6 +27,8 @@ constexpr YamlRange kOpacity{0.0, 1.0};
 constexpr YamlRange kStature{0.5, 2.5, "m"};
 constexpr YamlRange kPercentile{1.0, 99.0, "%"};
 constexpr YamlRange kMass{10.0, 300.0, "kg"};
+constexpr YamlRange kRobotMass{0.0, 1e4, "kg"};
+constexpr YamlRange kArrowNumber{0.0, 1e4, "SI units"};
 constexpr YamlRange kJoint{-1e4, 1e4, "rad or m"};
 
 [[noreturn]] void fail(const YamlFields& in, const YamlNode& node, const std::string& expected) {
@@ -66,12 +68,15 @@ std::optional<CameraView> cameraOf(const YamlFields& in) {
   return camera;
 }
 
-void readReading(const YamlFields& in, ReadingOptions& reading) {
+void readReading(const YamlFields& in, const QString& folder, ReadingOptions& reading) {
   const YamlNode* node = in.find("reading");
   if (!node) return;
-  const YamlFields fields(*node, in.file(), "`reading`", {"units", "up", "speed", "cut_things"});
+  const YamlFields fields(*node, in.file(), "`reading`",
+                          {"units", "up", "mirror", "joint_map", "speed", "cut_things"});
   reading.units = textOf(fields, "units");
   reading.up = textOf(fields, "up");
+  reading.mirror = textOf(fields, "mirror");
+  reading.joint_map = pathOf(fields, "joint_map", folder);
   reading.speed = fields.number("speed", kSpeed).value_or(reading.speed);
   reading.cut_things = flagOf(fields, "cut_things", reading.cut_things);
 }
@@ -161,14 +166,32 @@ void readTimes(const YamlFields& in, Work& work) {
   work.range = range;
 }
 
+void readSeparation(const YamlFields& in, SeparationSettings& separation) {
+  const YamlNode* node = in.find("separation");
+  if (!node) return;
+  std::vector<std::string> known{"robot_mass", "clamped"};
+  safety::SeparationOptions::eachNumber(
+      separation.options, [&](const char* name, double, const auto&) { known.emplace_back(name); });
+  const YamlFields fields(*node, in.file(), "`separation`", known);
+  safety::SeparationOptions::eachNumber(
+      separation.options, [&](const char* name, double& value, const config::NumberRule& rule) {
+        value = fields.number(name, YamlRange{rule.min, rule.max, rule.unit, rule.above}).value_or(value);
+      });
+  separation.robot_mass = fields.number("robot_mass", kRobotMass).value_or(separation.robot_mass);
+  separation.clamped = flagOf(fields, "clamped", separation.clamped);
+}
+
 void readView(const YamlFields& in, ViewOptions& view) {
   const YamlNode* node = in.find("view");
   if (!node) return;
   std::vector<std::string> known{"people_opacity"};
   for (const ViewFlag& flag : kViewFlags) known.emplace_back(flag.name);
+  for (const ViewNumber& number : kViewNumbers) known.emplace_back(number.name);
   const YamlFields fields(*node, in.file(), "`view`", known);
   for (const ViewFlag& flag : kViewFlags) view.*flag.member = flagOf(fields, flag.name, view.*flag.member);
   view.human_opacity = fields.number("people_opacity", kOpacity).value_or(view.human_opacity);
+  for (const ViewNumber& number : kViewNumbers)
+    view.*number.member = fields.number(number.name, kArrowNumber).value_or(view.*number.member);
 }
 
 }  // namespace
@@ -177,9 +200,10 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   const std::string name = file.toStdString();
   const YamlNode root = config::parseYaml(text, name);
   const YamlFields in(root, name, "a project",
-                      {kVersionKey, "saved_as", "scene", "recording", "reading", "people", "posed_robots",
-                       "margins", "locked_margins", "compared_margins", "pair_groups", "moved_pairs",
-                       "added_pairs", "hidden", "bookmarks", "range", "view", "camera", "time"});
+                      {kVersionKey,   "saved_as",     "scene",       "recording",      "reading",
+                       "people",      "posed_robots", "margins",     "locked_margins", "compared_margins",
+                       "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
+                       "range",       "separation",   "view",        "camera",         "time"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -188,7 +212,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   out.saved_as = pathOf(in, "saved_as", folder);
   work.scene = pathOf(in, "scene", folder);
   work.recording = pathOf(in, "recording", folder);
-  readReading(in, work.reading);
+  readReading(in, folder, work.reading);
   readPeople(in, work);
   readPosed(in, work);
   work.margins = marginsUnder(in, "margins");
@@ -197,6 +221,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   readPairs(in, work);
   work.hidden = namesUnder(in, "hidden");
   readTimes(in, work);
+  readSeparation(in, work.separation);
   readView(in, work.view);
   out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0)};
   return out;

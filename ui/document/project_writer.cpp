@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <map>
 
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
@@ -29,10 +30,12 @@ void addCamera(JsonText& json, const CameraView& camera) {
   json.close();
 }
 
-void addReading(JsonText& json, const ReadingOptions& reading) {
+void addReading(JsonText& json, const ReadingOptions& reading, const QString& folder) {
   json.open("reading", '{');
   if (!reading.units.isEmpty()) json.addText("units", reading.units.toStdString());
   if (!reading.up.isEmpty()) json.addText("up", reading.up.toStdString());
+  if (!reading.mirror.isEmpty()) json.addText("mirror", reading.mirror.toStdString());
+  if (!reading.joint_map.isEmpty()) json.addText("joint_map", fileName(reading.joint_map, folder));
   json.addNumber("speed", reading.speed);
   json.addFlag("cut_things", reading.cut_things);
   json.close();
@@ -122,10 +125,28 @@ void addTimes(JsonText& json, const Work& work) {
   json.close();
 }
 
+/// What differs from the usual.
+void addSeparation(JsonText& json, const SeparationSettings& separation) {
+  const SeparationSettings usual;
+  if (separation == usual) return;
+  json.open("separation", '{');
+  std::map<std::string, double> usual_numbers;
+  safety::SeparationOptions::eachNumber(
+      usual.options, [&](const char* name, double value, const auto&) { usual_numbers[name] = value; });
+  safety::SeparationOptions::eachNumber(separation.options, [&](const char* name, double value, const auto&) {
+    if (value != usual_numbers[name]) json.addNumber(name, value);
+  });
+  if (separation.robot_mass != usual.robot_mass) json.addNumber("robot_mass", separation.robot_mass);
+  if (separation.clamped) json.addFlag("clamped", true);
+  json.close();
+}
+
 void addView(JsonText& json, const ViewOptions& view) {
   json.open("view", '{');
   for (const ViewFlag& flag : kViewFlags) json.addFlag(flag.name, view.*flag.member);
   json.addNumber("people_opacity", view.human_opacity);
+  for (const ViewNumber& number : kViewNumbers)
+    if (view.*number.member != ViewOptions().*number.member) json.addNumber(number.name, view.*number.member);
   json.close();
 }
 
@@ -139,7 +160,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   if (!saved_as.isEmpty()) json.addText("saved_as", fileName(saved_as, folder));
   if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
   if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
-  addReading(json, work.reading);
+  addReading(json, work.reading, folder);
   addPeople(json, work.people);
   addPosed(json, work.posed);
   addMargins(json, "margins", work.margins);
@@ -148,6 +169,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addPairs(json, work);
   addNames(json, "hidden", work.hidden);
   addTimes(json, work);
+  addSeparation(json, work.separation);
   addView(json, work.view);
   if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);
   json.addNumber("time", project.viewpoint.t);

@@ -12,6 +12,7 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
+#include "ui/model/separation_settings.hpp"
 #include "ui/model/time_range.hpp"
 
 namespace abstand::ui {
@@ -28,6 +29,8 @@ struct Bookmark {
 struct ReadingOptions {
   QString units;           ///< as `units` of a scene's recording ("cm"); empty: as the scene says
   QString up;              ///< as `up` of a scene's recording ("y"); empty: as the scene says
+  QString mirror;          ///< as `mirror` of a scene's recording ("sides"); empty: as the scene says
+  QString joint_map;       ///< absolute path of a joint map; empty: as the scene says
   double speed{1.0};       ///< 2: people move twice as fast as recorded; greater than 0
   bool cut_things{false};  ///< robots and objects of the scene are cut out of depth images
   bool operator==(const ReadingOptions&) const = default;
@@ -59,6 +62,7 @@ struct Work {
   QSet<QString> hidden;                           ///< objects that the 3D view leaves out
   QVector<Bookmark> bookmarks;                    ///< in order of time
   std::optional<TimeRange> range;                 ///< between the marks IN and OUT; none: the whole recording
+  SeparationSettings separation;
   ViewOptions view;
 
   bool operator==(const Work&) const = default;

@@ -7,13 +7,18 @@
 #include "ui/model/event_text.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
 
 using Kind = margin::ReviewEvent::Kind;
 
 EventTableModel::EventTableModel(const RecordingReview& review, QObject* parent)
-    : QAbstractTableModel(parent), review_(review) {}
+    : QAbstractTableModel(parent), review_(review) {
+  connect(&Units::shown(), &Units::changed, this, [this] {
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+  });
+}
 
 void EventTableModel::refresh() {
   beginResetModel();
@@ -42,10 +47,10 @@ QVariant EventTableModel::text(const margin::ReviewEvent& event, int column) con
     case kLink:
       return linkText(store, event.link);
     case kClearance:
-      return std::isinf(event.min_clearance) ? tr("not known") : millimetresWithUnit(event.min_clearance);
+      return std::isinf(event.min_clearance) ? tr("not known") : lengthText(event.min_clearance);
     case kError:
       return std::isinf(nearest.clearance) ? tr("not seen")
-                                           : millimetresWithUnit(nearest.distance - nearest.clearance);
+                                           : lengthText(nearest.distance - nearest.clearance);
     case kClosing:
       return std::isinf(nearest.closing) ? QString() : tr("%1 m/s").arg(fixed(nearest.closing, 2));
     case kStop:

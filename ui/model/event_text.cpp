@@ -64,9 +64,9 @@ QString momentText(const RecordingReview& review, std::size_t part, double t) {
   const double margin = review.marginOf(part, nearest.link);
   const QString verdict = nearest.clearance < margin ? tr("inside the margin of %1") : tr("margin %1");
   return tr("%1 – %2: at least %3 (measured %4, error %5), %6%7")
-      .arg(head, linkText(*store, nearest.link), millimetresWithUnit(nearest.clearance),
-           millimetresWithUnit(nearest.distance), millimetresWithUnit(nearest.distance - nearest.clearance),
-           verdict.arg(millimetresWithUnit(margin)), nearest.unknown ? tr("; the pose is lost") : QString());
+      .arg(head, linkText(*store, nearest.link), lengthText(nearest.clearance), lengthText(nearest.distance),
+           lengthText(nearest.distance - nearest.clearance), verdict.arg(lengthText(margin)),
+           nearest.unknown ? tr("; the pose is lost") : QString());
 }
 
 QString nearestMomentText(const RecordingReview& review, double t) {

@@ -39,7 +39,7 @@ QString robotMotionText(const view::SceneOutline& outline, const view::SceneSnap
 
 QString jointValueText(const view::SceneOutline::JointInfo& joint, double value) {
   if (std::isinf(value)) return value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
-  return joint.prismatic ? millimetresWithUnit(value) : tr("%1°").arg(fixed(value * 180.0 / kPi, 1));
+  return joint.prismatic ? lengthText(value) : angleText(value);
 }
 
 std::vector<InspectedRow> jointRows(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,

@@ -40,8 +40,6 @@ class Rows {
   std::vector<InspectedRow>& rows_;
 };
 
-QString degrees(double radians) { return tr("%1°").arg(fixed(radians * 180.0 / kPi, 1)); }
-
 Mark markOf(PairLevel level) {
   return level == PairLevel::kTouching || level == PairLevel::kInside ? Mark::kAlarm : Mark::kPlain;
 }
@@ -49,11 +47,10 @@ Mark markOf(PairLevel level) {
 QString poseStateText(const view::ObjectSnapshot& object) {
   switch (object.pose_state) {
     case scene::PoseState::kFresh:
-      return object.pose_uncertainty > 0.0
-                 ? tr("known within %1").arg(millimetresWithUnit(object.pose_uncertainty))
-                 : tr("known");
+      return object.pose_uncertainty > 0.0 ? tr("known within %1").arg(lengthText(object.pose_uncertainty))
+                                           : tr("known");
     case scene::PoseState::kInferred:
-      return tr("inferred, within %1").arg(millimetresWithUnit(object.pose_uncertainty));
+      return tr("inferred, within %1").arg(lengthText(object.pose_uncertainty));
     case scene::PoseState::kStale:
       return tr("? lost: where it was last seen");
     case scene::PoseState::kRejected:
@@ -68,7 +65,7 @@ void addPose(Rows& rows, const Transform& X, const QString& of = {}) {
   rows.add(of.isEmpty() ? tr("Position") : tr("Position, %1").arg(of),
            tr("x %1, y %2, z %3 m").arg(fixed(p.x(), 3), fixed(p.y(), 3), fixed(p.z(), 3)));
   rows.add(of.isEmpty() ? tr("Roll, pitch, yaw") : tr("Roll, pitch, yaw, %1").arg(of),
-           tr("%1, %2, %3").arg(degrees(angles.x()), degrees(angles.y()), degrees(angles.z())));
+           tr("%1, %2, %3").arg(angleText(angles.x()), angleText(angles.y()), angleText(angles.z())));
 }
 
 void addBody(Rows& rows, int object) {
@@ -79,12 +76,13 @@ void addBody(Rows& rows, int object) {
                                                  : tr("link of the robot %1").arg(group));
   const view::ObjectSnapshot& now = rows.at(object);
   addPose(rows, now.X_WB);
-  rows.add(tr("Speed"), tr("%1 m/s, turns at %2/s")
-                            .arg(fixed(now.velocity.linear.norm(), 3), degrees(now.velocity.angular.norm())));
+  rows.add(tr("Speed"),
+           tr("%1 m/s, turns at %2/s")
+               .arg(fixed(now.velocity.linear.norm(), 3), angleText(now.velocity.angular.norm())));
   const bool lost =
       now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
   rows.add(tr("Pose"), poseStateText(now), lost ? Mark::kAlarm : Mark::kPlain);
-  rows.add(tr("Margin"), millimetresWithUnit(now.margin, 0));
+  rows.add(tr("Margin"), lengthText(now.margin, 0));
   if (now.colliding)
     rows.add(tr("Force, all pairs"), tr("%1 N, margins included").arg(fixed(now.contact.force.norm(), 1)));
 }
@@ -96,10 +94,9 @@ void addGeometry(Rows& rows, int object) {
   rows.add(
       tr("Size"),
       tr("%1 × %2 × %3 m").arg(fixed(card.size.x(), 3), fixed(card.size.y(), 3), fixed(card.size.z(), 3)));
-  rows.add(tr("Shell points"),
-           tr("%1, %2 apart").arg(card.shell_points).arg(millimetresWithUnit(card.point_spacing)));
-  rows.add(tr("Voxels"), millimetresWithUnit(card.voxel_size));
-  rows.add(tr("Error bound"), millimetresWithUnit(card.error_bound));
+  rows.add(tr("Shell points"), tr("%1, %2 apart").arg(card.shell_points).arg(lengthText(card.point_spacing)));
+  rows.add(tr("Voxels"), lengthText(card.voxel_size));
+  rows.add(tr("Error bound"), lengthText(card.error_bound));
 }
 
 void addFastest(Rows& rows, const std::vector<int>& objects) {
@@ -142,18 +139,17 @@ void addPair(Rows& rows, int index) {
   const QString state = levelText(level);
   if (now.paused) {
     rows.add(tr("State"), state);
-    rows.add(tr("When last checked"), millimetresWithUnit(now.result.distance));
+    rows.add(tr("When last checked"), lengthText(now.result.distance));
     return;
   }
   rows.add(tr("Distance"),
-           tr("%1, uncertainty %2")
-               .arg(millimetresWithUnit(now.result.distance), millimetresWithUnit(now.result.bound)));
-  rows.add(tr("At least"), millimetresWithUnit(now.result.distance - now.result.bound));
+           tr("%1, uncertainty %2").arg(lengthText(now.result.distance), lengthText(now.result.bound)));
+  rows.add(tr("At least"), lengthText(now.result.distance - now.result.bound));
   const double unknown = poseUncertainty(rows.snapshot, rows.outline.pairs[p]);
-  rows.add(tr("Margin"), unknown > 0.0
-                             ? tr("%1 and %2 for the poses")
-                                   .arg(millimetresWithUnit(now.margin, 0), millimetresWithUnit(unknown, 0))
-                             : millimetresWithUnit(now.margin, 0));
+  rows.add(tr("Margin"),
+           unknown > 0.0
+               ? tr("%1 and %2 for the poses").arg(lengthText(now.margin, 0), lengthText(unknown, 0))
+               : lengthText(now.margin, 0));
   rows.add(tr("State"), state, markOf(level));
   const double force = now.result.force_a.norm();
   if (now.result.contacts > 0)

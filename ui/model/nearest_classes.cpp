@@ -17,7 +17,7 @@ QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& s
   return tr("%1 – %2, %3")
       .arg(QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
            QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
-           millimetresWithUnit(snapshot.pairs[i].result.distance));
+           lengthText(snapshot.pairs[i].result.distance));
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot
                    pairText(outline, snapshot, classes.front().pair);
     for (std::size_t i = 1; i < classes.size(); ++i)
       text += QStringLiteral("; ") + pairClassInSentence(classes[i].of) + QStringLiteral(" ") +
-              millimetresWithUnit(classes[i].distance);
+              lengthText(classes[i].distance);
     return text;
   }
   return known(nearest) ? tr("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();

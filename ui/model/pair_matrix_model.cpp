@@ -107,7 +107,7 @@ QString PairMatrixModel::tip(const QModelIndex& index) const {
     const auto p = static_cast<std::size_t>(cell.pair);
     if (levels_[p] == PairLevel::kPaused)
       return tr("%1: not checked now, its group does not run or it is in none").arg(names);
-    return tr("%1: %2, %3").arg(names, levelText(levels_[p]), millimetresWithUnit(distances_[p]));
+    return tr("%1: %2, %3").arg(names, levelText(levels_[p]), lengthText(distances_[p]));
   }
   if (cell.unchecked < 0) return names;
   const view::UncheckedPair& pair = outline_.unchecked[static_cast<std::size_t>(cell.unchecked)];
@@ -126,7 +126,7 @@ QVariant PairMatrixModel::data(const QModelIndex& index, int role) const {
   const auto p = static_cast<std::size_t>(std::max(0, cell.pair));
   switch (role) {
     case Qt::DisplayRole:
-      return isChecked(cell) ? millimetres(distances_[p], 0) : QString();
+      return isChecked(cell) ? lengthNumber(distances_[p], 0) : QString();
     case Qt::CheckStateRole:
       return isChecked(cell) ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:

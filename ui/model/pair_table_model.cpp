@@ -7,10 +7,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/watched_series.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
+
+PairTableModel::PairTableModel(QObject* parent) : QAbstractTableModel(parent) {
+  connect(&Units::shown(), &Units::changed, this, [this] {
+    Q_EMIT headerDataChanged(Qt::Horizontal, kDistance, kMargin);
+    if (rowCount() > 0) Q_EMIT dataChanged(index(0, kDistance), index(rowCount() - 1, kMargin));
+  });
+}
 
 void PairTableModel::open(const view::SceneOutline& outline) {
   beginResetModel();
@@ -54,14 +63,14 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
     case kB:
       return names_[static_cast<std::size_t>(pairs_[row].second)];
     case kDistance:
-      return pair.paused ? tr("–") : millimetres(pair.result.distance);
+      return pair.paused ? tr("–") : lengthNumber(pair.result.distance);
     case kBound:
-      return pair.paused ? tr("–") : millimetres(pair.result.bound);
+      return pair.paused ? tr("–") : lengthNumber(pair.result.bound);
     case kMargin: {
       const double uncertainty = uncertainty_[row];
-      if (!(uncertainty > 0.0)) return millimetres(pair.margin, 0);
-      if (std::isinf(uncertainty)) return tr("%1 + pose unknown").arg(millimetres(pair.margin, 0));
-      return tr("%1 + %2 (pose)").arg(millimetres(pair.margin, 0), millimetres(uncertainty, 0));
+      if (!(uncertainty > 0.0)) return lengthNumber(pair.margin, 0);
+      if (std::isinf(uncertainty)) return tr("%1 + pose unknown").arg(lengthNumber(pair.margin, 0));
+      return tr("%1 + %2 (pose)").arg(lengthNumber(pair.margin, 0), lengthNumber(uncertainty, 0));
     }
     case kForce:
       return pair.paused ? tr("–") : fixed(pair.result.force_a.norm(), 1);
@@ -124,16 +133,29 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       if (pair.paused)
         return tr("%1 and %2 are not checked: their group does not run, or they are in none. When last "
                   "checked: %3")
-            .arg(text(row, kA).toString(), text(row, kB).toString(),
-                 millimetresWithUnit(pair.result.distance));
+            .arg(text(row, kA).toString(), text(row, kB).toString(), lengthText(pair.result.distance));
       return tr("%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N")
-          .arg(text(row, kA).toString(), text(row, kB).toString(), millimetresWithUnit(pair.result.distance),
-               millimetresWithUnit(pair.result.distance - pair.result.bound),
-               millimetresWithUnit(pair.margin, 0), fixed(pair.result.force_a.norm(), 1));
+          .arg(text(row, kA).toString(), text(row, kB).toString(), lengthText(pair.result.distance),
+               lengthText(pair.result.distance - pair.result.bound), lengthText(pair.margin, 0),
+               fixed(pair.result.force_a.norm(), 1));
     }
     default:
       return {};
   }
+}
+
+Qt::ItemFlags PairTableModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.isValid() ? flags | Qt::ItemIsDragEnabled : flags;
+}
+
+QMimeData* PairTableModel::mimeData(const QModelIndexList& indexes) const {
+  std::vector<Watched> pairs;
+  for (const QModelIndex& index : indexes) {
+    const Watched pair{Watched::Kind::kPair, index.row()};
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+  }
+  return mimeOf(pairs);
 }
 
 QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -149,11 +171,11 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kB:
         return tr("B");
       case kDistance:
-        return tr("Distance [mm]");
+        return tr("Distance [%1]").arg(lengthUnit());
       case kBound:
-        return tr("Uncertainty [mm]");
+        return tr("Uncertainty [%1]").arg(lengthUnit());
       case kMargin:
-        return tr("Margin [mm]");
+        return tr("Margin [%1]").arg(lengthUnit());
       case kForce:
         return tr("Force [N]");
       case kContacts:

@@ -22,7 +22,7 @@ class PairTableModel : public QAbstractTableModel {
   /// Number to sort by; NaN as infinity.
   static constexpr int kSortRole = Qt::UserRole;
 
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit PairTableModel(QObject* parent = nullptr);
 
   void open(const view::SceneOutline& outline);
   void refresh(const view::SceneSnapshot& snapshot);
@@ -39,6 +39,9 @@ class PairTableModel : public QAbstractTableModel {
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Pairs, for the plots.
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  private:
   QVariant text(std::size_t row, int column) const;

@@ -23,7 +23,7 @@ double leastLinkMargin(const margin::StoreLayout& layout, std::size_t part,
   return std::isfinite(least) ? least : 0.0;
 }
 
-QString mm(double metres) { return millimetresWithUnit(metres, 0); }
+QString mm(double metres) { return lengthText(metres, 0); }
 
 }  // namespace
 

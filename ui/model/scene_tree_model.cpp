@@ -10,7 +10,9 @@
 
 #include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
+#include "ui/model/watched_series.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
 
@@ -26,6 +28,16 @@ bool sameShown(double a, double b) {
 }
 
 }  // namespace
+
+SceneTreeModel::SceneTreeModel(QObject* parent) : QAbstractItemModel(parent) {
+  connect(&Units::shown(), &Units::changed, this, [this] {
+    for (int group = 0; group < rowCount(); ++group) {
+      const QModelIndex top = index(group, 0);
+      const int rows = rowCount(top);
+      if (rows > 0) Q_EMIT dataChanged(index(0, 1, top), index(rows - 1, 1, top));
+    }
+  });
+}
 
 void SceneTreeModel::open(const view::SceneOutline& outline) {
   beginResetModel();
@@ -196,7 +208,7 @@ QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const 
       if (row.touching) return tr("⚠ touching");
       if (row.colliding) return tr("⚠ inside margin");
       if (row.hollow) return tr("pose lost");
-      return std::isnan(row.distance) ? QString() : millimetresWithUnit(row.distance);
+      return std::isnan(row.distance) ? QString() : lengthText(row.distance);
     case Qt::ForegroundRole:
       if (row.colliding || row.touching) return QBrush(QColor(kVermillion));
       return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
@@ -238,9 +250,19 @@ QVariant SceneTreeModel::headerData(int section, Qt::Orientation orientation, in
 
 Qt::ItemFlags SceneTreeModel::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
-  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
   if (index.column() == 0) flags |= Qt::ItemIsUserCheckable;
   return flags;
+}
+
+QMimeData* SceneTreeModel::mimeData(const QModelIndexList& indexes) const {
+  std::vector<Watched> bodies;
+  for (const QModelIndex& index : indexes)
+    for (const int object : objectsOf(index)) {
+      const Watched body{Watched::Kind::kBody, object};
+      if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) bodies.push_back(body);
+    }
+  return mimeOf(bodies);
 }
 
 }  // namespace abstand::ui

@@ -15,7 +15,7 @@ class SceneTreeModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
-  using QAbstractItemModel::QAbstractItemModel;
+  explicit SceneTreeModel(QObject* parent = nullptr);
 
   void open(const view::SceneOutline& outline);
   /// Takes over contact marks and distances; tells the views only about what changed.
@@ -38,6 +38,8 @@ class SceneTreeModel : public QAbstractItemModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Bodies, for the plots.
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  Q_SIGNALS:
   void visibilityChanged(int object, bool visible);

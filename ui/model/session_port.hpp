@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/scene/scene_note.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
+#include "ui/model/body_inside.hpp"
 
 namespace abstand::ui {
 
@@ -25,6 +27,11 @@ class SessionPort {
   virtual const std::vector<scene::SceneNote>& notes() const = 0;
   /// Of outline().meshes, where they were prepared while the session was opened; else null.
   virtual std::shared_ptr<const PreparedMeshes> meshes() const { return nullptr; }
+  /// What is computed with, of an object; nothing: not known.
+  virtual std::optional<BodyInside> inside(int object) const {
+    static_cast<void>(object);
+    return {};
+  }
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
   virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.

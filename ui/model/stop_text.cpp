@@ -50,7 +50,7 @@ QString numberText(double value, const safety::StopCause& cause, const view::Sce
   switch (cause.reason) {
     case safety::StopReason::kDistance:
     case safety::StopReason::kBraking:
-      return millimetresWithUnit(value);
+      return lengthText(value);
     case safety::StopReason::kSeparation:
     case safety::StopReason::kSpeedBound:
       return tr("%1 m/s").arg(fixed(value, 2));
@@ -150,7 +150,7 @@ QString stopText(const view::SceneOutline& outline, const view::SceneSnapshot& s
   };
   return tr("%1: %2 – %3 at %4")
       .arg(stateText(now.state), name(outline.pairs[pair].first), name(outline.pairs[pair].second),
-           millimetresWithUnit(cause.value));
+           lengthText(cause.value));
 }
 
 QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot) {

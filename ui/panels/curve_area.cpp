@@ -68,7 +68,8 @@ void CurveArea::paintEvent(QPaintEvent*) {
   const double below = box.bottom() + 2.0;
   for (int mm = 0; mm <= 300; mm += 50)
     painter.drawText(QRectF(xOf(1e-3 * mm) - 30.0, below, 60.0, kBottom - 2.0),
-                     Qt::AlignHCenter | Qt::AlignTop, mm == 300 ? tr("300 mm") : QString::number(mm));
+                     Qt::AlignHCenter | Qt::AlignTop,
+                     mm == 300 ? lengthText(1e-3 * mm, 0) : lengthNumber(1e-3 * mm, 0));
   const auto scale = [&](const QString& top, const QString& bottom, double left, Qt::Alignment side) {
     const double width = (left < box.left() ? kLeft : kRight) - 8.0;
     painter.drawText(QRectF(left, box.top() - 6.0, width, 14.0), side | Qt::AlignVCenter, top);

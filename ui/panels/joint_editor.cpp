@@ -1,10 +1,15 @@
 #include "ui/panels/joint_editor.hpp"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/model/pose_text.hpp"
 #include "ui/panels/joint_row.hpp"
 
 namespace abstand::ui {
@@ -13,6 +18,7 @@ JointEditor::JointEditor(QWidget* parent)
     : QWidget(parent),
       state_{new QLabel(this)},
       follow_{new QPushButton(tr("Follow the motion"), this)},
+      copy_{new QToolButton(this)},
       layout_{new QVBoxLayout(this)} {
   state_->setObjectName(QStringLiteral("joints_state"));
   state_->setWordWrap(true);
@@ -26,6 +32,19 @@ JointEditor::JointEditor(QWidget* parent)
   auto* head = new QHBoxLayout;
   head->addWidget(state_, 1);
   head->addWidget(follow_);
+  head->addWidget(copy_);
+  copy_->setText(tr("Copy"));
+  copy_->setToolTip(tr("Put the joints of the robot on the clipboard (rad, m)"));
+  copy_->setPopupMode(QToolButton::InstantPopup);
+  copy_->setFocusPolicy(Qt::TabFocus);
+  auto* menu = new QMenu(copy_);
+  copy_->setMenu(menu);
+  const std::pair<const char*, PoseFormat> formats[] = {
+      {"JSON", PoseFormat::kJson}, {"YAML", PoseFormat::kYaml}, {"C++", PoseFormat::kCpp}};
+  for (const auto& [name, format] : formats)
+    connect(menu->addAction(QString::fromLatin1(name)), &QAction::triggered, this, [this, f = format] {
+      QApplication::clipboard()->setText(poseText(f, names_, posed_.isEmpty() ? shown_ : posed_));
+    });
   layout_->setContentsMargins(8, 4, 8, 4);
   layout_->setSpacing(1);
   layout_->addLayout(head);
@@ -37,6 +56,8 @@ void JointEditor::open(const view::SceneOutline& outline, int robot) {
   rows_.clear();
   robot_ = robot;
   posed_.clear();
+  names_.clear();
+  shown_.clear();
   if (robot < 0) return;
   const view::RobotCard& card = outline.robots[static_cast<std::size_t>(robot)];
   name_ = QString::fromStdString(card.name);
@@ -45,6 +66,7 @@ void JointEditor::open(const view::SceneOutline& outline, int robot) {
     auto* row = new JointRow(outline.joints[static_cast<std::size_t>(first_joint_ + k)], this);
     connect(row, &JointRow::edited, this, [this, k](double value) { Q_EMIT edited(robot_, k, value); });
     connect(row, &JointRow::released, this, &JointEditor::released);
+    names_ << QString::fromStdString(outline.joints[static_cast<std::size_t>(first_joint_ + k)].name);
     layout_->addWidget(row);
     rows_.push_back(row);
   }
@@ -65,9 +87,11 @@ void JointEditor::showState() {
 
 void JointEditor::refresh(const view::SceneSnapshot& snapshot) {
   if (!posed_.isEmpty()) return;
+  shown_.resize(static_cast<int>(rows_.size()));
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const auto i = static_cast<std::size_t>(first_joint_) + k;
-    if (i < snapshot.joint_positions.size()) rows_[k]->show(snapshot.joint_positions[i]);
+    if (i < snapshot.joint_positions.size())
+      rows_[k]->show(shown_[static_cast<int>(k)] = snapshot.joint_positions[i]);
   }
 }
 

@@ -9,6 +9,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace abstand::ui {
@@ -30,6 +31,8 @@ class JointEditor : public QWidget {
   void refresh(const view::SceneSnapshot& snapshot);
   JointRow* row(int joint) const { return rows_[static_cast<std::size_t>(joint)]; }
   QPushButton* followButton() const { return follow_; }
+  /// Its menu copies what is shown.
+  QToolButton* copyButton() const { return copy_; }
 
  Q_SIGNALS:
   /// By the user; `joint` counts from the robot's first.
@@ -46,6 +49,9 @@ class JointEditor : public QWidget {
   QVector<double> posed_;
   QLabel* state_;
   QPushButton* follow_;
+  QToolButton* copy_;
+  QStringList names_;
+  QVector<double> shown_;  ///< rad, m
   QVBoxLayout* layout_;
   std::vector<JointRow*> rows_;
 };

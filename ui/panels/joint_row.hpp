@@ -10,8 +10,8 @@ class QSlider;
 
 namespace abstand::ui {
 
-/// Within the limits of the joint, or two turns (two metres) where it has none. Shows degrees or millimetres;
-/// takes and gives rad or m. GUI thread only.
+/// Within the limits of the joint, or two turns (two metres) where it has none. Shows the unit that
+/// was chosen; takes and gives rad or m. GUI thread only.
 class JointRow : public QWidget {
   Q_OBJECT
 
@@ -28,10 +28,15 @@ class JointRow : public QWidget {
   void released();
 
  private:
-  void take(double shown, const QObject* from);
+  void applyUnit();
+  double factor() const;       // shown unit per rad or m
+  double sliderScale() const;  // degrees or millimetres per rad or m
+  int toSlider(double value) const;
+  void take(double value, const QObject* from);
 
   double lower_, upper_;  // rad or m
-  double scale_;          // shown unit per rad or m
+  bool prismatic_;
+  double factor_{1.0};  // of what the field shows
   QSlider* slider_;
   QDoubleSpinBox* box_;
 };

@@ -107,6 +107,24 @@ QString LaneView::nameOf(int lane) const {
   return partText(*review_.store(), static_cast<std::size_t>(lane));
 }
 
+void LaneView::setSelected(const std::vector<int>& objects) {
+  selected_ = objects;
+  for (int lane = 0; lane < lanes(); ++lane) {
+    if (!isSelected(lane)) continue;
+    const int top = lane * kLaneHeight, at = verticalScrollBar()->value(), height = viewport()->height();
+    if (top < at || top + kLaneHeight > at + height)
+      verticalScrollBar()->setValue(top - (height - kLaneHeight) / 2);
+    break;
+  }
+  viewport()->update();
+}
+
+bool LaneView::isSelected(int lane) const {
+  const auto object =
+      static_cast<int>(review_.store()->layout().parts[static_cast<std::size_t>(lane)].object);
+  return std::binary_search(selected_.begin(), selected_.end(), object);
+}
+
 void LaneView::paintEvent(QPaintEvent*) {
   QPainter painter(viewport());
   QFont small = font();
@@ -124,8 +142,10 @@ void LaneView::paintEvent(QPaintEvent*) {
 }
 
 void LaneView::paintLane(QPainter& painter, int lane, const QRect& place) const {
-  painter.setPen(palette().color(QPalette::Text));
   const QRect name(4, place.top(), kNameWidth - 10, place.height());
+  const bool selected = isSelected(lane);
+  if (selected) painter.fillRect(name.adjusted(-4, 0, 4, 0), palette().color(QPalette::Highlight));
+  painter.setPen(palette().color(selected ? QPalette::HighlightedText : QPalette::Text));
   painter.drawText(name, Qt::AlignVCenter | Qt::AlignRight,
                    painter.fontMetrics().elidedText(nameOf(lane), Qt::ElideLeft, name.width()));
   const LaneRow& values = row(lane);

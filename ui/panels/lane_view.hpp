@@ -23,6 +23,9 @@ class LaneView : public QAbstractScrollArea {
   LaneView(const RecordingReview& review, TimeAxis& axis, QWidget* parent = nullptr);
 
   void setTime(double t);
+  /// Objects of the scene; the names of their lanes are marked, and the first one is brought into view.
+  void setSelected(const std::vector<int>& objects);
+  bool isSelected(int lane) const;
   int lanes() const;
   /// Of the viewport.
   int xOf(double t) const;
@@ -57,6 +60,7 @@ class LaneView : public QAbstractScrollArea {
   const RecordingReview& review_;
   TimeAxis& axis_;
   double time_{0.0};
+  std::vector<int> selected_;          ///< objects, sorted
   mutable std::vector<LaneRow> rows_;  ///< of the lanes that were asked for
   mutable std::vector<std::size_t> bounds_;
 };

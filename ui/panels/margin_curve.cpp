@@ -139,9 +139,8 @@ void MarginCurve::say() {
                                   ? tr("The analysis of the recording failed")
                                   : tr("After the analysis of the recording (%1 %)")
                                         .arg(static_cast<int>(100.0 * review_.progress())));
-  sentence_->setText(
-      tr("%1: %2").arg(millimetresWithUnit(present(), 0),
-                       outcomeText(review_.outcomeOf(static_cast<std::size_t>(part_), present()))));
+  sentence_->setText(tr("%1: %2").arg(
+      lengthText(present(), 0), outcomeText(review_.outcomeOf(static_cast<std::size_t>(part_), present()))));
 }
 
 }  // namespace abstand::ui

@@ -130,6 +130,13 @@ void MarginPanel::setFilter(const QString& text) {
   showMasterLocks();
 }
 
+void MarginPanel::setSelected(const std::vector<int>& objects) {
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    rows_[i]->setMarked(std::binary_search(objects.begin(), objects.end(), static_cast<int>(i)));
+  MarginRow* first = objects.empty() ? nullptr : row(objects.front());
+  if (first && !first->isHidden()) ensureWidgetVisible(first);
+}
+
 MarginRow* MarginPanel::row(int object) const {
   return object >= 0 && static_cast<std::size_t>(object) < rows_.size()
              ? rows_[static_cast<std::size_t>(object)]

@@ -30,6 +30,8 @@ class MarginPanel : public QScrollArea {
   void open(const view::SceneOutline& outline, const std::vector<double>& margins);
   /// Other margins, without a signal.
   void show(const std::vector<double>& margins);
+  /// Marks the rows of these objects, and brings the first one into view.
+  void setSelected(const std::vector<int>& objects);
   /// Null for an index that is not there.
   MarginRow* row(int object) const;
   MarginRow* groupRow(const QString& group) const;

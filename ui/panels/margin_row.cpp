@@ -1,4 +1,4 @@
-// Slider and spin box for one length in millimetres.
+// Slider and spin box for one length.
 #include "ui/panels/margin_row.hpp"
 
 #include <QHBoxLayout>
@@ -9,11 +9,15 @@
 #include <cmath>
 
 #include "ui/style/calm_inputs.hpp"
+#include "ui/style/format.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
 
 namespace {
+
+constexpr double kStep = 1e-3;  // m
 
 int toSlider(double metres) { return static_cast<int>(std::lround(metres * 1e3)); }
 
@@ -42,13 +46,9 @@ MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
   slider_->setMinimumWidth(48);
   slider_->setMinimumHeight(24);
   slider_->setAccessibleName(tr("Margin of %1, slider").arg(name));
-  box_->setRange(0.0, kLimit * 1e3);
-  box_->setDecimals(0);
-  box_->setSingleStep(1.0);
-  box_->setSuffix(tr(" mm"));
   box_->setKeyboardTracking(false);
   box_->setFixedWidth(86);
-  box_->setAccessibleName(tr("Margin of %1 in millimetres").arg(name));
+  box_->setAccessibleName(tr("Margin of %1").arg(name));
   const QString tip = tr("Safety margin around %1").arg(name);
   slider_->setToolTip(tip);
   box_->setToolTip(tip);
@@ -69,11 +69,22 @@ MarginRow::MarginRow(const QString& name, bool heading, QWidget* parent)
   connect(slider_, &QSlider::valueChanged, this, [this](int mm) { take(mm * 1e-3, slider_); });
   connect(slider_, &QSlider::sliderReleased, this, &MarginRow::released);
   connect(box_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this](double mm) { take(mm * 1e-3, box_); });
+          [this](double shown) { take(shown / lengthFactor(), box_); });
+  connect(&Units::shown(), &Units::changed, this, &MarginRow::applyUnit);
+  applyUnit();
   connect(lock_, &QToolButton::clicked, this, [this](bool locked) {
     setLocked(locked_);  // until the document says so
     Q_EMIT lockWanted(locked);
   });
+}
+
+void MarginRow::applyUnit() {
+  const QSignalBlocker quiet(box_);
+  box_->setDecimals(lengthDecimals(0));
+  box_->setRange(0.0, kLimit * lengthFactor());
+  box_->setSingleStep(kStep * lengthFactor());
+  box_->setSuffix(QLatin1Char(' ') + lengthUnit());
+  box_->setValue(metres_ * lengthFactor());
 }
 
 void MarginRow::setLocked(bool locked) {
@@ -84,6 +95,12 @@ void MarginRow::setLocked(bool locked) {
   box_->setEnabled(!locked);
 }
 
+void MarginRow::setMarked(bool marked) {
+  if (marked == autoFillBackground()) return;
+  setBackgroundRole(marked ? QPalette::Midlight : QPalette::Window);
+  setAutoFillBackground(marked);
+}
+
 bool MarginRow::isDragged() const { return slider_->isSliderDown(); }
 
 void MarginRow::show(double metres) {
@@ -91,7 +108,7 @@ void MarginRow::show(double metres) {
   const QSignalBlocker no_slider(slider_);
   const QSignalBlocker no_box(box_);
   slider_->setValue(toSlider(metres));
-  box_->setValue(metres * 1e3);
+  box_->setValue(metres * lengthFactor());
 }
 
 void MarginRow::take(double metres, const QObject* from) {
@@ -99,7 +116,7 @@ void MarginRow::take(double metres, const QObject* from) {
   const QSignalBlocker no_slider(slider_);
   const QSignalBlocker no_box(box_);
   if (from != slider_) slider_->setValue(toSlider(metres));
-  if (from != box_) box_->setValue(metres * 1e3);
+  if (from != box_) box_->setValue(metres * lengthFactor());
   Q_EMIT edited(metres);
 }
 

@@ -1,4 +1,4 @@
-// Slider and spin box for one length in millimetres.
+// Slider and spin box for one length.
 #pragma once
 
 #include <QWidget>
@@ -28,6 +28,9 @@ class MarginRow : public QWidget {
   /// A locked row cannot be moved. Without a signal.
   void setLocked(bool locked);
   bool locked() const { return locked_; }
+  /// Of the selection.
+  void setMarked(bool marked);
+  bool marked() const { return autoFillBackground(); }
 
  Q_SIGNALS:
   /// The user moved it.
@@ -38,6 +41,7 @@ class MarginRow : public QWidget {
   void lockWanted(bool locked);
 
  private:
+  void applyUnit();
   void take(double metres, const QObject* from);
 
   QSlider* slider_;

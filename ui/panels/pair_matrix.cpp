@@ -34,7 +34,7 @@ PairMatrix::PairMatrix(Selection& selection, QWidget* parent)
   table_->setFrameShape(QFrame::NoFrame);
   table_->horizontalHeader()->setDefaultSectionSize(kCellWidth);
   table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
-  table_->setToolTip(tr("Ticked: checked, with the distance in millimetres; hatched: not checked"));
+  table_->setToolTip(tr("Ticked: checked, with the distance; hatched: not checked"));
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 4, 6, 4);
   head->addWidget(bodies_);

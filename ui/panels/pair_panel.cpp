@@ -21,6 +21,7 @@ namespace {
 constexpr int kColumnWidth = 76;  // px, at least
 constexpr int kStateSpace = 24;   // px, about the text of a state
 constexpr int kAllClasses = -1;
+constexpr int kRoomForContacts = 840, kRoomForForce = 760;  // px, of the panel
 }  // namespace
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
@@ -58,6 +59,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setDragEnabled(true);
   table_->setSortingEnabled(true);
   table_->sortByColumn(PairTableModel::kDistance, Qt::AscendingOrder);
   QHeaderView* header = table_->horizontalHeader();
@@ -100,6 +102,13 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   connect(all_, &QToolButton::clicked, &selection_, &Selection::clear);
   connect(&selection_, &Selection::changed, this, &PairPanel::followSelection);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PairPanel::chooseCurrent);
+}
+
+/// The names need the room: the inspector has what a narrow table leaves out.
+void PairPanel::resizeEvent(QResizeEvent* event) {
+  table_->setColumnHidden(PairTableModel::kContacts, width() < kRoomForContacts);
+  table_->setColumnHidden(PairTableModel::kForce, width() < kRoomForForce);
+  QWidget::resizeEvent(event);
 }
 
 void PairPanel::open(const view::SceneOutline& outline) {

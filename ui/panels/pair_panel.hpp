@@ -32,6 +32,9 @@ class PairPanel : public QWidget {
   QLineEdit* filterBox() const { return filter_box_; }
   QComboBox* classBox() const { return class_box_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void chooseCurrent();
   void followSelection();

@@ -25,9 +25,8 @@ QString sentenceOf(const ProposedRow& row, int index) {
                     " Decided at <a href=\"%1\">%2</a> by %3. Of it: error of the distance %4, pose %5, "
                     "motion in one frame %6.")
                     .arg(index)
-                    .arg(secondsWithUnit(decided->t), row.link.toHtmlEscaped(),
-                         millimetresWithUnit(decided->bound), millimetresWithUnit(decided->pose),
-                         millimetresWithUnit(decided->sampling));
+                    .arg(secondsWithUnit(decided->t), row.link.toHtmlEscaped(), lengthText(decided->bound),
+                         lengthText(decided->pose), lengthText(decided->sampling));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ SceneTreePanel::SceneTreePanel(SceneTreeModel& model, Selection& selection, QWid
   setAccessibleName(tr("Scene tree"));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setUniformRowHeights(true);
+  setDragEnabled(true);
   setAllColumnsShowFocus(true);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);

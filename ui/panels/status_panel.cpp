@@ -84,7 +84,6 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   banner->setAlignment(Qt::AlignCenter);
   nearest_->setAccessibleName(tr("Nearest pair"));
   cycle_->setToolTip(tr("Time of one computation cycle: median and 99th percentile"));
-  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last one and a half seconds"));
   opening_->setObjectName(QStringLiteral("opening"));
   opening_bar_->setAccessibleName(tr("Progress of opening"));
   opening_bar_->setMaximumWidth(kBarWidth);
@@ -134,7 +133,7 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   left_out_->setToolTip(leftOutInWords(snapshot.work, snapshot.pairs.size()));
 }
 
-void StatusPanel::refreshFigures(const view::SceneSnapshot& snapshot) {
+void StatusPanel::refreshFigures(const view::SceneSnapshot& snapshot, long missed) {
   cycle_->setText(
       tr("Cycle %1 / %2 µs").arg(fixed(snapshot.cycle_median_us, 0), fixed(snapshot.cycle_p99_us, 0)));
   overruns_->setText(tr("Overruns %1 of %2").arg(snapshot.overruns).arg(snapshot.played_cycles));
@@ -144,6 +143,9 @@ void StatusPanel::refreshFigures(const view::SceneSnapshot& snapshot) {
   real_time_->setText(std::isnan(snapshot.real_time_factor)
                           ? tr("Real time –")
                           : tr("Real time %1×").arg(fixed(snapshot.real_time_factor, 2)));
+  real_time_->setToolTip(tr("Scene time that was played by wall time, over the last one and a half seconds.\n"
+                            "Moments that were computed and came too fast to be drawn: %1")
+                             .arg(missed));
 }
 
 void StatusPanel::showRobots(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {

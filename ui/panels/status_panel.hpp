@@ -35,7 +35,8 @@ class StatusPanel : public QObject {
   /// What holds at the shown moment.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   /// Figures of the loop over a while; at most ten times a second.
-  void refreshFigures(const view::SceneSnapshot& snapshot);
+  /// `missed`: moments that were computed while playing and not shown.
+  void refreshFigures(const view::SceneSnapshot& snapshot, long missed);
   /// SceneSnapshot::step of the last refresh().
   long shownStep() const { return shown_step_; }
   void clear();

@@ -259,7 +259,7 @@ QString TimeStrip::momentAt(double t) const {
   if (review_.available()) return nearestMomentText(review_, t);
   const double d = distance_->at(t);
   return std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))
-                       : tr("%1: smallest distance %2").arg(secondsWithUnit(t), millimetresWithUnit(d));
+                       : tr("%1: smallest distance %2").arg(secondsWithUnit(t), lengthText(d));
 }
 
 bool TimeStrip::event(QEvent* event) {

@@ -2,6 +2,7 @@
 #include "ui/plots/plot_panel.hpp"
 
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -10,6 +11,7 @@
 #include "ui/plots/strip_chart.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
 
@@ -22,7 +24,8 @@ constexpr double kPlayheadPlace = 0.85;
 PlotPanel::PlotPanel(QWidget* parent)
     : QWidget(parent), span_{new QComboBox(this)}, joint_{new QComboBox(this)} {
   charts_ = {
-      new StripChart({tr("Smallest distance"), tr("mm"), 1e3, 1, false}, QColor(kAccent), this),
+      new StripChart({tr("Smallest distance"), lengthUnit(), lengthFactor(), lengthDecimals(1), false},
+                     QColor(kAccent), this),
       new StripChart({tr("Largest force"), tr("N"), 1.0, 1, false}, QColor(kVermillion), this),
       new StripChart({tr("Largest joint torques"), tr("N·m"), 1.0, 1, true}, QColor(kContactForce), this)};
   // In the order of TorqueParts.
@@ -74,6 +77,11 @@ PlotPanel::PlotPanel(QWidget* parent)
     nameTorques();
     Q_EMIT jointChosen(joint_->currentData().toInt());
   });
+  connect(&Units::shown(), &Units::changed, this, [this] {
+    charts_[0]->setUnit(lengthUnit(), lengthFactor(), lengthDecimals(1));
+    refresh();
+  });
+  setAcceptDrops(true);
   setJoints({});
 }
 
@@ -129,10 +137,31 @@ void PlotPanel::setMoment(long step, const view::PlotSample& sample) {
 
 int PlotPanel::joint() const { return joint_->currentData().toInt(); }
 
-void PlotPanel::setDistanceName(const QString& name) { charts_[0]->setQuantity(name, tr("mm")); }
+void PlotPanel::setDistanceName(const QString& name) { charts_[0]->setQuantity(name, lengthUnit()); }
 
 void PlotPanel::setMargin(double metres) {
-  charts_[0]->setBand(metres, tr("margin %1").arg(millimetresWithUnit(metres, 0)));
+  charts_[0]->setBand(metres, tr("margin %1").arg(lengthText(metres, 0)));
+}
+
+void PlotPanel::setWatched(const std::vector<WatchedSeries::Line>& lines) {
+  // The alarm colours mean something else.
+  constexpr QRgb kColours[] = {kBlue, 0xff7a5aa6, 0xff3f8f6b, 0xff8a6d3b, 0xff56707f, 0xffa0527a};
+  std::vector<StripChart::Line> all{{tr("all"), QColor(kAccent)}};
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    all.push_back({lines[i].name, QColor(kColours[i % std::size(kColours)]),
+                   lines[i].pinned ? Qt::SolidLine : Qt::DashLine});
+  charts_[0]->setLines(all);
+  for (std::size_t i = 0; i < lines.size(); ++i) charts_[0]->setSeries(lines[i].series, i + 1);
+  refresh();
+}
+
+void PlotPanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!watchedIn(*event->mimeData()).empty()) event->acceptProposedAction();
+}
+
+void PlotPanel::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  Q_EMIT dropped(watchedIn(*event->mimeData()));
 }
 
 void PlotPanel::refresh() {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/view/snapshot.hpp"
-#include "ui/model/frame_series.hpp"
+#include "ui/model/watched_series.hpp"
 
 class QComboBox;
 
@@ -36,6 +36,8 @@ class PlotPanel : public QWidget {
   int joint() const;
   /// Of the distance chart.
   void setDistanceName(const QString& name);
+  /// Of the distance chart, beside its own line; they live in the owner.
+  void setWatched(const std::vector<WatchedSeries::Line>& lines);
   /// Shown as a band in the distance chart, m; 0: none.
   void setMargin(double metres);
   void refresh();
@@ -50,6 +52,12 @@ class PlotPanel : public QWidget {
   void followChanged(bool on);
   /// Index of the joint whose torques are wanted, -1: the largest of all.
   void jointChosen(int joint);
+  /// The user has dropped these on the plots.
+  void dropped(const std::vector<abstand::ui::Watched>& watched);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void nameTorques();

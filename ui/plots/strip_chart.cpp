@@ -117,11 +117,26 @@ void StripChart::setQuantity(const QString& quantity, const QString& unit) {
   dirty_ = true;
 }
 
+void StripChart::setUnit(const QString& unit, double factor, int decimals) {
+  const double change = factor / text_.factor;
+  text_.factor = factor;
+  text_.decimals = decimals;
+  for (Trace* trace : traces_) trace->factor = factor;
+  traces_[0]->band_high *= change;
+  high_ = low_ = 0.0;
+  setQuantity(text_.quantity, unit);
+}
+
 void StripChart::setLines(const std::vector<Line>& lines) {
+  while (traces_.size() > std::max<std::size_t>(1, lines.size())) {
+    delete traces_.back();  // takes itself off the plot
+    traces_.pop_back();
+  }
   while (traces_.size() < lines.size()) {
     auto* trace = new Trace;
     trace->factor = text_.factor;
     trace->first = false;
+    trace->playhead = traces_[0]->playhead;
     trace->attach(plot_);
     traces_.push_back(trace);
   }
@@ -141,7 +156,11 @@ void StripChart::setLines(const std::vector<Line>& lines) {
 void StripChart::placeValues() {
   const QMargins edges = values_->contentsMargins();
   const int width = std::max(1, this->width() - edges.left() - edges.right());
-  const int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ reaction -8888.8   "));
+  int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ reaction -8888.8   "));
+  for (const QString& name : names_)
+    item =
+        std::max(item, values_->fontMetrics().horizontalAdvance(QStringLiteral("━ %1 -8888.8   ").arg(name)));
+  item = std::min(item, width);
   const int rows = std::max(1, static_cast<int>(names_.size()) / std::max(1, width / item) +
                                    (static_cast<int>(names_.size()) % std::max(1, width / item) > 0));
   values_box_->setFixedHeight(rows * values_->fontMetrics().lineSpacing() + 2);

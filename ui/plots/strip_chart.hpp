@@ -46,6 +46,8 @@ class StripChart : public QWidget {
   /// The series must outlive the chart or be replaced; null for none. `line`: counts setLines().
   void setSeries(const FrameSeries* series, std::size_t line = 0);
   void setQuantity(const QString& quantity, const QString& unit);
+  /// Another unit of the same quantity. A band keeps its height until the next setBand().
+  void setUnit(const QString& unit, double factor, int decimals);
   void setWindow(double left, double right);
   void setPlayhead(double t);
   /// Value at the playhead, in the unit of the series, until the playhead moves.

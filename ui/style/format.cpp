@@ -4,8 +4,16 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
+#include <numbers>
+
+#include "ui/style/units.hpp"
 
 namespace abstand::ui {
+
+namespace {
+constexpr double kMillimetres = 1e3;                    // in a metre
+constexpr int kMetreDecimals = 3, kRadianDecimals = 2;  // more than of millimetres and degrees
+}  // namespace
 
 QString fixed(double value, int decimals) {
   if (!std::isfinite(value)) return QStringLiteral("–");
@@ -14,10 +22,36 @@ QString fixed(double value, int decimals) {
   return QLocale().toString(std::abs(value) < half_unit ? 0.0 : value, 'f', decimals);
 }
 
-QString millimetres(double metres, int decimals) { return fixed(metres * 1e3, decimals); }
+double lengthFactor() { return Units::shown().length() == LengthUnit::kMetre ? 1.0 : kMillimetres; }
 
-QString millimetresWithUnit(double metres, int decimals) {
-  return QCoreApplication::translate("format", "%1 mm").arg(millimetres(metres, decimals));
+int lengthDecimals(int decimals) {
+  return decimals + (Units::shown().length() == LengthUnit::kMetre ? kMetreDecimals : 0);
+}
+
+QString lengthUnit() {
+  return Units::shown().length() == LengthUnit::kMetre ? QStringLiteral("m") : QStringLiteral("mm");
+}
+
+QString lengthNumber(double metres, int decimals) {
+  return fixed(metres * lengthFactor(), lengthDecimals(decimals));
+}
+
+QString lengthText(double metres, int decimals) {
+  return QStringLiteral("%1 %2").arg(lengthNumber(metres, decimals), lengthUnit());
+}
+
+double angleFactor() { return Units::shown().angle() == AngleUnit::kRadian ? 1.0 : 180.0 / std::numbers::pi; }
+
+int angleDecimals(int decimals) {
+  return decimals + (Units::shown().angle() == AngleUnit::kRadian ? kRadianDecimals : 0);
+}
+
+QString angleUnit() {
+  return Units::shown().angle() == AngleUnit::kRadian ? QStringLiteral(" rad") : QStringLiteral("°");
+}
+
+QString angleText(double radians, int decimals) {
+  return fixed(radians * angleFactor(), angleDecimals(decimals)) + angleUnit();
 }
 
 QString secondsWithUnit(double seconds) {

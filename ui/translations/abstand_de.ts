@@ -127,6 +127,30 @@
         <source>Show or hide the matrix of pairs</source>
         <translation>Matrix der Paare ein- oder ausblenden</translation>
     </message>
+    <message>
+        <source>Separation</source>
+        <translation>Schutzabstand</translation>
+    </message>
+    <message>
+        <source>Show or hide protective distances and contact limits of the body parts</source>
+        <translation>Schutzabstände und Kontaktgrenzwerte der Körperteile zeigen oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Show or hide the messages of the window</source>
+        <translation>Meldungen des Fensters zeigen oder ausblenden</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Show or hide the edits of the project</source>
+        <translation>Änderungen des Projekts zeigen oder ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::ReportJob</name>
@@ -160,6 +184,26 @@
     <message>
         <source>change the person %1</source>
         <translation>Person %1 ändern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save range</source>
+        <translation>Bereich speichern</translation>
+    </message>
+    <message>
+        <source>pairs of %1</source>
+        <translation>Paare aus %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs of the file are checked here and no longer are</source>
+        <translation>%1 von %2 Paaren der Datei werden hier geprüft; das ist nun abgeschaltet</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
     </message>
 </context>
 <context>
@@ -1317,10 +1361,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>folgt %1</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>Joint %1</source>
         <translation>Gelenk %1</translation>
     </message>
@@ -1672,6 +1712,386 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Body</source>
         <translation>Körper</translation>
     </message>
+    <message>
+        <source>Theme of the s&amp;ystem</source>
+        <translation>Farben des S&amp;ystems</translation>
+    </message>
+    <message>
+        <source>Light or dark as the system was when the program started</source>
+        <translation>Hell oder dunkel wie das System beim Start des Programms</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>&amp;Scale to the largest in sight</source>
+        <translation>&amp;Nach dem größten sichtbaren skalieren</translation>
+    </message>
+    <message>
+        <source>Length per &amp;newton</source>
+        <translation>Länge je Ne&amp;wton</translation>
+    </message>
+    <message>
+        <source>Length per ne&amp;wton metre</source>
+        <translation>Länge je Newton&amp;meter</translation>
+    </message>
+    <message>
+        <source>Length per &amp;metre per second</source>
+        <translation>Länge je Meter pro &amp;Sekunde</translation>
+    </message>
+    <message>
+        <source>Least &amp;force</source>
+        <translation>Kleinste &amp;Kraft</translation>
+    </message>
+    <message>
+        <source>Least &amp;torque</source>
+        <translation>Kleinstes &amp;Drehmoment</translation>
+    </message>
+    <message>
+        <source>Least s&amp;peed</source>
+        <translation>Kleinste &amp;Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>; to be checked: %1</source>
+        <translation>; zu prüfen: %1</translation>
+    </message>
+    <message>
+        <source>Contact at this speed, region &quot;%1&quot;: %2</source>
+        <translation>Kontakt bei dieser Geschwindigkeit, Region „%1“: %2</translation>
+    </message>
+    <message>
+        <source>Contact with this region is excluded at any speed [%1]</source>
+        <translation>Kontakt mit dieser Region ist bei jeder Geschwindigkeit ausgeschlossen [%1]</translation>
+    </message>
+    <message>
+        <source>limit of the force %1 N</source>
+        <translation>Grenzwert der Kraft %1 N</translation>
+    </message>
+    <message>
+        <source>times %1 for a part that can recoil</source>
+        <translation>mal %1 für ein Körperteil, das ausweichen kann</translation>
+    </message>
+    <message>
+        <source>stiffness %1 N/mm</source>
+        <translation>Steifigkeit %1 N/mm</translation>
+    </message>
+    <message>
+        <source>mass of the region %1 kg</source>
+        <translation>Masse der Region %1 kg</translation>
+    </message>
+    <message>
+        <source>mass of the robot %1 kg [set here]</source>
+        <translation>Masse des Roboters %1 kg [hier eingestellt]</translation>
+    </message>
+    <message>
+        <source>mass of the robot not known: counts as immovable [on the safe side]</source>
+        <translation>Masse des Roboters nicht bekannt: gilt als unbeweglich [auf der sicheren Seite]</translation>
+    </message>
+    <message>
+        <source>permitted speed towards each other %1 m/s</source>
+        <translation>zulässige Geschwindigkeit aufeinander zu %1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 to spare</source>
+        <translation>%1 Reserve</translation>
+    </message>
+    <message>
+        <source>%1 short, no approach</source>
+        <translation>%1 zu wenig, ruht</translation>
+    </message>
+    <message>
+        <source>⚠ %1 short</source>
+        <translation>⚠ %1 zu wenig</translation>
+    </message>
+    <message>
+        <source>no pair is checked</source>
+        <translation>kein Paar geprüft</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>moving apart</source>
+        <translation>entfernen sich</translation>
+    </message>
+    <message>
+        <source>⚠ excluded</source>
+        <translation>⚠ ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>⚠ %1 of %2 N</source>
+        <translation>⚠ %1 von %2 N</translation>
+    </message>
+    <message>
+        <source>%1 of %2 N</source>
+        <translation>%1 von %2 N</translation>
+    </message>
+    <message>
+        <source>%1: no pair with a robot is checked</source>
+        <translation>%1: kein Paar mit einem Roboter wird geprüft</translation>
+    </message>
+    <message>
+        <source>%1 – %2: %3</source>
+        <translation>%1 – %2: %3</translation>
+    </message>
+    <message>
+        <source>certified clearance %1 [distance − uncertainty − poses]</source>
+        <translation>gesicherter Abstand %1 [Abstand − Unsicherheit − Posen]</translation>
+    </message>
+    <message>
+        <source>S_h, the person: %1 [ISO 13855: %2 m/s, or %3 m/s nearer than %4]</source>
+        <translation>S_h, die Person: %1 [ISO 13855: %2 m/s, näher als %4 sind es %3 m/s]</translation>
+    </message>
+    <message>
+        <source>S_r, reaction: %1 [robot at %2 m/s for %3 s, set here]</source>
+        <translation>S_r, Reaktion: %1 [Roboter mit %2 m/s für %3 s, hier eingestellt]</translation>
+    </message>
+    <message>
+        <source>S_s, stopping: %1 [at %2 m/s², set here]</source>
+        <translation>S_s, Anhalten: %1 [mit %2 m/s², hier eingestellt]</translation>
+    </message>
+    <message>
+        <source>S_s, stopping: %1 [in %2 s, set here]</source>
+        <translation>S_s, Anhalten: %1 [in %2 s, hier eingestellt]</translation>
+    </message>
+    <message>
+        <source>C + Z_d + Z_r: %1 [set here]</source>
+        <translation>C + Z_d + Z_r: %1 [hier eingestellt]</translation>
+    </message>
+    <message>
+        <source>S_p, their sum: %1 [ISO/TS 15066:2016, 5.5.4]</source>
+        <translation>S_p, ihre Summe: %1 [ISO/TS 15066:2016, 5.5.4]</translation>
+    </message>
+    <message>
+        <source>towards each other: robot %1 m/s, person %2 m/s</source>
+        <translation>aufeinander zu: Roboter %1 m/s, Person %2 m/s</translation>
+    </message>
+    <message>
+        <source>the robot may approach at %1 m/s</source>
+        <translation>der Roboter darf sich mit %1 m/s nähern</translation>
+    </message>
+    <message>
+        <source>Save ran&amp;ge as recording…</source>
+        <translation>Bereich als Aufna&amp;hme speichern…</translation>
+    </message>
+    <message>
+        <source>Save the joints between IN and OUT as a recording of its own</source>
+        <translation>Die Gelenke zwischen IN und OUT als eigene Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>Open pairs (SRDF)…</source>
+        <translation>Paare öffnen (SRDF)…</translation>
+    </message>
+    <message>
+        <source>Do not check the pairs of a robot&apos;s links that a file disables</source>
+        <translation>Die Paare von Gliedern eines Roboters nicht prüfen, die eine Datei abschaltet</translation>
+    </message>
+    <message>
+        <source>Save pairs (SRD&amp;F)…</source>
+        <translation>Paare spei&amp;chern (SRDF)…</translation>
+    </message>
+    <message>
+        <source>Save which pairs of a robot&apos;s links are not checked, for MoveIt</source>
+        <translation>Für MoveIt speichern, welche Paare von Gliedern eines Roboters nicht geprüft werden</translation>
+    </message>
+    <message>
+        <source>Arrows…</source>
+        <translation>Pfeile…</translation>
+    </message>
+    <message>
+        <source>Length of arrows, and the least force, torque and speed that are drawn</source>
+        <translation>Länge der Pfeile und die kleinste Kraft, das kleinste Drehmoment und die kleinste Geschwindigkeit, die gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Keep the selection in the plot</source>
+        <translation>Auswahl im Diagramm behalten</translation>
+    </message>
+    <message>
+        <source>The distance plot shows the selected bodies or pair from now on</source>
+        <translation>Das Abstandsdiagramm zeigt von nun an die ausgewählten Körper oder das Paar</translation>
+    </message>
+    <message>
+        <source>Plot the selection only</source>
+        <translation>Nur die Auswahl im Diagramm</translation>
+    </message>
+    <message>
+        <source>Take from the distance plot what was kept there</source>
+        <translation>Aus dem Abstandsdiagramm nehmen, was dort behalten wurde</translation>
+    </message>
+    <message>
+        <source>Lengths in metres</source>
+        <translation>Längen in Metern</translation>
+    </message>
+    <message>
+        <source>Show lengths in metres instead of millimetres; files keep their units</source>
+        <translation>Längen in Metern statt Millimetern zeigen; Dateien behalten ihre Einheiten</translation>
+    </message>
+    <message>
+        <source>Angles in radians</source>
+        <translation>Winkel in Bogenmaß</translation>
+    </message>
+    <message>
+        <source>Show angles in radians instead of degrees; files keep their units</source>
+        <translation>Winkel in Radiant statt Grad zeigen; Dateien behalten ihre Einheiten</translation>
+    </message>
+    <message>
+        <source>Fo&amp;llow the selection</source>
+        <translation>Auswah&amp;l verfolgen</translation>
+    </message>
+    <message>
+        <source>Let the camera move with the selected bodies</source>
+        <translation>Die Kamera bewegt sich mit den ausgewählten Körpern</translation>
+    </message>
+    <message>
+        <source>View &amp;before</source>
+        <translation>Ansicht &amp;davor</translation>
+    </message>
+    <message>
+        <source>Put the camera where it was before it moved</source>
+        <translation>Die Kamera dorthin stellen, wo sie vor ihrer Bewegung war</translation>
+    </message>
+    <message>
+        <source>View after</source>
+        <translation>Ansicht danach</translation>
+    </message>
+    <message>
+        <source>Take back the step to the view before</source>
+        <translation>Den Schritt zur Ansicht davor zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>What is where, in a minute</source>
+        <translation>Was wo ist, in einer Minute</translation>
+    </message>
+    <message>
+        <source>The 3D view</source>
+        <translation>Die 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to orbit, with the right one to pan, and turn the wheel to zoom. A click selects a body. Thin lines join the nearest points of people and robots; what is inside its margin is vermillion with an outline.</source>
+        <translation>Mit der linken Taste ziehen dreht, mit der rechten verschiebt, das Rad zoomt. Ein Klick wählt einen Körper aus. Dünne Linien verbinden die nächsten Punkte von Personen und Robotern; was seinen Sicherheitsabstand unterschreitet, ist zinnoberrot mit Umriss.</translation>
+    </message>
+    <message>
+        <source>The scene</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>All bodies by group, each with its distance to the nearest person or robot. A tick hides and shows; a body can be dragged onto the plots.</source>
+        <translation>Alle Körper nach Gruppen, jeder mit seinem Abstand zur nächsten Person oder zum nächsten Roboter. Ein Häkchen blendet aus und ein; ein Körper lässt sich auf die Diagramme ziehen.</translation>
+    </message>
+    <message>
+        <source>The timeline</source>
+        <translation>Die Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Space plays, the arrow keys step, and a drag in the strip scrubs. Each body part has a lane: bright is near, a vermillion bar is inside the margin, hatched is not known. N goes to the next event.</source>
+        <translation>Die Leertaste spielt ab, die Pfeiltasten gehen Bild für Bild, Ziehen im Streifen fährt durch die Zeit. Jedes Körperteil hat eine Spur: hell ist nah, ein zinnoberroter Balken heißt unterschritten, schraffiert heißt nicht bekannt. N geht zum nächsten Ereignis.</translation>
+    </message>
+    <message>
+        <source>Margins</source>
+        <translation>Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>The safety margin of each body. Drag a slider: lanes, events and the sentence above the strip say at once what it would have done over the whole recording.</source>
+        <translation>Der Sicherheitsabstand jedes Körpers. Beim Ziehen eines Reglers sagen Spuren, Ereignisse und der Satz über dem Streifen sofort, was er über die ganze Aufnahme bewirkt hätte.</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Each pair of bodies with its distance and its uncertainty. The true distance is never below distance minus uncertainty.</source>
+        <translation>Jedes Paar von Körpern mit Abstand und Unsicherheit. Der wahre Abstand ist nie kleiner als Abstand minus Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Separation</source>
+        <translation>Schutzabstand</translation>
+    </message>
+    <message>
+        <source>For each body part the protective distance that ISO/TS 15066 asks for at this moment, term by term, against the distance that is there; and how a contact would compare with its limit.</source>
+        <translation>Für jedes Körperteil der Schutzabstand, den ISO/TS 15066 in diesem Moment verlangt, Summand für Summand, neben dem vorhandenen Abstand; und wie ein Kontakt zu seinem Grenzwert stünde.</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>All that is known of the selection. A robot has sliders for its joints, a person fields for stature and mass.</source>
+        <translation>Alles, was von der Auswahl bekannt ist. Ein Roboter hat Regler für seine Gelenke, eine Person Felder für Körpergröße und Masse.</translation>
+    </message>
+    <message>
+        <source>Reservations</source>
+        <translation>Zweifel</translation>
+    </message>
+    <message>
+        <source>What weakens the results: lost poses, gaps, guessed units. Read it before you believe a number. This is an analysis tool, not a safety function.</source>
+        <translation>Was die Ergebnisse schwächt: verlorene Posen, Lücken, geratene Einheiten. Vor dem Vertrauen in eine Zahl zu lesen. Dies ist ein Werkzeug zur Analyse, keine Sicherheitsfunktion.</translation>
+    </message>
+    <message>
+        <source>Import recording…</source>
+        <translation>Aufnahme importieren…</translation>
+    </message>
+    <message>
+        <source>Open a recording of unknown joints: say which is which, and see the skeleton that comes of it</source>
+        <translation>Eine Aufnahme mit unbekannten Gelenken öffnen: sagen, welches welches ist, und das Skelett sehen, das daraus wird</translation>
+    </message>
+    <message>
+        <source>Look &amp;inside the selection</source>
+        <translation>&amp;In die Auswahl hineinsehen</translation>
+    </message>
+    <message>
+        <source>Shell points, tree spheres, a slice of the distance field, or nothing of the selected bodies</source>
+        <translation>Hüllpunkte, Kugeln des Baums, ein Schnitt durch das Abstandsfeld oder nichts der ausgewählten Körper</translation>
+    </message>
+    <message>
+        <source>Next tree level</source>
+        <translation>Nächste Baumebene</translation>
+    </message>
+    <message>
+        <source>Show smaller spheres of the tree</source>
+        <translation>Kleinere Kugeln des Baums zeigen</translation>
+    </message>
+    <message>
+        <source>Tree level before</source>
+        <translation>Baumebene davor</translation>
+    </message>
+    <message>
+        <source>Show larger spheres of the tree</source>
+        <translation>Größere Kugeln des Baums zeigen</translation>
+    </message>
+    <message>
+        <source>Layout for repla&amp;y</source>
+        <translation>Anordnung zum Ab&amp;spielen</translation>
+    </message>
+    <message>
+        <source>Scene, timeline and inspector only</source>
+        <translation>Nur Szene, Zeitleiste und Inspektor</translation>
+    </message>
+    <message>
+        <source>Layout for tuning</source>
+        <translation>Anordnung zum Abstimmen</translation>
+    </message>
+    <message>
+        <source>Margins, margin curve, events and plots around the timeline</source>
+        <translation>Abstände, Abstandskurve, Ereignisse und Diagramme um die Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Layout for review</source>
+        <translation>Anordnung zum Prüfen</translation>
+    </message>
+    <message>
+        <source>Events, reservations and what was read of the recordings</source>
+        <translation>Ereignisse, Zweifel und was von den Aufnahmen gelesen wurde</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -1902,10 +2322,6 @@ B, die gemerkten Sicherheitsabstände: %2
         <translation>Den Griff ziehen, um den Sicherheitsabstand zu ändern wie mit seinem Schieber</translation>
     </message>
     <message>
-        <source>300 mm</source>
-        <translation>300 mm</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -2116,6 +2532,87 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::ExchangeCommands</name>
+    <message>
+        <source>Choose</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Whose recording?</source>
+        <translation>Wessen Aufnahme?</translation>
+    </message>
+    <message>
+        <source>Save range as recording</source>
+        <translation>Bereich als Aufnahme speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.rec)</source>
+        <translation>Aufnahmen (*.rec)</translation>
+    </message>
+    <message>
+        <source>Of which robot?</source>
+        <translation>Von welchem Roboter?</translation>
+    </message>
+    <message>
+        <source>Open pairs of %1</source>
+        <translation>Paare von %1 öffnen</translation>
+    </message>
+    <message>
+        <source>SRDF (*.srdf)</source>
+        <translation>SRDF-Dateien (*.srdf)</translation>
+    </message>
+    <message>
+        <source>Save pairs of %1</source>
+        <translation>Paare von %1 speichern</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::FileCommands</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>Öffnen nicht möglich</translation>
+    </message>
+    <message>
+        <source>%1 is no file that this program opens.
+
+It opens projects (.abstand), scenes and margins (.yaml), robots (.urdf, .mech) and recordings: folders of depth images and the files %2.</source>
+        <translation>%1 ist keine Datei, die dieses Programm öffnet.
+
+Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter (.urdf, .mech) und Aufnahmen: Ordner mit Tiefenbildern und die Dateien %2.</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::GhostView</name>
+    <message>
+        <source>Skeleton as it is read, from the front and from the side</source>
+        <translation>Skelett, wie es gelesen wird, von vorn und von der Seite</translation>
+    </message>
+    <message>
+        <source>No joints are known at this moment</source>
+        <translation>In diesem Moment ist kein Gelenk bekannt</translation>
+    </message>
+    <message>
+        <source>along x</source>
+        <translation>entlang x</translation>
+    </message>
+    <message>
+        <source>along y</source>
+        <translation>entlang y</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::GroupPanel</name>
     <message>
         <source>R&amp;un</source>
@@ -2199,6 +2696,131 @@ Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::HistoryPanel</name>
+    <message>
+        <source>As it was opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Edits of the project</source>
+        <translation>Änderungen des Projekts</translation>
+    </message>
+    <message>
+        <source>A click goes back to the state after this edit, or forward to it</source>
+        <translation>Ein Klick geht zum Stand nach dieser Änderung zurück oder vor</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ImportCommands</name>
+    <message>
+        <source>Import recording</source>
+        <translation>Aufnahme importieren</translation>
+    </message>
+    <message>
+        <source>import recording %1</source>
+        <translation>Aufnahme %1 importieren</translation>
+    </message>
+    <message>
+        <source>Save joint map</source>
+        <translation>Gelenkzuordnung speichern</translation>
+    </message>
+    <message>
+        <source>Joint maps (*.map)</source>
+        <translation>Gelenkzuordnungen (*.map)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ImportDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>axes: the file&apos;s axes are left-handed; sides: left and right are exchanged</source>
+        <translation>axes: die Achsen der Datei sind linkshändig; sides: links und rechts sind vertauscht</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>in der Datei</translation>
+    </message>
+    <message>
+        <source>Which joint of the file is which</source>
+        <translation>Welches Gelenk der Datei welches ist</translation>
+    </message>
+    <message>
+        <source>Time of the skeleton</source>
+        <translation>Zeit des Skeletts</translation>
+    </message>
+    <message>
+        <source>&amp;Units of the file</source>
+        <translation>&amp;Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>Axis that points u&amp;p</source>
+        <translation>Achse, die nach &amp;oben zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>&amp;Spiegeln</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie gefunden</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Joint %1 in the file</source>
+        <translation>Gelenk %1 in der Datei</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>⚠ %1</source>
+        <translation>⚠ %1</translation>
+    </message>
+    <message>
+        <source>%1 (guessed)</source>
+        <translation>%1 (geraten)</translation>
+    </message>
+    <message>
+        <source>%1, %2 s, %3 frames</source>
+        <translation>%1, %2 s, %3 Einzelbilder</translation>
+    </message>
+    <message>
+        <source>units %1, up %2, left and right: %3</source>
+        <translation>Einheiten %1, oben %2, links und rechts: %3</translation>
+    </message>
+    <message>
+        <source>stature %1; joints by %2</source>
+        <translation>Körpergröße %1; Gelenke nach %2</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>no map</source>
+        <translation>keiner Zuordnung</translation>
+    </message>
+    <message>
+        <source>⚠ nothing moves: %1</source>
+        <translation>⚠ nichts bewegt: %1</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::InspectorPanel</name>
     <message>
         <source>Properties of what is selected</source>
@@ -2245,6 +2867,14 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <source>%1 is posed by hand</source>
         <translation>%1 ist von Hand gestellt</translation>
     </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Put the joints of the robot on the clipboard (rad, m)</source>
+        <translation>Die Gelenke des Roboters in die Zwischenablage legen (rad, m)</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::JointRow</name>
@@ -2257,24 +2887,12 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <translation>Gelenk %1, Regler</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Joint %1 in millimetres</source>
-        <translation>Gelenk %1 in Millimetern</translation>
-    </message>
-    <message>
-        <source>Joint %1 in degrees</source>
-        <translation>Gelenk %1 in Grad</translation>
-    </message>
-    <message>
         <source>Poses the robot by hand: it no longer follows its motion</source>
         <translation>Stellt den Roboter von Hand: er folgt nicht mehr seiner Bewegung</translation>
+    </message>
+    <message>
+        <source>Value of joint %1</source>
+        <translation>Wert von Gelenk %1</translation>
     </message>
 </context>
 <context>
@@ -2340,15 +2958,30 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     </message>
 </context>
 <context>
+    <name>abstand::ui::LogPanel</name>
+    <message>
+        <source>Only problems</source>
+        <translation>Nur Probleme</translation>
+    </message>
+    <message>
+        <source>Messages of the window</source>
+        <translation>Meldungen des Fensters</translation>
+    </message>
+    <message>
+        <source>No messages</source>
+        <translation>Keine Meldungen</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Alles kopieren</translation>
+    </message>
+    <message>
+        <source>Put all messages on the clipboard</source>
+        <translation>Alle Meldungen in die Zwischenablage legen</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::MainWindow</name>
-    <message>
-        <source>Clearance person – robot</source>
-        <translation>Abstand Person – Roboter</translation>
-    </message>
-    <message>
-        <source>Smallest distance</source>
-        <translation>Kleinster Abstand</translation>
-    </message>
     <message>
         <source>Robots were restarted on their planned motion at %1</source>
         <translation>Roboter wurden bei %1 auf ihrer geplanten Bewegung neu gestartet</translation>
@@ -2358,86 +2991,8 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Open a project or a scene (Ctrl+O),
-or drop a project, a scene, a robot or a recording here</source>
-        <translation>Ein Projekt oder eine Szene öffnen (Strg+O),
-oder ein Projekt, eine Szene, einen Roboter oder eine Aufnahme hierher ziehen</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Open recording</source>
-        <translation>Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>The picture is on the clipboard</source>
-        <translation>Das Bild liegt in der Zwischenablage</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>&amp;Play</source>
-        <translation>&amp;Wiedergeben</translation>
-    </message>
-    <message>
-        <source>set IN</source>
-        <translation>IN setzen</translation>
-    </message>
-    <message>
-        <source>set OUT</source>
-        <translation>OUT setzen</translation>
-    </message>
-    <message>
-        <source>clear IN and OUT</source>
-        <translation>IN und OUT löschen</translation>
-    </message>
-    <message>
-        <source>Paused at an event, %1</source>
-        <translation>Bei einem Ereignis angehalten, %1</translation>
-    </message>
-    <message>
-        <source>No later event known</source>
-        <translation>Kein späteres Ereignis bekannt</translation>
-    </message>
-    <message>
-        <source>No earlier event known</source>
-        <translation>Kein früheres Ereignis bekannt</translation>
-    </message>
-    <message>
-        <source>Cannot open</source>
-        <translation>Öffnen nicht möglich</translation>
-    </message>
-    <message>
-        <source>%1 is no file that this program opens.
-
-It opens projects (.abstand), scenes and margins (.yaml), robots (.urdf, .mech) and recordings: folders of depth images and the files %2.</source>
-        <translation>%1 ist keine Datei, die dieses Programm öffnet.
-
-Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter (.urdf, .mech) und Aufnahmen: Ordner mit Tiefenbildern und die Dateien %2.</translation>
-    </message>
-    <message>
-        <source>%1  (%2)</source>
-        <translation>%1  (%2)</translation>
-    </message>
-    <message>
-        <source>Save screenshot</source>
-        <translation>Bildschirmfoto speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Screenshot</source>
-        <translation>Bildschirmfoto</translation>
     </message>
     <message>
         <source>opacity of people</source>
@@ -2503,80 +3058,45 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
         <source>recording options</source>
         <translation>Aufnahmeoptionen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n objects</source>
-        <translation>
-            <numerusform>%n Objekt</numerusform>
-            <numerusform>%n Objekte</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>show %1</source>
-        <translation>%1 einblenden</translation>
-    </message>
-    <message>
-        <source>hide %1</source>
-        <translation>%1 ausblenden</translation>
-    </message>
-    <message>
-        <source>run pair group %1</source>
-        <translation>Gruppe %1 laufen lassen</translation>
-    </message>
-    <message>
-        <source>pause pair group %1</source>
-        <translation>Gruppe %1 pausieren</translation>
-    </message>
-    <message>
-        <source>stop pair group %1</source>
-        <translation>Gruppe %1 stoppen</translation>
-    </message>
-    <message>
-        <source>remove %1 – %2 from its group</source>
-        <translation>%1 – %2 aus der Gruppe nehmen</translation>
-    </message>
-    <message>
-        <source>add %1 – %2 to a group</source>
-        <translation>%1 – %2 in eine Gruppe aufnehmen</translation>
-    </message>
-    <message>
-        <source>Save plots</source>
-        <translation>Diagramme speichern</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;Drawing (*.svg);;Picture (*.png)</source>
-        <translation>Tabelle (*.csv);;Zeichnung (*.svg);;Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>Save video</source>
-        <translation>Video speichern</translation>
-    </message>
-    <message>
-        <source>Videos (*.avi)</source>
-        <translation>Videos (*.avi)</translation>
-    </message>
     <message>
         <source>%1, %2 posed by hand</source>
         <translation>%1, %2 von Hand gestellt</translation>
     </message>
     <message>
-        <source>let %1 follow its motion</source>
-        <translation>%1 seiner Bewegung folgen lassen</translation>
+        <source>Opened %1: %2 bodies, %3 pairs</source>
+        <translation>%1 geöffnet: %2 Körper, %3 Paare</translation>
     </message>
     <message>
-        <source>pose %1 by hand</source>
-        <translation>%1 von Hand stellen</translation>
+        <source>arrows</source>
+        <translation>Pfeile</translation>
     </message>
     <message>
-        <source>The group of this pair does not run: see the panel Groups</source>
-        <translation>Die Gruppe dieses Paares läuft nicht: siehe das Feld Gruppen</translation>
+        <source>separation</source>
+        <translation>Trennungsabstand</translation>
     </message>
     <message>
-        <source>check %1 – %2</source>
-        <translation>%1 – %2 prüfen</translation>
+        <source>Select a body or a pair first</source>
+        <translation>Erst einen Körper oder ein Paar auswählen</translation>
     </message>
     <message>
-        <source>do not check %1 – %2</source>
-        <translation>%1 – %2 nicht prüfen</translation>
+        <source> Select a body to see it.</source>
+        <translation> Einen Körper auswählen, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>Inside of the selection: nothing</source>
+        <translation>Inneres der Auswahl: nichts</translation>
+    </message>
+    <message>
+        <source>Inside of the selection: shell points.</source>
+        <translation>Inneres der Auswahl: Hüllpunkte.</translation>
+    </message>
+    <message>
+        <source>Inside of the selection: spheres of the tree, level %1.</source>
+        <translation>Inneres der Auswahl: Kugeln des Baums, Ebene %1.</translation>
+    </message>
+    <message>
+        <source>Inside of the selection: distances on a plane through its middle, dark from 50 mm on; pink: inside.</source>
+        <translation>Inneres der Auswahl: Abstände auf einer Ebene durch die Mitte, dunkel ab 50 mm; rosa: innen.</translation>
     </message>
 </context>
 <context>
@@ -2748,14 +3268,6 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
         <translation>Sicherheitsabstand von %1, Schieber</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Margin of %1 in millimetres</source>
-        <translation>Sicherheitsabstand von %1 in Millimetern</translation>
-    </message>
-    <message>
         <source>Safety margin around %1</source>
         <translation>Sicherheitsabstand um %1</translation>
     </message>
@@ -2766,6 +3278,10 @@ Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter
     <message>
         <source>Lock: sliders, presets, pasted and proposed margins leave %1 alone</source>
         <translation>Sperren: Schieber, Vorgaben, eingefügte und vorgeschlagene Sicherheitsabstände lassen %1 unverändert</translation>
+    </message>
+    <message>
+        <source>Margin of %1</source>
+        <translation>Sicherheitsabstand von %1</translation>
     </message>
 </context>
 <context>
@@ -2799,6 +3315,17 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Copy, save, propose and compare margins</source>
         <translation>Sicherheitsabstände kopieren, speichern, vorschlagen und vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::MomentFeed</name>
+    <message>
+        <source>Clearance person – robot</source>
+        <translation>Abstand Person – Roboter</translation>
+    </message>
+    <message>
+        <source>Smallest distance</source>
+        <translation>Kleinster Abstand</translation>
     </message>
 </context>
 <context>
@@ -2855,12 +3382,12 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>Matrix der Paare</translation>
     </message>
     <message>
-        <source>Ticked: checked, with the distance in millimetres; hatched: not checked</source>
-        <translation>Mit Haken: geprüft, mit dem Abstand in Millimetern; schraffiert: nicht geprüft</translation>
-    </message>
-    <message>
         <source>%1 checked, %2 not</source>
         <translation>%1 geprüft, %2 nicht</translation>
+    </message>
+    <message>
+        <source>Ticked: checked, with the distance; hatched: not checked</source>
+        <translation>Mit Häkchen: geprüft, mit Abstand; schraffiert: nicht geprüft</translation>
     </message>
 </context>
 <context>
@@ -2960,18 +3487,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Distance [mm]</source>
-        <translation>Abstand [mm]</translation>
-    </message>
-    <message>
-        <source>Uncertainty [mm]</source>
-        <translation>Unsicherheit [mm]</translation>
-    </message>
-    <message>
-        <source>Margin [mm]</source>
-        <translation>Sicherheitsabstand [mm]</translation>
-    </message>
-    <message>
         <source>Force [N]</source>
         <translation>Kraft [N]</translation>
     </message>
@@ -3002,6 +3517,18 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Surface points within the margins</source>
         <translation>Oberflächenpunkte innerhalb der Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>Distance [%1]</source>
+        <translation>Abstand [%1]</translation>
+    </message>
+    <message>
+        <source>Uncertainty [%1]</source>
+        <translation>Unsicherheit [%1]</translation>
+    </message>
+    <message>
+        <source>Margin [%1]</source>
+        <translation>Sicherheitsabstand [%1]</translation>
     </message>
 </context>
 <context>
@@ -3064,14 +3591,49 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::PictureCommands</name>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild liegt in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save video</source>
+        <translation>Video speichern</translation>
+    </message>
+    <message>
+        <source>Videos (*.avi)</source>
+        <translation>Videos (*.avi)</translation>
+    </message>
+    <message>
+        <source>Save plots</source>
+        <translation>Diagramme speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Drawing (*.svg);;Picture (*.png)</source>
+        <translation>Tabelle (*.csv);;Zeichnung (*.svg);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Save screenshot</source>
+        <translation>Bildschirmfoto speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Screenshot</source>
+        <translation>Bildschirmfoto</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::PlotPanel</name>
     <message>
         <source>Smallest distance</source>
         <translation>Kleinster Abstand</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>Largest force</source>
@@ -3508,6 +4070,64 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     </message>
 </context>
 <context>
+    <name>abstand::ui::SceneEdits</name>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n Objekt</numerusform>
+            <numerusform>%n Objekte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 einblenden</translation>
+    </message>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>run pair group %1</source>
+        <translation>Gruppe %1 laufen lassen</translation>
+    </message>
+    <message>
+        <source>pause pair group %1</source>
+        <translation>Gruppe %1 pausieren</translation>
+    </message>
+    <message>
+        <source>stop pair group %1</source>
+        <translation>Gruppe %1 stoppen</translation>
+    </message>
+    <message>
+        <source>remove %1 – %2 from its group</source>
+        <translation>%1 – %2 aus der Gruppe nehmen</translation>
+    </message>
+    <message>
+        <source>add %1 – %2 to a group</source>
+        <translation>%1 – %2 in eine Gruppe aufnehmen</translation>
+    </message>
+    <message>
+        <source>The group of this pair does not run: see the panel Groups</source>
+        <translation>Die Gruppe dieses Paares läuft nicht: siehe das Feld Gruppen</translation>
+    </message>
+    <message>
+        <source>check %1 – %2</source>
+        <translation>%1 – %2 prüfen</translation>
+    </message>
+    <message>
+        <source>do not check %1 – %2</source>
+        <translation>%1 – %2 nicht prüfen</translation>
+    </message>
+    <message>
+        <source>let %1 follow its motion</source>
+        <translation>%1 seiner Bewegung folgen lassen</translation>
+    </message>
+    <message>
+        <source>pose %1 by hand</source>
+        <translation>%1 von Hand stellen</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::SceneTreeModel</name>
     <message>
         <source>Mechanism, links: %1</source>
@@ -3570,6 +4190,151 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     </message>
 </context>
 <context>
+    <name>abstand::ui::SeparationChart</name>
+    <message>
+        <source>Protective distance of each body part</source>
+        <translation>Schutzabstand jedes Körperteils</translation>
+    </message>
+    <message>
+        <source>Body parts have rows here where a scene has a person and a robot</source>
+        <translation>Hier stehen Körperteile, wenn eine Szene eine Person und einen Roboter hat</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Person</translation>
+    </message>
+    <message>
+        <source>reaction</source>
+        <translation>Reaktion</translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>C + Z</source>
+        <translation>C und Z</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>gesicherter Abstand</translation>
+    </message>
+    <message>
+        <source>contact now</source>
+        <translation>Kontakt jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::SeparationPanel</name>
+    <message>
+        <source>The part is clamped</source>
+        <translation>Körperteil ist geklemmt</translation>
+    </message>
+    <message>
+        <source>Reaction</source>
+        <translation>Reaktion</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source> m/s²</source>
+        <translation> m/s²</translation>
+    </message>
+    <message>
+        <source>as above</source>
+        <translation>wie oben</translation>
+    </message>
+    <message>
+        <source>Deceleration along the approach; with it, the stopping time is speed by deceleration</source>
+        <translation>Verzögerung in Richtung der Annäherung; mit ihr ist die Anhaltezeit Geschwindigkeit durch Verzögerung</translation>
+    </message>
+    <message>
+        <source>or decelerates</source>
+        <translation>oder bremst mit</translation>
+    </message>
+    <message>
+        <source>Intrusion C</source>
+        <translation>Eindringen C</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Person Z_d</source>
+        <translation>Z_d der Person</translation>
+    </message>
+    <message>
+        <source>Robot Z_r</source>
+        <translation>Z_r des Roboters</translation>
+    </message>
+    <message>
+        <source> kg</source>
+        <translation> kg</translation>
+    </message>
+    <message>
+        <source>immovable</source>
+        <translation>unbeweglich</translation>
+    </message>
+    <message>
+        <source>Effective mass of the robot in a contact; where it is not known, it counts as immovable</source>
+        <translation>Wirksame Masse des Roboters in einem Kontakt; ist sie nicht bekannt, gilt er als unbeweglich</translation>
+    </message>
+    <message>
+        <source>Robot mass</source>
+        <translation>Robotermasse</translation>
+    </message>
+    <message>
+        <source>A part that cannot recoil has the lower limit of a quasi-static contact</source>
+        <translation>Für ein Körperteil, das nicht ausweichen kann, gilt der niedrigere Grenzwert des quasistatischen Kontakts</translation>
+    </message>
+    <message>
+        <source>No table of contact limits</source>
+        <translation>Keine Tabelle der Kontaktgrenzwerte</translation>
+    </message>
+    <message>
+        <source>What separation is judged with</source>
+        <translation>Womit der Schutzabstand beurteilt wird</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>How near do people come to robots?</source>
+        <translation>Wie nah kommen Menschen Robotern?</translation>
+    </message>
+    <message>
+        <source>Open a project, a scene, a robot or a recording, or drop it on this window.</source>
+        <translation>Ein Projekt, eine Szene, einen Roboter oder eine Aufnahme öffnen oder auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>Open the demonstration</source>
+        <translation>Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>A recorded boxer before a robot with two arms: %1</source>
+        <translation>Ein aufgenommener Boxer vor einem Roboter mit zwei Armen: %1</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1  (%2)</source>
+        <translation>%1  (%2)</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::StatusPanel</name>
     <message>
         <source>Checked %1 of %2</source>
@@ -3610,10 +4375,6 @@ Was auch immer übersprungen wird, der wahre Abstand ist nie kleiner als Abstand
     <message>
         <source>Time of one computation cycle: median and 99th percentile</source>
         <translation>Zeit eines Rechenzyklus: Median und 99. Perzentil</translation>
-    </message>
-    <message>
-        <source>Scene time that was played by wall time, over the last one and a half seconds</source>
-        <translation>Wiedergegebene Szenenzeit je verstrichener Zeit, über die letzten anderthalb Sekunden</translation>
     </message>
     <message>
         <source>Progress of opening</source>
@@ -3709,6 +4470,12 @@ ein Einzelbild zurück und eine neue Runde starten sie neu. Gründe und Zeiten s
         <source>Distances of the whole recording are computed for the timeline and the events</source>
         <translation>Die Abstände der ganzen Aufnahme werden für Zeitleiste und Ereignisse berechnet</translation>
     </message>
+    <message>
+        <source>Scene time that was played by wall time, over the last one and a half seconds.
+Moments that were computed and came too fast to be drawn: %1</source>
+        <translation>Abgespielte Szenenzeit je Wanduhrzeit, über die letzten anderthalb Sekunden.
+Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::StripChart</name>
@@ -3731,6 +4498,41 @@ ein Einzelbild zurück und eine neue Runde starten sie neu. Gründe und Zeiten s
     <message>
         <source>%1: %2 [%3]</source>
         <translation>%1: %2 [%3]</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::TimeCommands</name>
+    <message>
+        <source>Paused at an event, %1</source>
+        <translation>Bei einem Ereignis angehalten, %1</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Wiedergeben</translation>
+    </message>
+    <message>
+        <source>set IN</source>
+        <translation>IN setzen</translation>
+    </message>
+    <message>
+        <source>set OUT</source>
+        <translation>OUT setzen</translation>
+    </message>
+    <message>
+        <source>clear IN and OUT</source>
+        <translation>IN und OUT löschen</translation>
+    </message>
+    <message>
+        <source>No later event known</source>
+        <translation>Kein späteres Ereignis bekannt</translation>
+    </message>
+    <message>
+        <source>No earlier event known</source>
+        <translation>Kein früheres Ereignis bekannt</translation>
     </message>
 </context>
 <context>
@@ -3806,6 +4608,33 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::Tour</name>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>&amp;End</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Done</source>
+        <translation>&amp;Fertig</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::VideoRecorder</name>
     <message>
         <source>No video</source>
@@ -3872,6 +4701,13 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::WatchedSeries</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
     <name>file_kinds</name>
     <message>
         <source>All files</source>
@@ -3892,10 +4728,6 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
 </context>
 <context>
     <name>format</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>

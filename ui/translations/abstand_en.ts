@@ -13,13 +13,6 @@
 %1</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n objects</source>
-        <translation>
-            <numerusform>%n object</numerusform>
-            <numerusform>%n objects</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>abstand::ui::MarginCommands</name>
@@ -66,6 +59,16 @@
         <translation>
             <numerusform>%n frame lacks a joint</numerusform>
             <numerusform>%n frames lack a joint</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::SceneEdits</name>
+    <message numerus="yes">
+        <source>%n objects</source>
+        <translation>
+            <numerusform>%n object</numerusform>
+            <numerusform>%n objects</numerusform>
         </translation>
     </message>
 </context>

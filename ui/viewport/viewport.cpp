@@ -36,6 +36,7 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
       room{back, renderer},
       objects{renderer, back},
       arrows{front},
+      inside{front},
       camera{renderer},
       overlay{new Overlay(&viewport)} {
   auto* layout = new QVBoxLayout(&owner);
@@ -87,6 +88,7 @@ bool Viewport::Impl::update() {
   if (!outline || !gl) return false;
   bool changed = objects.refresh(snapshot, selection, options);
   changed |= arrows.refresh(*outline, snapshot, options);
+  changed |= inside.refresh(snapshot, selection.objects());
   return changed;
 }
 
@@ -123,14 +125,14 @@ void Viewport::Impl::setQuality(bool one_of_many) {
   // The last layer smooths the whole picture; cheaper than multisampling where the processor draws.
   front->SetUseFXAA(cheap_when_moving && !one_of_many);
   const CameraView now = camera.view();
-  const bool still = now == drawn_camera;
-  drawn_camera = now;
+  const bool still = now == cameras.last;
+  cameras.last = now;
   if (!one_of_many || !still) {
     gl->dropBackdrop();
     room.setLeftOut(false);
     return;
   }
-  if (!gl->hasBackdrop() || !(backdrop_camera == now)) {
+  if (!gl->hasBackdrop() || !(cameras.backdrop == now)) {
     room.setLeftOut(false);
     objects.shadows().setShown(false);
     renderer->DrawOff();
@@ -142,7 +144,7 @@ void Viewport::Impl::setQuality(bool one_of_many) {
     front->DrawOn();
     renderer->DrawOn();
     objects.shadows().setShown(true);
-    backdrop_camera = now;
+    cameras.backdrop = now;
   }
   room.setLeftOut(true);
 }
@@ -211,6 +213,7 @@ void Viewport::close() {
   Impl& my = *impl_;
   my.outline = nullptr;
   my.snapshot = {};
+  my.inside.setSource({});
   my.fillOverlay();
   if (!my.gl) return;
   my.objects.open({}, {}, themeOf(palette()));
@@ -251,6 +254,23 @@ void Viewport::setObjectVisible(int object, bool visible) {
   impl_->refresh();
   impl_->askForFrame();
 }
+
+void Viewport::setInsideSource(InsideOf source) {
+  impl_->inside.setSource(std::move(source));
+  impl_->refresh();
+}
+
+void Viewport::setInsideView(InsideView view, int level) {
+  impl_->inside.setView(view, level);
+  impl_->refresh();
+  impl_->askForFrame();
+}
+
+InsideView Viewport::insideView() const { return impl_->inside.view(); }
+
+int Viewport::insideLevel() const { return impl_->inside.level(); }
+
+std::size_t Viewport::insideShown() const { return impl_->inside.shown(); }
 
 void Viewport::look(CameraPreset preset) {
   impl_->camera.look(preset, impl_->objects.bounds());

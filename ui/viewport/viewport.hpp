@@ -8,6 +8,7 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
+#include "ui/model/body_inside.hpp"
 #include "ui/viewport/prepared_meshes.hpp"
 
 namespace abstand::ui {
@@ -39,6 +40,13 @@ class Viewport : public QWidget {
   const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
   void setObjectVisible(int object, bool visible);
+  /// What is drawn of the inside of the selected bodies.
+  void setInsideSource(InsideOf source);
+  void setInsideView(InsideView view, int level);
+  InsideView insideView() const;
+  int insideLevel() const;
+  /// Bodies of which it is drawn.
+  std::size_t insideShown() const;
   void look(CameraPreset preset);
   void fit();
   void fitSelection();

@@ -10,6 +10,7 @@
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
 #include "ui/viewport/canvas.hpp"
+#include "ui/viewport/inside_actors.hpp"
 #include "ui/viewport/object_actors.hpp"
 #include "ui/viewport/overlay.hpp"
 #include "ui/viewport/room.hpp"
@@ -52,6 +53,7 @@ struct Viewport::Impl {
   Room room;
   ObjectActors objects;
   Arrows arrows;
+  InsideActors inside;
   Camera camera;
   Overlay* overlay;
 
@@ -59,8 +61,10 @@ struct Viewport::Impl {
   QElapsedTimer since_frame;       // since the last picture was begun
   int min_interval_ms{16};
   bool cheap_when_moving{false};  // the processor draws
-  CameraView backdrop_camera;     // of the canvas's backdrop
-  CameraView drawn_camera;        // of the last picture
+  struct {
+    CameraView backdrop;  ///< of the canvas's backdrop
+    CameraView last;      ///< of the last picture
+  } cameras;
   long frames{0};
   long shown_step{-1};
   struct {

@@ -111,7 +111,7 @@ void Viewport::Impl::addClosest() {
     const auto style = contact ? OverlayLabel::Style::kContact
                        : near  ? OverlayLabel::Style::kNear
                                : OverlayLabel::Style::kPlain;
-    content.labels.push_back({0.5 * (a + b), millimetresWithUnit(result.distance), style, true});
+    content.labels.push_back({0.5 * (a + b), lengthText(result.distance), style, true});
   }
 }
 
@@ -175,7 +175,7 @@ void Viewport::Impl::addLegend() {
                        int decimals) {
     if (scale.metres <= 0.0) return;
     legend.push_back(
-        {mark, QColor(colour), text.arg(millimetresWithUnit(scale.metres, 0), fixed(scale.value, decimals))});
+        {mark, QColor(colour), text.arg(lengthText(scale.metres, 0), fixed(scale.value, decimals))});
   };
   add(LegendLine::Mark::kArrow, kContactForce, arrows.forceScale(), Viewport::tr("Contact force: %1 ≙ %2 N"),
       1);

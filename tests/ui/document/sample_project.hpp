@@ -10,7 +10,13 @@ inline Project sampleProject() {
   Work& work = project.work;
   work.scene = "/cell/scenes/hug \"one\".yaml";
   work.recording = "/recordings/Bücher/walk.bvh";
-  work.reading = {"cm", "-y", 1.5, true};
+  work.reading = {"cm", "-y", "sides", "/recordings/own.map", 1.5, true};
+  work.separation.options.reaction_time = 0.25;
+  work.separation.options.person_acceleration = 9.0;
+  work.separation.robot_mass = 1.0 / 3.0;
+  work.separation.clamped = true;
+  work.view.min_force = 1.0 / 3.0;
+  work.view.metres_per_newton = 0.004;
   work.people = {{"operator", {1.0 / 0.6, 95.0, 81.5, "f"}},
                  {"visitor", {std::nullopt, 5.0, std::nullopt, ""}}};
   work.posed = {{"arm", {0.1, -1.0 / 3.0, 0.0}}};

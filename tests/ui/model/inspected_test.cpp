@@ -80,9 +80,8 @@ TEST_F(InspectedSubjectTest, NearestPersonHasSmallestDistance) {
   EXPECT_EQ(inspectPairs(outline, snapshot, robot.objects).nearest_person, nearest);
   const query::PairResult& result = snapshot.pairs[static_cast<std::size_t>(nearest)].result;
   EXPECT_EQ(value(robot, "Distance", "Nearest person"),
-            QStringLiteral("%1, uncertainty %2")
-                .arg(millimetresWithUnit(result.distance), millimetresWithUnit(result.bound)));
-  EXPECT_EQ(value(robot, "At least", "Nearest person"), millimetresWithUnit(result.distance - result.bound));
+            QStringLiteral("%1, uncertainty %2").arg(lengthText(result.distance), lengthText(result.bound)));
+  EXPECT_EQ(value(robot, "At least", "Nearest person"), lengthText(result.distance - result.bound));
   EXPECT_TRUE(value(robot, "Body", "Nearest person").contains(" – operator/"));
 }
 
