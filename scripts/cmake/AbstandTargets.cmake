@@ -110,10 +110,10 @@ function(abstand_test name)
   endif()
 endfunction()
 
-# abstand_group_sources(DIRECTORY): compiles the .cpp files of each folder of each target in groups of up to ten, those of tests in groups
-# of up to six, because headers that the files share take most of the time (docs/build-time.md). Names in unnamed namespaces have to be
-# unique in a folder; each test file has its own named namespace, because tests use the same names for tolerances. Call it after all
-# targets are defined.
+# abstand_group_sources(DIRECTORY): compiles the .cpp files of each target in groups of up to twelve, those of tests in groups of up to
+# six, because headers that the files share take most of the time (docs/build-time.md). A group that is at least half full ends with its
+# folder, so that a new file regroups few others. Names in unnamed namespaces have to be unique in a target; each test file has its own
+# named namespace, because tests use the same names for tolerances. Call it after all targets are defined.
 function(abstand_group_sources directory)
   get_property(folders DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
   # Its files are linked individually: the tests of the window have their own main function.
@@ -122,10 +122,11 @@ function(abstand_group_sources directory)
     abstand_group_sources(${folder})
   endforeach()
   get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
-  set(group_size 10)
+  set(group_size 12)
   if(directory MATCHES "^${PROJECT_SOURCE_DIR}/tests")
     set(group_size 6)
   endif()
+  math(EXPR half "${group_size} / 2")
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(NOT type MATCHES "^(STATIC_LIBRARY|SHARED_LIBRARY|MODULE_LIBRARY|EXECUTABLE)$")
@@ -137,16 +138,16 @@ function(abstand_group_sources directory)
     list(TRANSFORM sources PREPEND "${home}/" REGEX "^[^/]")
     list(SORT sources)
     set(last "")
+    set(count ${group_size})
     foreach(source IN LISTS sources)
       get_filename_component(folder ${source} DIRECTORY)
-      if(NOT folder STREQUAL last)
-        set(last ${folder})
-        string(MD5 name ${folder})
+      if(count EQUAL group_size OR (NOT folder STREQUAL last AND NOT count LESS half))
+        string(MD5 group ${source})
         set(count 0)
       endif()
-      math(EXPR group "${count} / ${group_size}")
+      set(last ${folder})
       math(EXPR count "${count} + 1")
-      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name}_${group})
+      set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${group})
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   endforeach()

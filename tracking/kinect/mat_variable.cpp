@@ -11,7 +11,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr std::size_t kHead = 128, kVersion = 124, kMaxUnpacked = std::size_t{256} << 20;
+constexpr std::size_t kHeaderBytes = 128, kVersion = 124, kMaxUnpacked = std::size_t{256} << 20;
 enum : std::uint32_t { kInt8 = 1, kInt32 = 5, kUint32 = 6, kMatrix = 14, kCompressed = 15 };
 constexpr std::uint32_t kComplex = 0x800, kDoubleClass = 6, kSingleClass = 7;
 
@@ -161,9 +161,9 @@ MatVariable readNumbers(Elements& in, const MatrixHead& head) {
 }  // namespace
 
 MatVariable readMatVariable(std::string_view bytes, const std::string& name, const std::string& file) {
-  if (bytes.size() < kHead || bytes.substr(kVersion, 4) != std::string_view("\0\1IM", 4))
+  if (bytes.size() < kHeaderBytes || bytes.substr(kVersion, 4) != std::string_view("\0\1IM", 4))
     throw ParseError({file}, "found no MATLAB file of version 5 to 7.2 in little-endian order, expected one");
-  Elements elements(bytes.substr(kHead), file);
+  Elements elements(bytes.substr(kHeaderBytes), file);
   std::string others;
   while (!elements.atEnd()) {
     std::uint32_t type = 0;

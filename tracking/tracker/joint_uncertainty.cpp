@@ -8,7 +8,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kNoise = 3.0;  // times the residual: standard deviation of a point
+constexpr double kDeviationsPerResidual = 3.0;  // times the residual: standard deviation of a point
 
 /// For each joint: constant term, and term for an invisible segment; m.
 struct Terms {
@@ -77,7 +77,7 @@ std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, c
     if (isEnd(s)) share = std::min(share, visible[index(rig[s].parent)]);
     if (isThigh(s)) share = std::max(share, visible[index(s) + 2]);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
-    spread[j] = std::hypot(terms.shape, kNoise * residual * spread[j], (1.0 - share) * terms.hidden);
+    spread[j] = std::hypot(terms.shape, kDeviationsPerResidual * residual * spread[j], (1.0 - share) * terms.hidden);
   }
   return spread;
 }
