@@ -144,7 +144,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
       run.progress = progressBar(line, item.name);
       run.interrupted = interrupted;
       const std::filesystem::path file = folder / (std::to_string(i) + ".h5");
-      tune::ResultWriter writer(file, {});
+      tune::ResultWriter writer(file, {}, hdf5::Compression::kNone);
       tune::TuneOptions tune = options;
       tune.pass.on_frame = [&](const tune::SettledFrame& frame, const tune::PassResult& names) {
         writer.frame(frame, names);

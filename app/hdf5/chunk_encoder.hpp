@@ -10,12 +10,12 @@
 namespace abstand::hdf5 {
 
 /// Encodes chunks as HDF5's filters shuffle and deflate do (H5Pset_shuffle, then H5Pset_deflate), for
-/// H5Dwrite_chunk(). Deflates with libdeflate, which takes a fraction of the time of zlib. The same numbers
-/// give the same bytes. One thread.
+/// H5Dwrite_chunk(). Deflates with libdeflate, which takes a fraction of the time of zlib, and leaves out
+/// what is noise. The same numbers give the same bytes. One thread.
 class ChunkEncoder {
  public:
-  /// `rows`: numbers in each chunk. Throws std::bad_alloc.
-  explicit ChunkEncoder(std::size_t rows);
+  /// `rows`: numbers in each chunk; `deflates`: false to shuffle only. Throws std::bad_alloc.
+  explicit ChunkEncoder(std::size_t rows, bool deflates = true);
   ~ChunkEncoder();
 
   /// Valid until the next call.
@@ -27,13 +27,17 @@ class ChunkEncoder {
   /// @param numbers  the first number of a column of at most `rows` numbers; missing ones are filled with 0
   /// @param count    how many there are
   /// @param stride   bytes from one number to the next
-  /// @param size     bytes of each number
+  /// @param size     bytes of each number: 2, 4 or 8
   Chunk encode(const std::byte* numbers, std::size_t count, std::size_t stride, std::size_t size);
 
  private:
   struct Deflate;
+  std::size_t deflate(std::size_t planes);
+
   std::size_t rows_;
+  bool deflates_;
   std::unique_ptr<Deflate> deflate_;
+  std::vector<std::uint64_t> memory_;  ///< of shuffle
   std::vector<std::byte> shuffled_, before_, deflated_;
   Chunk chunk_;  ///< of `before_`
 };

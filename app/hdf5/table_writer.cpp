@@ -142,13 +142,14 @@ struct Table {
 }  // namespace
 
 struct TableWriter::Impl {
-  explicit Impl(const std::filesystem::path& name) : file(name), out(name) {}
+  Impl(const std::filesystem::path& name, Compression compression)
+      : file(name), out(name), encoder(kChunkRows, compression == Compression::kDeflate) {}
 
   std::filesystem::path file;
   OutputFile out;
   Handle handle;
   std::vector<Table> tables;
-  ChunkEncoder encoder{kChunkRows};
+  ChunkEncoder encoder;
   hsize_t pending{0};
   std::string failure;  ///< first failure; empty: none
 
@@ -196,7 +197,8 @@ struct TableWriter::Impl {
   }
 };
 
-TableWriter::TableWriter(const std::filesystem::path& file) : impl_(std::make_unique<Impl>(file)) {
+TableWriter::TableWriter(const std::filesystem::path& file, Compression compression)
+    : impl_(std::make_unique<Impl>(file, compression)) {
   startLibrary();
   const Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(list.get(), kSealBytes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -17,12 +18,15 @@ enum class Storage : std::uint8_t {
   kSteps16,  ///< the same in 16 bits
 };
 
+/// Whether a file's tables are made smaller, which takes a third of the time to write them.
+enum class Compression : std::uint8_t { kDeflate, kNone };
+
 /// A file under construction: appears under its name at commit(), completely or not at all. The same input
 /// gives the same bytes. Only one thread of a process may use the library at a time.
 class TableWriter {
  public:
   /// With a checksum in front (file_seal.hpp), which TableReader asks for. Throws WriteError.
-  explicit TableWriter(const std::filesystem::path& file);
+  explicit TableWriter(const std::filesystem::path& file, Compression compression = Compression::kDeflate);
   ~TableWriter();
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;

@@ -132,7 +132,9 @@ std::vector<humanmodel::EnclosedShare> enclosedOf(const hdf5::TableReader& in, s
 
 }  // namespace
 
-ResultWriter::ResultWriter(const std::filesystem::path& file, const ContentKey& key) : out_(file) {
+ResultWriter::ResultWriter(const std::filesystem::path& file, const ContentKey& key,
+                           hdf5::Compression compression)
+    : out_(file, compression) {
   out_.attribute("abstand_result", kResultFormat);
   out_.attribute("key", key.hex());
   out_.attribute("version", resultVersion());

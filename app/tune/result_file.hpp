@@ -15,8 +15,9 @@ namespace abstand::tune {
 /// appears completely at commit(), or not at all.
 class ResultWriter {
  public:
-  /// Throws WriteError.
-  ResultWriter(const std::filesystem::path& file, const ContentKey& key);
+  /// `compression`: kNone for a file that is read once and removed. Throws WriteError.
+  ResultWriter(const std::filesystem::path& file, const ContentKey& key,
+               hdf5::Compression compression = hdf5::Compression::kDeflate);
   /// For PassOptions::on_frame; the last entries of the parts' lists are those of the frame. Throws
   /// WriteError.
   void frame(const SettledFrame& settled, const PassResult& pass);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -40,8 +41,9 @@ class Hdf5Tables : public ::testing::Test {
  protected:
   std::filesystem::path file() const { return folder_.path() / "tables.h5"; }
   /// Writes `kRows` rows of `width` numbers in rows of `row`.
-  void write(const std::vector<std::size_t>& row, hdf5::Storage storage) const {
-    hdf5::TableWriter out(file());
+  void write(const std::vector<std::size_t>& row, hdf5::Storage storage,
+             hdf5::Compression compression = hdf5::Compression::kDeflate) const {
+    hdf5::TableWriter out(file(), compression);
     const std::size_t table = out.table("values", row, storage, kStep);
     std::size_t width = 1;
     for (const std::size_t n : row) width *= n;
@@ -56,6 +58,40 @@ class Hdf5Tables : public ::testing::Test {
 
   ScratchFolder folder_;
 };
+
+/// Distances wander by some steps from row to row: their lowest bytes are noise, the others hardly change.
+TEST_F(Hdf5Tables, OfNoiseAboveConstantsComeBackAndAreSmall) {
+  for (const auto storage : {hdf5::Storage::kDouble, hdf5::Storage::kSteps32, hdf5::Storage::kSteps16}) {
+    std::mt19937 random(3);
+    std::uniform_int_distribution<int> steps(-300, 300);
+    std::vector<double> written;
+    int wandering = 20'000;
+    for (std::size_t i = 0; i < kRows; ++i) {
+      wandering = std::clamp(wandering + steps(random), 16'500, 30'000);
+      written.push_back(wandering * kStep);
+    }
+    hdf5::TableWriter out(file());
+    const std::size_t table = out.table("values", {}, storage, kStep);
+    for (const double v : written) {
+      out.add(table, v);
+      out.endRow();
+    }
+    out.commit();
+    EXPECT_EQ(hdf5::TableReader(file()).table("values", kRows, 1), written);
+    // One byte of noise and what the others take; the file itself has some 6 kB.
+    EXPECT_LT(std::filesystem::file_size(file()), storage == hdf5::Storage::kDouble ? 18'000u : 12'000u);
+  }
+}
+
+TEST_F(Hdf5Tables, ComeBackWithoutCompression) {
+  write({3, 7}, hdf5::Storage::kDouble, hdf5::Compression::kNone);
+  const std::vector<double> values = hdf5::TableReader(file()).table("values", kRows, 21);
+  for (std::size_t i = 0; i < kRows; ++i)
+    for (std::size_t c = 0; c < 21; ++c) {
+      const double expected = valueAt(i, c), found = values[i * 21 + c];
+      ASSERT_TRUE(found == expected || (std::isnan(found) && std::isnan(expected))) << i << ", " << c;
+    }
+}
 
 TEST_F(Hdf5Tables, DoublesRoundTripExactly) {
   write({3, 7}, hdf5::Storage::kDouble);
