@@ -71,7 +71,7 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
     shown = t;
     statistics.add(worked);
     csv.addCycle(t, worked, state.results);
-    extremes.frame(t, state.results, first ? state.all : source.updated(), summary);
+    if (options.extremes) extremes.frame(t, state.results, first ? state.all : source.updated(), summary);
     poses.cycle(t);
     if (last && options.on_cycle) options.on_cycle(t, state.results);
     first = false;
@@ -82,7 +82,7 @@ void runFrames(PassState& state, CycleSource& source, const std::vector<double>&
       break;
     }
     source.frame(t, done);
-    pair_clock.sample(session.scene());
+    if (options.extremes) pair_clock.sample(session.scene());
     csv.write(t, shown, session, state.results);
     if (log) log->write(t, shown, session, state.results);
     ++summary.frames;

@@ -34,6 +34,8 @@ struct RunOptions {
   std::string program;                ///< version of the program, for the session log
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> interrupted;  ///< polled in each frame
+  /// False: the summary has no extremes of distances, forces and contacts, and no slowest pair.
+  bool extremes{true};
   /// Called for each frame, in the closed loop for each cycle, with the results in scene order; in the last
   /// repeat only.
   std::function<void(double t, const std::vector<query::PairResult>&)> on_cycle;

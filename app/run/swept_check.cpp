@@ -21,6 +21,10 @@ safety::DistanceSample sampleOf(const query::PairResult& r) { return {r.distance
 
 }  // namespace
 
+SweptCheck::SweptCheck(const scene::Scene& scene) : scene_(scene) {
+  for (std::uint32_t i = 0; i < scene.pairs().size(); ++i) pairs_.emplace_back(i);
+}
+
 void SweptCheck::begin(double t, const std::vector<query::PairResult>& results) {
   t_ = t;
   poses_.clear();
@@ -46,7 +50,8 @@ std::span<const SweptCheck::Between> SweptCheck::frame(double t,
     motions_.emplace_back(objects[i].spec.structure->bounding_sphere, poses_[i], objects[i].X_WB, duration);
   speeds_.clear();
   for (const safety::PoseSegment& motion : motions_) speeds_.push_back(motion.speed(0.0, duration));
-  for (std::size_t i = 0; i < results.size(); ++i) {
+  for (const PairId id : pairs_) {
+    const std::size_t i = id.index();
     const scene::Pair& pair = scene_.pairs()[i];
     safety::PoseSegment &a = motions_[pair.a.index()], &b = motions_[pair.b.index()];
     const safety::DistanceSample now = sampleOf(results[i]);

@@ -16,7 +16,10 @@ namespace abstand::run {
 /// and is apart from it in both frames, is found. One thread; allocates in the first two frames only.
 class SweptCheck {
  public:
-  explicit SweptCheck(const scene::Scene& scene) : scene_(scene) {}
+  explicit SweptCheck(const scene::Scene& scene);
+  /// Only these pairs are looked at.
+  SweptCheck(const scene::Scene& scene, std::vector<PairId> pairs)
+      : scene_(scene), pairs_(std::move(pairs)) {}
 
   /// Result of one pair, between the last frame and this one. lower <= smallest distance <= upper, m.
   struct Between {
@@ -37,6 +40,7 @@ class SweptCheck {
   void begin(double t, const std::vector<query::PairResult>& results);
 
   const scene::Scene& scene_;
+  std::vector<PairId> pairs_;  ///< that are looked at
   std::vector<Between> between_;
   std::vector<Transform> poses_;                   ///< in the last frame
   std::vector<safety::DistanceSample> distances_;  ///< likewise

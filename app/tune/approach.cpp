@@ -87,10 +87,9 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
 
 contact::ContactArea ApproachJudge::areaAt(const ClosingMotion& motion, const WatchedPair& pair,
                                            double indentation) {
-  auto& surface = surfaces_[pair.link];
-  if (!surface)
-    surface = std::make_unique<contact::ContactSurface>(
-        *session_.scene().objects()[pair.link].spec.structure->surface);
+  const structure::HapticStructure& link = *session_.scene().objects()[pair.link].spec.structure;
+  auto& surface = surfaces_[&link];
+  if (!surface) surface = std::make_unique<contact::ContactSurface>(*link.surface);
   return contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation, radius_of_.at(pair.part)});
 }
 

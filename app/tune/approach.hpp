@@ -94,7 +94,7 @@ class ApproachJudge {
   /// smaller. A larger radius would increase the area and reduce the pressure.
   std::map<std::size_t, double> radius_of_;
   std::map<std::size_t, int> frame_of_;  ///< for a link's object: index of its mechanism's frame
-  std::map<std::size_t, std::unique_ptr<contact::ContactSurface>> surfaces_;
+  std::map<const structure::HapticStructure*, std::unique_ptr<contact::ContactSurface>> surfaces_;
   std::map<std::string, std::vector<const contact::RegionLimits*>> regions_;  ///< of parts, cached
 };
 

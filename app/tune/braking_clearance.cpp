@@ -46,6 +46,15 @@ bool BrakingClearance::ofFirst(std::vector<double>& out) {
   return true;
 }
 
+Eigen::Map<Eigen::ArrayXd> BrakingClearance::values(std::vector<double>& of_pairs, const PairRange& range) {
+  return {of_pairs.data() + range.begin, static_cast<Eigen::Index>(range.end - range.begin)};
+}
+
+Eigen::Map<const Eigen::ArrayXd> BrakingClearance::values(const std::vector<double>& of_pairs,
+                                                          const PairRange& range) {
+  return {of_pairs.data() + range.begin, static_cast<Eigen::Index>(range.end - range.begin)};
+}
+
 /// Frame by frame instead of pair by pair, as the values of a frame lie side by side in memory.
 void BrakingClearance::gather(std::size_t robot) {
   const Halt& halt = halts_[robot];
@@ -62,11 +71,10 @@ void BrakingClearance::gather(std::size_t robot) {
   for (const std::size_t link : links_of_[robot]) fastest_[link] = braking_[link] = 0.0;
   for (std::size_t k = 0; k + 1 < frames.size() && frames[k].t < end; ++k) {
     const WindowFrame &now = frames[k], &next = frames[k + 1];
-    for (const PairRange& range : pairs)
-      for (std::size_t p = range.begin; p < range.end; ++p) {
-        in_step_[p] = std::min(in_step_[p], now.between[p]);
-        uncertainty_[p] = std::max(uncertainty_[p], next.uncertainty[p]);
-      }
+    for (const PairRange& range : pairs) {
+      values(in_step_, range) = values(in_step_, range).min(values(now.between, range));
+      values(uncertainty_, range) = values(uncertainty_, range).max(values(next.uncertainty, range));
+    }
     for (const std::size_t link : links_of_[robot]) {
       fastest_[link] = std::max(fastest_[link], now.speed[link]);
       if (now.t <= path_end) braking_[link] = std::max(braking_[link], now.speed[link]);

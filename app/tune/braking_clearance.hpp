@@ -23,6 +23,12 @@ class BrakingClearance {
   long queries() const { return queries_; }
 
  private:
+  /// Successive pairs [begin, end).
+  struct PairRange {
+    std::size_t begin, end;
+  };
+  static Eigen::Map<Eigen::ArrayXd> values(std::vector<double>& of_pairs, const PairRange& range);
+  static Eigen::Map<const Eigen::ArrayXd> values(const std::vector<double>& of_pairs, const PairRange& range);
   /// Sets the values of all pairs of a robot from the frames until it rests.
   void gather(std::size_t robot);
   double ofPair(std::size_t pair, const Halt& halt);
@@ -32,10 +38,6 @@ class BrakingClearance {
   const session::Session& session_;
   const MotionWindow& window_;
   double limit_;
-  /// Successive pairs [begin, end).
-  struct PairRange {
-    std::size_t begin, end;
-  };
   std::vector<Halt> halts_;                         ///< of robots, from the oldest frame
   std::vector<std::vector<PairRange>> pairs_of_;    ///< of robots
   std::vector<std::vector<std::size_t>> links_of_;  ///< of robots: object indices

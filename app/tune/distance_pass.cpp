@@ -30,6 +30,12 @@ void validate(const PassOptions& options) {
   need(std::isfinite(options.limit) && options.limit >= 0.0, "a limit that is negative, expected metres");
 }
 
+std::vector<PairId> idsOf(const std::vector<WatchedPair>& pairs) {
+  std::vector<PairId> ids;
+  for (const WatchedPair& pair : pairs) ids.push_back(pair.id);
+  return ids;
+}
+
 double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedStep; }
 
 }  // namespace
@@ -46,9 +52,9 @@ void reserveFrames(std::size_t frames, PartClearance& part) {
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
     : session_(session),
       options_(options),
-      swept_(session.scene()),
       window_(session, watchedPairs(session), options.braking,
               {options.calibration_error, latencyUncertainty(session, options.latency)}),
+      swept_(session.scene(), idsOf(window_.pairs())),
       braking_(session, window_, options.limit),
       judge_(session, options.contact, options.clamped) {
   validate(options);
@@ -217,10 +223,11 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
     // For an unseen part the direction is unknown: every motion of the link may be towards it.
     const bool unseen = frame.clearance[p] == -kInfinity;
     const double robot_speed = unseen && !frame.speed.empty() ? frame.speed[pair.link] : motion.robot_speed;
-    takeSeparation(
-        part.separation,
-        {frame.t, result_.pairs[p].link, frame.clearance[p], robot_speed, motion.person_speed, {}, 0.0},
-        options_.separation);
+    if (robot_speed > 0.0)
+      takeSeparation(
+          part.separation,
+          {frame.t, result_.pairs[p].link, frame.clearance[p], robot_speed, motion.person_speed, {}, 0.0},
+          options_.separation);
     double& scale = part.contact_scale.back();
     if (part.contact_excluded || !(frame.clearance[p] < options_.near) || !(robot_speed > 0.0) ||
         !(scale > 0.0))

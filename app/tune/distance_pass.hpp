@@ -112,8 +112,8 @@ class DistancePass {
 
   const session::Session& session_;
   PassOptions options_;
-  run::SweptCheck swept_;
   MotionWindow window_;
+  run::SweptCheck swept_;
   BrakingClearance braking_;
   std::vector<double> limits_, uncertainty_, between_, braking_of_first_;
   std::vector<double> between_moving_;  ///< m, of each pair: values that ClearanceTrack::between includes

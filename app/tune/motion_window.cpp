@@ -25,7 +25,6 @@ WindowFrame MotionWindow::emptyFrame() {
     list->clear();
   frame.on_part.clear();
   frame.on_link.clear();
-  frame.lost.clear();
   frame.motion.clear();
   return frame;
 }
@@ -37,22 +36,27 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   now.t = t;
   for (const scene::Object& o : scene.objects()) now.X_WB.push_back(o.X_WB);
   for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());
-  const auto lost = [&](std::size_t object) {
-    const scene::PoseState state = scene.objects()[object].pose_state;
-    return state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
-  };
-  for (const WatchedPair& p : pairs_) {
+  lost_.clear();
+  for (const scene::Object& o : scene.objects())
+    lost_.push_back(o.pose_state == scene::PoseState::kStale || o.pose_state == scene::PoseState::kRejected);
+  for (auto* list : {&now.distance, &now.bound, &now.clearance, &now.uncertainty, &now.age_uncertainty})
+    list->resize(pairs_.size());
+  now.on_part.resize(pairs_.size());
+  now.on_link.resize(pairs_.size());
+  now.lost.resize(pairs_.size());
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const WatchedPair& p = pairs_[i];
     const query::PairResult& r = results[p.id.index()];
     const double uncertainty = uncertaintyOf(p);
-    now.distance.push_back(r.distance);
-    now.bound.push_back(r.bound);
-    now.on_part.push_back(p.part_is_a ? r.witness_a : r.witness_b);
-    now.on_link.push_back(p.part_is_a ? r.witness_b : r.witness_a);
-    now.clearance.push_back(safety::certifiedClearance({r.distance, r.bound, uncertainty}));
-    now.uncertainty.push_back(uncertainty);
-    now.age_uncertainty.push_back(scene.objects()[p.part].pose_age_uncertainty +
-                                  scene.objects()[p.link].pose_age_uncertainty);
-    now.lost.push_back(lost(p.part) || lost(p.link));
+    now.distance[i] = r.distance;
+    now.bound[i] = r.bound;
+    now.on_part[i] = p.part_is_a ? r.witness_a : r.witness_b;
+    now.on_link[i] = p.part_is_a ? r.witness_b : r.witness_a;
+    now.clearance[i] = safety::certifiedClearance({r.distance, r.bound, uncertainty});
+    now.uncertainty[i] = uncertainty;
+    now.lost[i] = lost_[p.part] || lost_[p.link];
+    now.age_uncertainty[i] =
+        scene.objects()[p.part].pose_age_uncertainty + scene.objects()[p.link].pose_age_uncertainty;
   }
   if (!frames_.empty()) {
     WindowFrame& last = frames_.back();

@@ -80,6 +80,7 @@ class MotionWindow {
   BrakingOptions options_;
   ExtraUncertainty extra_;
   std::deque<WindowFrame> frames_;
+  std::vector<bool> lost_;          ///< of objects, in the frame that is added
   std::vector<WindowFrame> spare_;  ///< dropped ones, whose memory is used again
   bool finished_{false};
 };

@@ -94,6 +94,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   pauseOthers(pass.watched(), session);
   run::RunOptions as_recorded = run;
   as_recorded.react = false;
+  as_recorded.extremes = false;
   as_recorded.on_cycle = [&](double t, const std::vector<query::PairResult>& results) {
     pass.frame(t, results);
   };

@@ -8,12 +8,12 @@ namespace {
 
 bool isOutOfReach(const CurvedPerson& person, const PatchTriangle& t) {
   const Vector3d centre = (t[0] + t[1] + t[2]) / 3.0;
-  double extent = 0.0, top = -kInfinity;
+  double extent2 = 0.0, top = -kInfinity;
   for (const Vector3d& c : t) {
-    extent = std::max(extent, (c - centre).head<2>().norm());
+    extent2 = std::max(extent2, (c - centre).head<2>().squaredNorm());
     top = std::max(top, c.z());
   }
-  const double rho = std::max(0.0, centre.head<2>().norm() - extent);
+  const double rho = std::max(0.0, centre.head<2>().norm() - std::sqrt(extent2));
   return top - rho * rho / (2.0 * person.radius) < person.lowest;
 }
 

@@ -38,10 +38,6 @@ Transform PoseSegment::pose(double t) noexcept {
   return X;
 }
 
-Vector3d PoseSegment::velocityAt(const Vector3d& p_W) const noexcept {
-  return velocity_ + rate_ * axis_.cross(p_W - centre_W_);
-}
-
 UnknownMotion::UnknownMotion(const Transform& X_0, const Vector3d& velocity, const MotionBounds& bounds,
                              double duration) noexcept
     : X_0_(X_0), bounds_(bounds) {

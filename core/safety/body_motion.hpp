@@ -30,7 +30,9 @@ class PoseSegment final : public BodyMotion {
   double slack(double) const noexcept override { return 0.0; }
   double speed(double, double) const noexcept override { return speed_; }
   /// Velocity (m/s, world) at t = 0 of the point of the body that is at p_W then.
-  Vector3d velocityAt(const Vector3d& p_W) const noexcept;
+  Vector3d velocityAt(const Vector3d& p_W) const noexcept {
+    return velocity_ + rate_ * axis_.cross(p_W - centre_W_);
+  }
 
  private:
   Transform X_0_;

@@ -1,15 +1,6 @@
 #include "core/safety/clearance_verdict.hpp"
 
-#include <cmath>
-
-#include "core/math/transform.hpp"
-
 namespace abstand::safety {
-
-double certifiedClearance(const KnownDistance& known) {
-  const double clearance = known.distance - known.bound - known.uncertainty;
-  return std::isnan(clearance) ? -kInfinity : clearance;
-}
 
 ClearanceVerdict verdict(const KnownDistance& known, double required) {
   const double widened = required + known.uncertainty;

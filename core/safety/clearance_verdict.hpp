@@ -1,7 +1,10 @@
 // Whether a pair keeps a required clearance: one rule for window, `check` and reports.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+
+#include "core/math/transform.hpp"
 
 namespace abstand::safety {
 
@@ -14,7 +17,10 @@ struct KnownDistance {
 
 /// Certified clearance distance - bound - uncertainty (m), a lower bound of the true distance; -infinity if
 /// unknown.
-double certifiedClearance(const KnownDistance& known);
+inline double certifiedClearance(const KnownDistance& known) {
+  const double clearance = known.distance - known.bound - known.uncertainty;
+  return std::isnan(clearance) ? -kInfinity : clearance;
+}
 
 enum class ClearanceVerdict : std::uint8_t {
   kKept,       ///< certified
