@@ -75,6 +75,9 @@ nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) cons
                    {"images", share.images},
                    {"images_with_people", share.people},
                    {"moments_without", share.without},
+                   {"images_repeated", share.repeated},
+                   {"moved_at", std::isfinite(share.moved_at) ? nlohmann::ordered_json(share.moved_at)
+                                                              : nlohmann::ordered_json()},
                    {"clock_offset", cameras_[i].offset},
                    {"clock_known", static_cast<bool>(clock_known_[i])},
                    {"clock_reason", clock_reasons_[i]}});

@@ -19,8 +19,9 @@ std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescriptio
                                                const tracking::KnownThings& known,
                                                const tracking::TrackMonitor& monitor) {
   if (d.recording.file.empty()) return std::nullopt;
+  const tracking::KnownObjects objects{known, d.recording.cut_things};
   tracking::Recording recording =
-      tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, known, monitor);
+      tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, objects, monitor);
   tracking::requirePerson(recording.report, d.recording.file.string());
   if (d.recording.mirrored) {
     try {

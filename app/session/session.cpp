@@ -109,9 +109,8 @@ void Session::planMechanisms(std::vector<Planned>& plan, const SessionOptions& o
 
 void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& options) {
   for (const auto& d : description_.humans) {
-    humans_.push_back(
-        std::make_unique<HumanDriver>(d, d.recording.cut_things ? options.known : tracking::KnownThings(),
-                                      tracking::TrackMonitor{options.tracked, options.monitor.cancelled}));
+    humans_.push_back(std::make_unique<HumanDriver>(
+        d, options.known, tracking::TrackMonitor{options.tracked, options.monitor.cancelled}));
     HumanDriver* driver = humans_.back().get();
     const int first = static_cast<int>(plan.size());
     for (const humanmodel::HumanPart& part : driver->model().parts) {

@@ -18,7 +18,7 @@ constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
 // Share of a stature error by which a joint moves: the body is still fitted to the observed points.
-constexpr double kOfStature = 0.25;
+constexpr double kOfStature = 0.15;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
@@ -63,7 +63,7 @@ BodySolver::Vector priorsOf(const BodyRig& rig) {
 }  // namespace
 
 BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
-    : rig_{&rig}, fit_{rig}, limbs_{fit_}, hidden_{rig}, random_{seed} {
+    : rig_{&rig}, fit_{rig}, limbs_{fit_}, hidden_{rig}, space_{rig}, random_{seed} {
   wide_.prior = priorsOf(rig);
   narrow_.prior = wide_.prior;
   wide_.reach = 0.20;
@@ -227,22 +227,43 @@ void BodyTracker::finish(double t) {
   away_ = false;
   front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
+  fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
+  stateSpreads(t);
+}
+
+/// Of joints that are seen: trackedSpreads(). Of others: HiddenSpread, and what the last joint of the limb
+/// that is seen is off by, as all places are counted from there.
+void BodyTracker::stateSpreads(double t) {
+  humanmodel::SkeletonFrame& frame = body_.frame;
   SeenSegments seen = 0;
-  for (std::size_t s = 0; s < kRigSegments; ++s)
-    if (body_.visible[s] >= kSeen) seen |= 1u << s;
-  hidden_.see(t, seen);
-  const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, body_.visible);
+  std::array<double, kRigSegments> visible = body_.visible;
+  for (std::size_t s = 0; s < kRigSegments; ++s) {
+    if (visible[s] >= kSeen) seen |= 1u << s;
+    if (visible[s] < kSeen) visible[s] = 1.0;  // the free space says more than how little is seen
+  }
+  space_.update(seen_, body_.X_WS, seen);
+  hidden_.see(t, seen, space_.extent());
+  const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, visible, body_.gap);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
-    body_.frame.spread[j] =
-        std::hypot(tracked[j], kOfStature * stature_deviation_, is_seen ? 0.0 : hidden_.spread()[j]);
-    if (!is_seen) body_.frame.state[j] = humanmodel::JointState::kInferred;
+    frame.spread[j] = std::hypot(tracked[j], kOfStature * stature_deviation_, hidden_.spread()[j]);
+    if (!is_seen) frame.state[j] = humanmodel::JointState::kInferred;
+  }
+  for (const std::array<humanmodel::Joint, 4>& limb : kLimbJoints) {
+    double attached = 0.0;
+    for (const humanmodel::Joint joint : limb) {
+      const auto j = static_cast<std::size_t>(joint);
+      if (frame.state[j] == humanmodel::JointState::kInferred)
+        frame.spread[j] += attached;
+      else
+        attached = tracked[j];
+    }
   }
   if (facing_known_) return;
-  const humanmodel::SkeletonFrame other = flippedFacing(body_.frame);
+  const humanmodel::SkeletonFrame other = flippedFacing(frame);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-    body_.frame.spread[j] += (body_.frame.p[j] - other.p[j]).norm() / humanmodel::kSpreadQuantile;
+    frame.spread[j] += (frame.p[j] - other.p[j]).norm() / humanmodel::kSpreadQuantile;
 }
 
 }  // namespace abstand::tracking

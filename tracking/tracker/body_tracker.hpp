@@ -4,6 +4,7 @@
 #include <optional>
 #include <random>
 
+#include "tracking/tracker/hidden_space.hpp"
 #include "tracking/tracker/hidden_spread.hpp"
 #include "tracking/tracker/limb_search.hpp"
 
@@ -16,6 +17,7 @@ struct TrackedBody {
   RigPlacement X_WS;
   DepthMisfit misfit;
   std::array<double, kRigSegments> visible{};  ///< share of each segment that is visible at its pose
+  std::array<double, kRigSegments> gap{};      ///< m, DepthFit::gaps() of the pose
   humanmodel::SkeletonFrame
       frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
 };
@@ -59,12 +61,14 @@ class BodyTracker {
   void plantHiddenFeet();
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
   void finish(double t);
+  void stateSpreads(double t);
 
   const BodyRig* rig_;
   DepthFit fit_;
   LimbSearch limbs_;
   BodyObservation seen_;
   HiddenSpread hidden_;
+  HiddenSpace space_;
   std::mt19937_64 random_;
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "core/base/error.hpp"
+#include "tracking/depth/people/camera_watch.hpp"
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/people_across.hpp"
 
@@ -21,7 +22,9 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 struct PassCamera {
   const DepthCamera* camera;
   PeopleFinder finder;
+  CameraWatch watch;
   std::vector<std::uint8_t> mask;
+  bool isMoved() const { return std::isfinite(watch.movedAt()); }
 };
 
 /// A person of a moment in one camera's image.
@@ -100,10 +103,14 @@ class ClipPasses {
     for (std::size_t c = 0; c < cameras.size(); ++c) {
       if (!moment.frames[c]) continue;
       PassCamera& camera = cameras[c];
+      if (camera.isMoved()) continue;
       const DepthFrame& frame = *moment.frames[c];
-      if (moment.is_new[c])
-        camera.finder.find(frame.t, frame.image,
-                           options_.known ? options_.known(moment.t, *camera.camera) : nullptr);
+      if (moment.is_new[c]) {
+        const DepthImage* known = options_.known ? options_.known(moment.t, *camera.camera) : nullptr;
+        const PeopleImage& people = camera.finder.find(frame.t, frame.image, known);
+        camera.watch.see(moment.t, frame.image, people.label, known);
+        if (camera.isMoved()) continue;
+      }
       for (const FoundPerson& person : camera.finder.people().persons) {
         sightings_.push_back({person.id, c, person.id});
         places_.push_back({c, person.id, placeOf(person, *camera.camera)});
@@ -119,12 +126,30 @@ class ClipPasses {
   void noteCameras(const DepthMoment& moment, const std::vector<PassCamera>& cameras) {
     track_.cameras.resize(cameras.size());
     for (std::size_t c = 0; c < cameras.size(); ++c) {
-      track_.cameras[c].without += moment.frames[c] == nullptr;
-      if (!moment.is_new[c]) continue;
-      ++track_.cameras[c].images;
-      track_.cameras[c].people += !cameras[c].finder.people().persons.empty();
+      CameraShare& share = track_.cameras[c];
+      share.repeated = cameras[c].watch.repeated();
+      if (cameras[c].isMoved() && !std::isfinite(share.moved_at)) {
+        share.moved_at = cameras[c].watch.movedAt();
+        loseSince(share.moved_at);
+      }
+      share.without += moment.frames[c] == nullptr || cameras[c].isMoved();
+      if (!moment.is_new[c] || cameras[c].isMoved()) continue;
+      ++share.images;
+      share.people += !cameras[c].finder.people().persons.empty();
     }
     if (!sightings_.empty()) track_.lag = std::max(track_.lag, moment.lag);
+  }
+
+  /// The frames since `t` were fitted to images of a camera that had been moved.
+  void loseSince(double t) {
+    for (ClipPerson& person : track_.people)
+      for (humanmodel::SkeletonFrame& frame : person.frames) {
+        if (frame.t < t) continue;
+        person.found -= frame.has(humanmodel::Joint::kPelvis) ? 1 : 0;
+        humanmodel::SkeletonFrame none;
+        none.t = frame.t;
+        frame = none;
+      }
   }
 
   TrackedPerson& trackerOf(int person, const std::map<int, KnownBody>& learned,
@@ -139,7 +164,8 @@ class ClipPasses {
   void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
     moments_.rewind();
     std::vector<PassCamera> cameras;
-    for (const DepthCamera& camera : cameras_) cameras.push_back({&camera, PeopleFinder(camera), {}});
+    for (const DepthCamera& camera : cameras_)
+      cameras.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
     PeopleAcross across;
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person

@@ -48,9 +48,13 @@ struct ClipPerson {
 
 /// Share of one camera in a track.
 struct CameraShare {
-  std::size_t images{0};   ///< images that were used
-  std::size_t without{0};  ///< moments without an image of this camera
-  std::size_t people{0};   ///< images with at least one person
+  std::size_t images{0};    ///< images that were used
+  std::size_t without{0};   ///< moments without an image of this camera
+  std::size_t people{0};    ///< images with at least one person
+  std::size_t repeated{0};  ///< images equal to the one before
+  /// s, of the camera's first image after it was moved (CameraWatch); infinite: it was not. From then on its
+  /// images are not used, as its pose is not known, and nobody is found at the moments that had been tracked.
+  double moved_at{kInfinity};
 };
 
 struct ClipTrack {

@@ -46,6 +46,20 @@ std::uint32_t foes(RigSegment s) {
   }
 }
 
+/// Bit mask of the segments that a segment can be confused with.
+std::uint32_t alike(RigSegment s) {
+  using enum RigSegment;
+  switch (s) {
+    case kForearmLeft:
+    case kForearmRight:
+    case kHandLeft:
+    case kHandRight:
+      return foes(s) | DepthFit::bit(kThighLeft) | DepthFit::bit(kThighRight);
+    default:
+      return foes(s);
+  }
+}
+
 }  // namespace
 
 DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}, solver_{rig} {
@@ -220,6 +234,21 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
     solver_.addLimits(kLimitWeight);
     solver_.step(kDamping, kMaxTurn);
     pose = solver_.pose();
+  }
+}
+
+void DepthFit::gaps(const RigPlacement& X_WS, std::array<double, kRigSegments>& gap) const {
+  gap.fill(kInfinity);
+  for (const Sample& sample : samples_) {
+    const std::size_t s = index(sample.segment);
+    const std::uint32_t others = alike(sample.segment);
+    for (std::size_t k = 0; k < kRigSegments; ++k) {
+      if ((others >> k & 1u) == 0) continue;
+      Vector3d g;
+      const Vector3d p = X_WS[k].inverse() * (X_WS[s] * sample.p_S) - surfaces_[k].centre.cast<double>();
+      const double level = surfaces_[k].level(p, g), slope = g.norm();
+      if (slope > 1e-6) gap[s] = std::min(gap[s], (level - 1.0) / slope - sample.radius);
+    }
   }
 }
 

@@ -53,6 +53,11 @@ class DepthFit {
   void visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                   std::array<double, kRigSegments>& share) const;
 
+  /// m, for each segment of a limb: smallest distance of its surface to what it can be confused with: of an
+  /// arm the trunk, the head and the thighs, of a leg the other leg. Negative: inside. Infinite for the
+  /// trunk, the head and the upper arms.
+  void gaps(const RigPlacement& X_WS, std::array<double, kRigSegments>& gap) const;
+
   static constexpr std::uint32_t kAll = (1u << kRigSegments) - 1u;
   static constexpr std::uint32_t bit(RigSegment s) { return 1u << index(s); }
 

@@ -40,7 +40,7 @@ std::array<double, humanmodel::kJointCount> hiddenPathLengths(const BodyRig& rig
   return lengths;
 }
 
-void HiddenSpread::see(double t, SeenSegments seen) {
+void HiddenSpread::see(double t, SeenSegments seen, const Extents& extent) {
   const auto lengths = hiddenPathLengths(*rig_, seen);
   for (std::size_t s = 0; s < kRigSegments; ++s)
     if (has(seen, s)) last_seen_[s] = t;
@@ -50,8 +50,8 @@ void HiddenSpread::see(double t, SeenSegments seen) {
       spread_[j] = 0.0;
       continue;
     }
-    const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed / humanmodel::kSpreadQuantile;
-    spread_[j] = std::max(kMin, std::min(moved, 2.0 * lengths[j] / humanmodel::kSpreadQuantile));
+    const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed;
+    spread_[j] = std::max(kMin, std::min({moved, 2.0 * lengths[j], extent[j]})) / humanmodel::kSpreadQuantile;
   }
 }
 

@@ -13,27 +13,32 @@ using SeenSegments = std::uint32_t;
 /// limb is, the joint is within this distance of the end of the visible segment.
 std::array<double, humanmodel::kJointCount> hiddenPathLengths(const BodyRig& rig, SeenSegments seen);
 
-/// Converts the time since each segment was last visible into uncertainties. Estimate and truth are both
-/// within hiddenPathLengths() of the visible segment, so at most twice that apart; in addition each part of
-/// the person moves by at most kPersonSpeed since then. Does not allocate or throw.
+/// Uncertainty of hidden joints: the smallest of three bounds.
+/// - Time: a joint moves by at most kPersonSpeed since its segment was last visible, when it was known to
+/// kMin.
+/// - Bones: estimate and truth are within hiddenPathLengths() of the visible segment, so at most twice that
+///   apart.
+/// - Free space: `extent` of HiddenSpace.
+/// Does not allocate or throw.
 class HiddenSpread {
  public:
   explicit HiddenSpread(const BodyRig& rig) : rig_{&rig} { last_seen_.fill(-kInfinity); }
 
-  /// m, smallest standard deviation of a hidden joint, right after it was seen.
-  static constexpr double kMin = 0.15;
+  using Extents = std::array<double, humanmodel::kJointCount>;  ///< m, infinite: unknown
+  /// m, smallest distance, right after a joint was seen: little of its segment was seen then.
+  static constexpr double kMin = 0.25;
 
   /// Records the visible segments of the image at `t` (s).
-  void see(double t, SeenSegments seen);
+  void see(double t, SeenSegments seen, const Extents& extent);
   /// After see(): standard deviation (m) of each joint along its worst axis, such that kSpreadQuantile times
   /// it is the distance above; 0 for joints of visible segments. Without the error of the visible segment
   /// itself.
-  const std::array<double, humanmodel::kJointCount>& spread() const { return spread_; }
+  const Extents& spread() const { return spread_; }
 
  private:
   const BodyRig* rig_;
   std::array<double, kRigSegments> last_seen_;  ///< s; -infinity: never
-  std::array<double, humanmodel::kJointCount> spread_{};
+  Extents spread_{};
 };
 
 }  // namespace abstand::tracking

@@ -10,9 +10,13 @@ namespace {
 
 constexpr double kDeviationsPerResidual = 3.0;  // times the residual: standard deviation of a point
 
-/// For each joint: constant term, and term for an invisible segment; m.
+// m: a limb nearer than this to something that looks alike may be a part of it; the first is the distance at
+// which the term begins, at the second it is whole.
+constexpr double kTouchFrom = 0.04, kTouchWhole = 0.0;
+
+/// For each joint: constant term, and terms for an invisible segment and for one that touches another; m.
 struct Terms {
-  double shape, hidden;
+  double shape, hidden{0.0}, touch{0.0};
 };
 
 Terms termsOf(humanmodel::Joint joint) {
@@ -21,63 +25,57 @@ Terms termsOf(humanmodel::Joint joint) {
     case kPelvis:
     case kSpine:
     case kThorax:
-      return {0.050, 0.0};
+      return {0.050};
     case kNeck:
-      return {0.047, 0.0};
+      return {0.042};
     case kHead:
-      return {0.027, 0.0};
+      return {0.018, 0.10};
     case kHeadTop:
-      return {0.037, 0.0};
+      return {0.028, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
-      return {0.040, 0.0};
+      return {0.039, 0.08};
     case kElbowLeft:
     case kElbowRight:
-      return {0.032, 0.10};
+      return {0.030, 0.12};
     case kWristLeft:
     case kWristRight:
-      return {0.027, 0.20};
+      return {0.026, 0.25, 0.14};
     case kHandLeft:
     case kHandRight:
-      return {0.030, 0.20};
+      return {0.022, 0.15, 0.28};
     case kHipLeft:
     case kHipRight:
-      return {0.030, 0.0};
+      return {0.025};
     case kKneeLeft:
     case kKneeRight:
-      return {0.027, 0.20};
+      return {0.028, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
-      return {0.027, 0.10};
+      return {0.033, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.038, 0.10};
+      return {0.033, 0.15};
     case kCount:
       break;
   }
-  return {0.0, 0.0};
+  return {0.0};
 }
-
-bool isEnd(RigSegment s) {
-  using enum RigSegment;
-  return s == kHandLeft || s == kHandRight || s == kFootLeft || s == kFootRight;
-}
-
-bool isThigh(RigSegment s) { return s == RigSegment::kThighLeft || s == RigSegment::kThighRight; }
 
 }  // namespace
 
 std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
                                                            double residual,
-                                                           const std::array<double, kRigSegments>& visible) {
+                                                           const std::array<double, kRigSegments>& visible,
+                                                           const std::array<double, kRigSegments>& gap) {
   std::array<double, humanmodel::kJointCount> spread = jointSpreads(rig, problem, problem.information());
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const RigSegment s = rig.carrier[j];
-    double share = visible[index(s)];
-    if (isEnd(s)) share = std::min(share, visible[index(rig[s].parent)]);
-    if (isThigh(s)) share = std::max(share, visible[index(s) + 2]);
+    const std::size_t s = index(rig.carrier[j]);
+    const double hidden = 1.0 - visible[s];
+    const double touch = std::clamp((kTouchFrom - gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
-    spread[j] = std::hypot(terms.shape, kDeviationsPerResidual * residual * spread[j], (1.0 - share) * terms.hidden);
+    spread[j] = std::hypot(std::hypot(terms.shape, kDeviationsPerResidual * residual * spread[j]),
+                           hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch);
   }
   return spread;
 }

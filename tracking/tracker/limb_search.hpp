@@ -19,6 +19,18 @@ inline constexpr std::array<Limb, 4> kLimbs{{
     {RigSegment::kThighRight, RigSegment::kCalfRight, RigSegment::kFootRight, -1.0},
 }};
 
+/// The joint at which each of kLimbs is attached to the trunk, and those at the ends of its segments.
+inline constexpr std::array<std::array<humanmodel::Joint, 4>, 4> kLimbJoints{{
+    {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristLeft,
+     humanmodel::Joint::kHandLeft},
+    {humanmodel::Joint::kShoulderRight, humanmodel::Joint::kElbowRight, humanmodel::Joint::kWristRight,
+     humanmodel::Joint::kHandRight},
+    {humanmodel::Joint::kHipLeft, humanmodel::Joint::kKneeLeft, humanmodel::Joint::kAnkleLeft,
+     humanmodel::Joint::kToeLeft},
+    {humanmodel::Joint::kHipRight, humanmodel::Joint::kKneeRight, humanmodel::Joint::kAnkleRight,
+     humanmodel::Joint::kToeRight},
+}};
+
 /// Inverse kinematics: puts the end joint (wrist, ankle) of a limb at `goal` (world), or as near as possible,
 /// with the elbow (knee) rotated by `swivel` (rad) about the line from shoulder to wrist, from pointing down
 /// (arm) or forward (leg).

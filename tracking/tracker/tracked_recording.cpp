@@ -8,9 +8,13 @@
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/recording/part_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
+#include "tracking/tracker/known_objects.hpp"
 
 namespace abstand::tracking {
 namespace {
+
+// Share of the images that repeat the one before from which on it is reported.
+constexpr double kManyRepeated = 0.1;
 
 std::string toMillimetre(double m) {
   char text[32];
@@ -49,6 +53,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   for (const humanmodel::SkeletonFrame& frame : recording.frames)
     r.gaps += !frame.has(humanmodel::Joint::kPelvis);
   r.warnings = trackWarnings(tracked);
+  for (std::string& warning : cameraWarnings(track)) r.warnings.push_back(std::move(warning));
   r.notes = facts.notes;
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
@@ -95,6 +100,26 @@ std::vector<std::string> trackWarnings(const ClipPerson& person) {
   return warnings;
 }
 
+std::vector<std::string> cameraWarnings(const ClipTrack& track) {
+  std::vector<std::string> warnings;
+  for (std::size_t c = 0; c < track.cameras.size(); ++c) {
+    const CameraShare& share = track.cameras[c];
+    const std::string name = track.cameras.size() > 1 ? "camera " + std::to_string(c + 1) : "the camera";
+    char text[160];
+    if (std::isfinite(share.moved_at)) {
+      std::snprintf(text, sizeof text, " was moved at %.2f s: its images are not used from then on",
+                    share.moved_at);
+      warnings.push_back(name + text);
+    }
+    if (static_cast<double>(share.repeated) > kManyRepeated * static_cast<double>(share.images)) {
+      std::snprintf(text, sizeof text, " repeats the image before in %zu of %zu images: it hangs",
+                    share.repeated, share.images);
+      warnings.push_back(name + text);
+    }
+  }
+  return warnings;
+}
+
 bool isDepthRecording(const std::filesystem::path& path) {
   std::error_code ec;
   if (std::filesystem::is_directory(path, ec)) return true;
@@ -109,7 +134,7 @@ bool isDepthRecording(const std::filesystem::path& path) {
 }
 
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height, const KnownThings& known,
+                           std::optional<double> height, const KnownObjects& objects,
                            const TrackMonitor& monitor) {
   if (!isDepthRecording(path)) return openRecording(path, options);
   DepthStreamOptions stream_options;
@@ -118,11 +143,14 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   const auto stream = openDepthStream(path, stream_options);
   ClipTrackerOptions tracker;
   tracker.person.height = height;
-  if (known && !stream->facts().pose_known)
+  if (objects.known && objects.always && !stream->facts().pose_known)
     throw ParseError({path.string()},
                      "found depth images without a camera pose, expected a camera with T_WC, "
                      "to remove the scene's robots and objects from them");
-  tracker.known = known;
+  const bool can_compare = stream->facts().pose_known && stream->camera().distortion.isZero(0.0);
+  const bool is_cut =
+      objects.known && (objects.always || (can_compare && showsKnown(*stream, objects.known)));
+  if (is_cut) tracker.known = objects.known;
   tracker.progress = monitor.progress;
   tracker.interrupted = [&monitor] {
     return interruptRequested() || (monitor.cancelled && monitor.cancelled());
@@ -133,8 +161,10 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   if (track.people.empty())
     throw ParseError({path.string()}, "found no person in the depth recording, expected one");
   Recording recording = recordingOf(track, stream->facts(), 0);
-  if (known)
-    recording.report.notes.emplace_back("the scene's robots and objects were removed from the images");
+  if (is_cut)
+    recording.report.notes.emplace_back(
+        objects.always ? "the scene's robots and objects were removed from the images"
+                       : "the images show the robots and objects of the scene, which were cut out of them");
   return recording;
 }
 

@@ -23,15 +23,24 @@ std::string statureReason(const Stature& stature);
 /// Reservations about the track of a person, one sentence each: undecided facing, unknown stature.
 std::vector<std::string> trackWarnings(const ClipPerson& person);
 
+/// Cameras that were moved while they recorded or repeat their images, one sentence each.
+std::vector<std::string> cameraWarnings(const ClipTrack& track);
+
 /// True for a depth recording: a folder, or a file of depth images, clouds or arrays.
 bool isDepthRecording(const std::filesystem::path& path);
 
+/// Objects to remove from depth images.
+struct KnownObjects {
+  KnownThings known;   ///< may be empty
+  bool always{false};  ///< otherwise only where the images show them (showsKnown())
+};
+
 /// openRecording(); for a depth recording its first person, tracked. `height` (m): stature of the body;
 /// otherwise measured. With `known`, which removes pixels of known objects, the recording must state its
-/// camera pose. Throws ParseError, UsageError, and Interrupted on an interrupt during tracking, or if the
-/// monitor ends it.
+/// camera pose, unless they are only removed where the images show them (KnownObjects). Throws ParseError,
+/// UsageError, and Interrupted on an interrupt during tracking, or if the monitor ends it.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
-                           std::optional<double> height, const KnownThings& known = {},
+                           std::optional<double> height, const KnownObjects& objects = {},
                            const TrackMonitor& monitor = {});
 
 }  // namespace abstand::tracking

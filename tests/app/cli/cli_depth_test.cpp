@@ -117,6 +117,28 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
       runJson("run " + scene + " --recording " + cut)["min_distance"]["value"].get<double>(), 1e-9);
 }
 
+TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
+  const std::string scene =
+      write("reach.yaml", "abstand: 1\nhumans:\n  - {name: p, height: 1.75, recording: {file: " +
+                              projectFile("data/scenes/hug_reach.bvh").string() +
+                              "}}\nobjects:\n  - {name: box, shape: {box: {size: [0.3, 0.3, 1.5]}}, pose: "
+                              "{xyz: [0.9, 0.9, 0.75]}}\n"
+                              "pairs: {default: between_groups}\n");
+  const std::string clip = (folder_.path() / "clip").string();
+  ASSERT_EQ(run("render-depth " + scene +
+                " --body skin --width 320 --end 0.4 --no-cache --eye 2.8,0,1.2 "
+                "--look 0,0,0.9 --out " +
+                clip)
+                .code,
+            0);
+  const auto distance = [&](const std::string& options) {
+    return runJson("run " + scene + options + " --recording " + clip)["min_distance"]["value"].get<double>();
+  };
+  const double by_itself = distance("");
+  EXPECT_GT(by_itself, 0.0);
+  EXPECT_EQ(by_itself, distance(" --cut-things"));
+}
+
 TEST_F(Cli, TrackFitsTwoCamerasTogether) {
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
                              " --body skin --width 320 --end 0.6 --no-cache --look 0,0,0.9 ";

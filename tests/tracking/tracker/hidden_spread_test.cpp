@@ -17,6 +17,12 @@ const BodyRig& rig() {
   return made;
 }
 
+HiddenSpread::Extents anySpace() {
+  HiddenSpread::Extents extent;
+  extent.fill(kInfinity);
+  return extent;
+}
+
 SeenSegments without(std::initializer_list<RigSegment> hidden) {
   SeenSegments seen = (1u << kRigSegments) - 1u;
   for (const RigSegment s : hidden) seen &= ~(1u << index(s));
@@ -94,17 +100,17 @@ TEST(HiddenSpread, GrowsFromMinToSpaceOfLimb) {
   const auto wrist = static_cast<std::size_t>(humanmodel::Joint::kWristLeft),
              elbow = static_cast<std::size_t>(humanmodel::Joint::kElbowLeft),
              head = static_cast<std::size_t>(humanmodel::Joint::kHead);
-  hidden.see(0.0, without({}));
+  hidden.see(0.0, without({}), anySpace());
   for (const double s : hidden.spread()) EXPECT_EQ(s, 0.0);
   const SeenSegments seen = without({kUpperArmLeft, kForearmLeft, kHandLeft});
   const double space = 2.0 * hiddenPathLengths(rig(), seen)[wrist];
   double last = 0.0;
   for (int i = 1; i <= 60; ++i) {
     const double t = i / 30.0;
-    hidden.see(t, seen);
+    hidden.see(t, seen, anySpace());
     const double reach = humanmodel::partUncertainty(0.0, hidden.spread()[wrist]);
-    EXPECT_GE(hidden.spread()[wrist], HiddenSpread::kMin);
-    EXPECT_GE(hidden.spread()[elbow], HiddenSpread::kMin);
+    EXPECT_GE(reach + kRounding, HiddenSpread::kMin);
+    EXPECT_GE(humanmodel::partUncertainty(0.0, hidden.spread()[elbow]) + kRounding, HiddenSpread::kMin);
     EXPECT_GE(reach, last);
     EXPECT_GE(reach + kRounding, std::min(space, humanmodel::kPersonSpeed * t))
         << "somebody is faster than that";
@@ -113,19 +119,32 @@ TEST(HiddenSpread, GrowsFromMinToSpaceOfLimb) {
     last = reach;
   }
   EXPECT_NEAR(last, space, kRounding);
-  hidden.see(2.1, without({}));
+  hidden.see(2.1, without({}), anySpace());
   EXPECT_EQ(hidden.spread()[wrist], 0.0);
 }
 
 TEST(HiddenSpread, IsMaxForLimbNeverSeen) {
   HiddenSpread hidden(rig());
   const SeenSegments seen = without({RigSegment::kThighLeft, RigSegment::kCalfLeft, RigSegment::kFootLeft});
+  const HiddenSpread::Extents any = anySpace();
   testing::NoAlloc guard;
-  hidden.see(0.0, seen);
+  hidden.see(0.0, seen, any);
   EXPECT_EQ(guard.count(), 0);
   const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
   EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]),
               2.0 * hiddenPathLengths(rig(), seen)[ankle], kRounding);
+}
+
+TEST(HiddenSpread, IsNoLargerThanTheFreeSpace) {
+  HiddenSpread hidden(rig());
+  const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
+  HiddenSpread::Extents extent = anySpace();
+  extent[ankle] = 0.3;
+  hidden.see(0.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent);
+  EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), 0.3, kRounding);
+  extent[ankle] = 0.0;
+  hidden.see(1.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent);
+  EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), HiddenSpread::kMin, kRounding);
 }
 
 }  // namespace hidden_spread_test

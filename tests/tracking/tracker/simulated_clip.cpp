@@ -67,8 +67,9 @@ SkinPointer skinFor(const ClipPlan& plan, const std::vector<humanmodel::Skeleton
   return std::make_shared<const tracking::SkinBody>(tracking::statureOfLegs(truth).value_or(1.75), options);
 }
 
-void drawRoom(const ClipPlan& plan, const Transform& X_WC, tracking::DepthRender& render) {
-  const Transform X_CW = X_WC.inverse();
+/// `X_WC`: of the camera before it is pushed.
+void drawRoom(const ClipPlan& plan, const Transform& X_WC, const Transform& X_CW,
+              tracking::DepthRender& render) {
   Vector3d ahead = X_WC.linear().col(2);
   ahead.z() = 0.0;
   ahead.normalize();
@@ -105,15 +106,22 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
   source.facts.format = "simulated";
   source.facts.camera_known = source.facts.pose_known = true;
   for (const humanmodel::SkeletonFrame& frame : clip.truth) source.t.push_back(frame.t);
-  source.load = [frames = clip.truth, skin, camera = source.camera, plan,
-                 boxes = std::move(furniture)](std::size_t i) {
+  source.load = [frames = clip.truth, skin, camera = source.camera, plan, boxes = std::move(furniture),
+                 drawn =
+                     std::make_shared<std::vector<tracking::DepthImage>>(clip.truth.size())](std::size_t i) {
+    // A clip is read twice; drawing takes longer than tracking.
+    tracking::DepthImage& image = (*drawn)[i];
+    if (!image.z.empty()) return image;
     tracking::DepthRender render(camera);
     render.clear();
-    const Transform X_CW = camera.X_WC.inverse();
+    Transform X_WC = camera.X_WC;
+    if (frames[i].t >= plan.push_at) X_WC.rotate(Eigen::AngleAxisd(-plan.push, Vector3d::UnitX()));
+    const Transform X_CW = X_WC.inverse();
     for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
-    if (plan.room) drawRoom(plan, camera.X_WC, render);
+    if (plan.room) drawRoom(plan, camera.X_WC, X_CW, render);
     for (const FurnitureBox& box : boxes) drawBox(box, frames[i].t, X_CW, render);
-    return tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
+    image = tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
+    return image;
   };
   clip.stream = std::make_unique<tracking::DepthStream>(std::move(source));
   return clip;

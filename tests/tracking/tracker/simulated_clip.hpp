@@ -20,6 +20,7 @@ struct ClipPlan {
   std::uint64_t body_seed{0};
   bool room{false};  ///< a floor, and a wall 1.5 m behind the origin
   int width{320};
+  double push_at{kInfinity}, push{0.0};  ///< s, rad: from then on the camera looks down by that much more
 };
 
 struct SimulatedClip {

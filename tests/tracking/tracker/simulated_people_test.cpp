@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/paths.hpp"
-#include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::tracking {
@@ -24,66 +24,32 @@ constexpr double kMaxLost = 0.01;                    // of the images
 constexpr std::size_t kLate = 6;  // images until a head is found, as beside a waving hand
 
 struct Case {
-  const char* name;
-  ClipPlan plan;
+  testing::CapturedScene scene;
   double mean{kMean}, p95{kP95}, raw_mean{kRawMean}, raw_p95{kRawP95}, within_reach{kWithinReach};
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const Case& c, std::ostream* out) { *out << c.scene.name; }
 
 std::vector<Case> cases() {
-  const auto mocap = [](const char* file) { return testing::sharedData(std::string("mocap/") + file); };
-  const auto cmu = [](const char* file) { return testing::debianBvh(file); };
-  const auto reach = testing::projectFile("data/scenes/hug_reach.bvh");
-  return {
-      {"boxing", {.recording = cmu("Boxing_Toes.bvh"), .start = 2.0, .end = 4.5}},
-      {"boxing_in_a_room", {.recording = cmu("Boxing_Toes.bvh"), .start = 12.0, .end = 14.0, .room = true}},
-      {"reaching", {.recording = reach, .end = 2.0}},
-      {"turning_round", {.recording = reach, .end = 4.0, .turn = 0.5 * kPi}},
-      {"walking_up",
-       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"),
-        .end = 1.6,
-        .eye = {4.2, 0.4, 1.2},
-        .look = {1.0, 0.0, 0.9}}},
-      {"walking_by",
-       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"),
-        .end = 2.2,
-        .eye = {3.2, -2.2, 1.4},
-        .look = {1.5, 0.0, 0.9}}},
-      {"waving_in_thick_clothes",
-       {.recording = mocap("bvh/fair1_wave_hello.bvh"), .end = 2.0, .clothing = 0.015, .body_seed = 3}},
-      {"jumping_jacks",
-       {.recording = mocap("bvh/cmu_jumping_jacks_3dsmax_names.bvh"), .end = 2.5},
-       kMean,
-       kP95,
-       kRawMean,
-       kRawP95,
-       // Its pelvis is 0.2 m from what other captures mean by it.
-       0.95},
-      {"going_down", {.recording = mocap("bvh/mocapbank_test.bvh"), .end = 4.0, .eye = {3.2, 0.0, 1.2}}},
-      {"sit_to_stand",
-       {.recording = testing::sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), .end = 4.0},
-       kMean,
-       kP95,
-       kRawMean,
-       kRawP95,
-       // What is shown is itself as unsteady as a Kinect's joints.
-       0.97},
-      {"dancing",
-       {.recording = mocap("bvh/rokoko_jesse_dance.bvh"), .end = 3.0, .eye = {3.2, 0.0, 1.2}},
-       // Hands on the hips are hard to tell from the trunk.
-       0.065,
-       0.200,
-       0.100,
-       0.270,
-       0.96},
-  };
+  std::vector<Case> out;
+  for (testing::CapturedScene& scene : testing::capturedScenes()) {
+    Case c{std::move(scene)};
+    // Its pelvis is 0.2 m from what other captures mean by it.
+    if (c.scene.name == "jumping_jacks") c.within_reach = 0.95;
+    // What is shown is itself as unsteady as a Kinect's joints.
+    if (c.scene.name == "sit_to_stand") c.within_reach = 0.97;
+    // Hands on the hips are hard to tell from the trunk.
+    if (c.scene.name == "dancing")
+      c.mean = 0.065, c.p95 = 0.200, c.raw_mean = 0.100, c.raw_p95 = 0.270, c.within_reach = 0.96;
+    out.push_back(std::move(c));
+  }
+  return out;
 }
 
 class SimulatedPeople : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SimulatedPeople, AreTrackedWithinTolerance) {
-  if (!exists(GetParam().plan.recording)) GTEST_SKIP() << GetParam().plan.recording;
-  auto clip = testing::simulate(GetParam().plan);
+  if (!exists(GetParam().scene.plan.recording)) GTEST_SKIP() << GetParam().scene.plan.recording;
+  auto clip = testing::simulate(GetParam().scene.plan);
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_EQ(track.people.size(), 1u);
   const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
@@ -100,10 +66,11 @@ TEST_P(SimulatedPeople, AreTrackedWithinTolerance) {
       "%s: raw errors %.0f mm on the mean, %.0f mm of 95 in 100, with the mean offsets taken off %.0f and "
       "%.0f; "
       "within reach: tracked %.3f (x %.1f), inferred %.3f (x %.1f); %.0f images a second\n",
-      GetParam().name, 1e3 * JointErrors::mean(errors.raw), 1e3 * JointErrors::quantile(errors.raw, 0.95),
-      1e3 * JointErrors::mean(errors.aligned), 1e3 * JointErrors::quantile(errors.aligned, 0.95),
-      errors.tracked.within(), errors.tracked.medianRatio(), errors.inferred.within(),
-      errors.inferred.medianRatio(), static_cast<double>(track.images) / track.seconds);
+      GetParam().scene.name.c_str(), 1e3 * JointErrors::mean(errors.raw),
+      1e3 * JointErrors::quantile(errors.raw, 0.95), 1e3 * JointErrors::mean(errors.aligned),
+      1e3 * JointErrors::quantile(errors.aligned, 0.95), errors.tracked.within(),
+      errors.tracked.medianRatio(), errors.inferred.within(), errors.inferred.medianRatio(),
+      static_cast<double>(track.images) / track.seconds);
 }
 
 // At 4 m feet and knees are too coarse to tell front from back: who faces the camera is not turned round.
@@ -125,13 +92,14 @@ TEST(Facing, DistantFrontalPersonIsFront) {
 class PeopleFromBehind : public ::testing::TestWithParam<Case> {};
 
 TEST_P(PeopleFromBehind, AreReportedFacingAway) {
-  ClipPlan plan = GetParam().plan;
+  ClipPlan plan = GetParam().scene.plan;
   if (!exists(plan.recording)) GTEST_SKIP() << plan.recording;
   const auto tracked = [](const ClipPlan& seen, bool& away) {
     auto clip = testing::simulate(seen);
     const ClipTrack track = trackClip(*clip.stream, {});
     away = !track.people.empty() && track.people[0].facing.away;
-    std::printf("%s: %.2f\n", GetParam().name, track.people.empty() ? kNaN : track.people[0].facing.ratio);
+    std::printf("%s: %.2f\n", GetParam().scene.name.c_str(),
+                track.people.empty() ? kNaN : track.people[0].facing.ratio);
     return testing::compare(
         track.people.empty() ? std::vector<humanmodel::SkeletonFrame>{} : track.people[0].frames, clip.truth);
   };
@@ -141,7 +109,7 @@ TEST_P(PeopleFromBehind, AreReportedFacingAway) {
   EXPECT_TRUE(away);
   EXPECT_LE(errors.longest_swap, kLongestSwap);
   EXPECT_LE(JointErrors::mean(errors.aligned), kHiddenMean);
-  tracked(GetParam().plan, away);
+  tracked(GetParam().scene.plan, away);
   EXPECT_FALSE(away) << "from the front";
 }
 
@@ -149,14 +117,14 @@ std::vector<Case> walkersAndBoxers() {
   std::vector<Case> out;
   for (const Case& c : cases())
     for (const std::string_view name : {"boxing", "boxing_in_a_room", "reaching", "walking_up", "going_down"})
-      if (name == c.name) out.push_back(c);
+      if (name == c.scene.name) out.push_back(c);
   return out;
 }
 INSTANTIATE_TEST_SUITE_P(Captures, PeopleFromBehind, ::testing::ValuesIn(walkersAndBoxers()),
-                         [](const auto& one) { return one.param.name; });
+                         [](const auto& one) { return one.param.scene.name; });
 
 INSTANTIATE_TEST_SUITE_P(Captures, SimulatedPeople, ::testing::ValuesIn(cases()),
-                         [](const auto& one) { return one.param.name; });
+                         [](const auto& one) { return one.param.scene.name; });
 
 }  // namespace simulated_people_test
 }  // namespace abstand::tracking

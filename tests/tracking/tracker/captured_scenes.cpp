@@ -1,0 +1,62 @@
+// Files, times, cameras.
+#include "tests/tracking/tracker/captured_scenes.hpp"
+
+#include "tests/support/paths.hpp"
+
+namespace abstand::testing {
+
+std::vector<CapturedScene> capturedScenes() {
+  const auto mocap = [](const char* file) { return sharedData(std::string("mocap/") + file); };
+  const auto cmu = [](const char* file) { return debianBvh(file); };
+  const auto reach = projectFile("data/scenes/hug_reach.bvh");
+  return {
+      {"boxing", {.recording = cmu("Boxing_Toes.bvh"), .start = 2.0, .end = 4.5}},
+      {"boxing_in_a_room", {.recording = cmu("Boxing_Toes.bvh"), .start = 12.0, .end = 14.0, .room = true}},
+      {"reaching", {.recording = reach, .end = 2.0}},
+      {"turning_round", {.recording = reach, .end = 4.0, .turn = 0.5 * kPi}},
+      {"walking_up",
+       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"),
+        .end = 1.6,
+        .eye = {4.2, 0.4, 1.2},
+        .look = {1.0, 0.0, 0.9}}},
+      {"walking_by",
+       {.recording = mocap("bvh/bvhtoolbox_walk01.bvh"),
+        .end = 2.2,
+        .eye = {3.2, -2.2, 1.4},
+        .look = {1.5, 0.0, 0.9}}},
+      {"waving_in_thick_clothes",
+       {.recording = mocap("bvh/fair1_wave_hello.bvh"), .end = 2.0, .clothing = 0.015, .body_seed = 3}},
+      {"jumping_jacks", {.recording = mocap("bvh/cmu_jumping_jacks_3dsmax_names.bvh"), .end = 2.5}},
+      {"going_down", {.recording = mocap("bvh/mocapbank_test.bvh"), .end = 4.0, .eye = {3.2, 0.0, 1.2}}},
+      {"sit_to_stand",
+       {.recording = sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), .end = 4.0}},
+      {"dancing", {.recording = mocap("bvh/rokoko_jesse_dance.bvh"), .end = 3.0, .eye = {3.2, 0.0, 1.2}}},
+  };
+}
+
+std::vector<CapturedScene> hardScenes() {
+  const auto mocap = [](const char* file) { return sharedData(std::string("mocap/bvh/") + file); };
+  const auto boxing = debianBvh("Boxing_Toes.bvh");
+  const auto reach = projectFile("data/scenes/hug_reach.bvh");
+  return {
+      // Fists before the trunk, seen from behind.
+      {"boxing_from_behind",
+       {.recording = boxing, .start = 2.0, .end = 3.2, .eye = {-2.8, 0.0, 1.2}, .width = 240}},
+      // From the side: one arm and one leg hide the other.
+      {"boxing_from_the_side",
+       {.recording = boxing, .start = 12.0, .end = 13.2, .eye = {1.0, -2.6, 1.2}, .width = 240}},
+      {"reaching_turning", {.recording = reach, .end = 1.2, .turn = 0.5 * kPi, .width = 240}},
+      // Hands on the hips, a foot behind the other leg.
+      {"dancing_short",
+       {.recording = mocap("rokoko_jesse_dance.bvh"), .end = 1.2, .eye = {3.2, 0.0, 1.2}, .width = 240}},
+      {"jumping_short", {.recording = mocap("cmu_jumping_jacks_3dsmax_names.bvh"), .end = 1.2, .width = 240}},
+      {"going_down_from_behind",
+       {.recording = mocap("mocapbank_test.bvh"),
+        .start = 1.5,
+        .end = 2.7,
+        .eye = {-3.2, 0.0, 1.2},
+        .width = 240}},
+  };
+}
+
+}  // namespace abstand::testing

@@ -1,0 +1,19 @@
+// Real captures, worn by a body of skin, as clips.
+#pragma once
+
+#include "tests/tracking/tracker/simulated_clip.hpp"
+
+namespace abstand::testing {
+
+struct CapturedScene {
+  std::string name;
+  ClipPlan plan;
+};
+
+/// In full view. The captures may be missing on a machine.
+std::vector<CapturedScene> capturedScenes();
+
+/// Short ones in which limbs are hidden: from behind, from the side, hands on the hips; 240 x 180.
+std::vector<CapturedScene> hardScenes();
+
+}  // namespace abstand::testing

@@ -1,0 +1,120 @@
+// Postures, furniture, cameras.
+#include "tests/tracking/tracker/posed_scenes.hpp"
+
+namespace abstand::testing {
+namespace {
+
+Posture standing(double t) { return {.t = t}; }
+Posture seated(double t) {
+  return {.t = t,
+          .hips = {0.0, 0.0, 0.50},
+          .back = 0.1,
+          .reach = 0.30,
+          .aside = 0.16,
+          .low = 0.62,
+          .foot = 0.44,
+          .apart = 0.12};
+}
+Posture kneeling(double t) {
+  return {.t = t,
+          .hips = {0.0, 0.0, 0.48},
+          .reach = 0.10,
+          .low = 0.46,
+          .foot = -0.38,
+          .ankle = 0.09,
+          .toes = -2.8};
+}
+Posture bent(double t) {
+  return {.t = t,
+          .hips = {-0.20, 0.0, 0.70},
+          .loins = 1.0,
+          .back = 1.7,
+          .head = 1.9,
+          .reach = 0.35,
+          .aside = 0.15,
+          .low = 0.20};
+}
+Posture handsAhead(double t) { return {.t = t, .reach = 0.40, .aside = 0.20, .low = 1.05}; }
+
+Posture stooped(double t) {
+  return {.t = t,
+          .hips = {-0.25, 0.0, 0.86},
+          .loins = 1.4,
+          .back = 2.1,
+          .head = 2.4,
+          .reach = 0.30,
+          .aside = 0.15,
+          .low = 0.12};
+}
+Posture armsAside(double t) { return {.t = t, .reach = 0.05, .aside = 0.75, .low = 1.45}; }
+Posture armsUp(double t) { return {.t = t, .reach = 0.15, .aside = 0.30, .low = 1.95}; }
+
+const std::vector<FurnitureBox> kChair{{{-0.22, -0.22, 0.37}, {0.22, 0.22, 0.41}},
+                                       {{-0.26, -0.22, 0.0}, {-0.22, 0.22, 0.95}},
+                                       {{0.18, -0.22, 0.0}, {0.22, -0.18, 0.37}},
+                                       {{0.18, 0.18, 0.0}, {0.22, 0.22, 0.37}}};
+const std::vector<FurnitureBox> kBench{{{0.45, -0.8, 0.0}, {0.95, 0.8, 0.9}}};
+
+}  // namespace
+
+std::vector<PosedScene> posedScenes() {
+  const std::vector<Posture> stand{standing(0.0), handsAhead(1.5), standing(3.0)};
+  const std::vector<Posture> sit{seated(0.0), seated(3.0)}, kneel{kneeling(0.0), kneeling(3.0)};
+  const std::vector<Posture> bend{standing(0.0), standing(0.8), bent(1.8),
+                                  bent(2.4),     standing(3.4), standing(4.0)};
+  const std::vector<Posture> sit_down{standing(0.0), standing(0.8), seated(2.0), seated(2.8), standing(4.0)};
+  const std::vector<Posture> kneel_down{standing(0.0), standing(0.8), kneeling(2.0), kneeling(2.8),
+                                        standing(4.0)};
+  const Vector3d high{2.8, 0.0, 2.6};
+  return {
+      {"at_2_m", stand, {2.0, 0.0, 1.2}},
+      {"at_4_m", stand, {4.0, 0.0, 1.2}},
+      {"at_5_m", stand, {5.0, 0.0, 1.2}},
+      {"from_behind_at_2_8_m", stand, {-2.8, 0.0, 1.2}},
+      {"from_behind_at_4_m", stand, {-4.0, 0.0, 1.2}},
+      {"camera_at_2_6_m", stand, high},
+      {"seated", sit, {2.8, 0.0, 1.2}, {0.0, 0.0, 0.9}, kChair},
+      {"seated_camera_at_2_6_m", sit, high, {0.0, 0.0, 0.9}, kChair},
+      {"kneeling", kneel},
+      {"kneeling_camera_at_2_6_m", kneel, high},
+      {"behind_a_bench", stand, {2.8, 0.0, 1.2}, {0.0, 0.0, 0.9}, kBench},
+      {"behind_a_bench_camera_at_2_6_m", stand, high, {0.0, 0.0, 0.9}, kBench},
+      {"bending", bend},
+      {"bending_camera_at_2_6_m", bend, high},
+      {"sitting_down", sit_down, {2.8, 0.0, 1.2}, {0.0, 0.0, 0.9}, kChair},
+      {"standing_up",
+       {seated(0.0), seated(1.0), standing(2.2), standing(4.5)},
+       {2.8, 0.0, 1.2},
+       {0.0, 0.0, 0.9},
+       kChair},
+      {"kneeling_down", kneel_down},
+      {"near_1_2_m", stand, {1.2, 0.0, 1.2}, {0.0, 0.0, 1.2}},
+      {"near_camera_at_2_6_m", stand, {1.2, 0.0, 2.6}, {0.0, 0.0, 1.2}},
+      {"still_at_4_m", {standing(0.0), standing(3.0)}, {4.0, 0.0, 1.2}, {0.0, 0.0, 0.9}, {}, 3},
+      {"still_at_5_m", {standing(0.0), standing(3.0)}, {5.0, 0.0, 1.2}, {0.0, 0.0, 0.9}, {}, 5},
+      {"still_from_behind_at_4_m", {standing(0.0), standing(3.0)}, {-4.0, 0.0, 1.2}, {0.0, 0.0, 0.9}, {}, 3},
+      {"still_from_behind_at_5_m", {standing(0.0), standing(3.0)}, {-5.0, 0.0, 1.2}, {0.0, 0.0, 0.9}, {}, 5},
+      {"still_camera_at_2_6_m", {standing(0.0), standing(3.0)}, high, {0.0, 0.0, 0.9}, {}, 3},
+      {"still_behind_a_bench", {standing(0.0), standing(3.0)}, {2.8, 0.0, 1.2}, {0.0, 0.0, 0.9}, kBench, 3},
+      {"stooping", {standing(0.0), standing(0.8), stooped(1.8), stooped(2.4), standing(3.4), standing(4.0)}},
+      {"stooping_from_the_side",
+       {standing(0.0), standing(0.8), stooped(1.8), stooped(2.4), standing(3.4), standing(4.0)},
+       {0.5, -2.6, 1.2}},
+      {"near_arms_out_of_the_image",
+       {standing(0.0), standing(0.8), armsAside(1.6), armsAside(2.2), standing(3.0)},
+       {1.1, 0.0, 1.2},
+       {0.0, 0.0, 1.2}},
+      {"near_hands_over_the_image",
+       {standing(0.0), standing(0.8), armsUp(1.6), armsUp(2.2), standing(3.0)},
+       {1.1, 0.0, 1.2},
+       {0.0, 0.0, 1.2}},
+  };
+}
+
+SimulatedClip simulate(const PosedScene& scene) {
+  return simulate(
+      {.recording = {}, .eye = scene.eye, .look = scene.look, .body_seed = scene.body_seed, .room = true},
+      posedFrames(scene.postures), scene.furniture);
+}
+
+}  // namespace abstand::testing

@@ -1,0 +1,22 @@
+// Written postures beside furniture and at the edge of the image, as clips.
+#pragma once
+
+#include "tests/tracking/tracker/posed_person.hpp"
+#include "tests/tracking/tracker/simulated_clip.hpp"
+
+namespace abstand::testing {
+
+struct PosedScene {
+  std::string name;
+  std::vector<Posture> postures;
+  Vector3d eye{2.8, 0.0, 1.2}, look{0.0, 0.0, 0.9};  ///< m
+  std::vector<FurnitureBox> furniture{};
+  std::uint64_t body_seed{0};
+};
+
+std::vector<PosedScene> posedScenes();
+
+/// In a room, 320 x 240.
+SimulatedClip simulate(const PosedScene& scene);
+
+}  // namespace abstand::testing

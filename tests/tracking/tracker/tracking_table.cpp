@@ -1,0 +1,97 @@
+// Prints the table of errors and coverage of docs/tracking.md.
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <string>
+
+#include "tests/tracking/tracker/captured_scenes.hpp"
+#include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tracking/tracker/clip_tracker.hpp"
+
+namespace abstand::testing {
+namespace {
+
+struct TableClip {
+  std::string name;
+  std::function<SimulatedClip()> make;
+};
+
+std::vector<TableClip> clipsOf(const std::vector<CapturedScene>& scenes) {
+  std::vector<TableClip> clips;
+  for (const CapturedScene& scene : scenes)
+    if (exists(scene.plan.recording))
+      clips.push_back({scene.name, [plan = scene.plan] { return simulate(plan); }});
+  return clips;
+}
+
+std::vector<TableClip> clipsOf(const std::vector<PosedScene>& scenes) {
+  std::vector<TableClip> clips;
+  for (const PosedScene& scene : scenes) clips.push_back({scene.name, [scene] { return simulate(scene); }});
+  return clips;
+}
+
+/// The person found in the most images.
+JointErrors errorsOf(const TableClip& named, double& images_a_second) {
+  SimulatedClip clip = named.make();
+  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, {});
+  images_a_second = static_cast<double>(track.images) / track.seconds;
+  return compare(track.people.empty() ? std::vector<humanmodel::SkeletonFrame>{} : track.people[0].frames,
+                 clip.truth);
+}
+
+void printStated(const JointErrors::Stated& stated) {
+  if (stated.error.empty())
+    std::printf(" none |");
+  else
+    std::printf(" %.3f, x %.1f (%zu) |", stated.within(), stated.medianRatio(), stated.error.size());
+}
+
+void printRow(const std::string& name, const JointErrors& errors) {
+  std::vector<double> seen = errors.tracked.error;
+  std::sort(seen.begin(), seen.end());
+  if (seen.empty()) return;
+  std::printf("| %s | %.0f; %.0f |", name.c_str(), 1e3 * JointErrors::mean(seen),
+              1e3 * JointErrors::quantile(seen, 0.95));
+  printStated(errors.tracked);
+  printStated(errors.inferred);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+int printTable(const std::vector<std::string>& chosen) {
+  const std::vector<std::pair<const char*, std::vector<TableClip>>> groups{
+      {"hard captures", clipsOf(hardScenes())},
+      {"captures", clipsOf(capturedScenes())},
+      {"postures", clipsOf(posedScenes())}};
+  std::printf(
+      "| clip | tracked joints, raw mean; 95 in 100, mm | tracked within reach, median of reach / error "
+      "(joints) | inferred |\n|---|---|---|---|\n");
+  JointErrors all;
+  const auto add = [](const JointErrors& from, JointErrors& to) {
+    to.tracked.add(from.tracked);
+    to.inferred.add(from.inferred);
+  };
+  for (const auto& [group, clips] : groups) {
+    JointErrors of_group;
+    double slowest = kInfinity;
+    for (const TableClip& clip : clips) {
+      if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), clip.name) == chosen.end()) continue;
+      double rate = 0.0;
+      const JointErrors errors = errorsOf(clip, rate);
+      slowest = std::min(slowest, rate);
+      printRow(clip.name, errors);
+      add(errors, of_group);
+    }
+    printRow("**all " + std::string(group) + "**", of_group);
+    std::fprintf(stderr, "%s: %.0f images a second in the slowest clip\n", group, slowest);
+    add(of_group, all);
+  }
+  printRow("**all**", all);
+  return 0;
+}
+
+}  // namespace
+}  // namespace abstand::testing
+
+/// Arguments: names of clips; none: all of them.
+int main(int argc, char** argv) { return abstand::testing::printTable({argv + 1, argv + argc}); }
