@@ -18,7 +18,7 @@ constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
 // Share of a stature error by which a joint moves: the body is still fitted to the observed points.
-constexpr double kOfStature = 0.15;
+constexpr double kOfStature = 0.25;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands

@@ -27,26 +27,26 @@ Terms termsOf(humanmodel::Joint joint) {
     case kThorax:
       return {0.050};
     case kNeck:
-      return {0.042};
+      return {0.047};
     case kHead:
-      return {0.018, 0.10};
+      return {0.027, 0.10};
     case kHeadTop:
-      return {0.028, 0.20};
+      return {0.037, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
-      return {0.039, 0.08};
+      return {0.040, 0.08};
     case kElbowLeft:
     case kElbowRight:
-      return {0.030, 0.12};
+      return {0.032, 0.12};
     case kWristLeft:
     case kWristRight:
-      return {0.026, 0.25, 0.14};
+      return {0.027, 0.25, 0.14};
     case kHandLeft:
     case kHandRight:
-      return {0.022, 0.15, 0.28};
+      return {0.030, 0.15, 0.28};
     case kHipLeft:
     case kHipRight:
-      return {0.025};
+      return {0.030, 0.06};
     case kKneeLeft:
     case kKneeRight:
       return {0.028, 0.03};
@@ -55,7 +55,7 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.033, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.033, 0.15};
+      return {0.038, 0.15};
     case kCount:
       break;
   }

@@ -15,9 +15,9 @@ namespace abstand::tracking {
 /// - Touch: a hand on the trunk or on a thigh and a foot at the other leg are hardly told from these: a
 /// constant
 ///   for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on.
-/// The constants are about the smallest with which kSpreadQuantile times the result contains 99 % of the raw
-/// errors of each joint, captures counted twice and hard ones three times (tests/tracking/tracker,
-/// docs/tracking.md). Does not allocate or throw.
+/// The constants were chosen on the simulated captures and postures that also judge them
+/// (tests/tracking/tracker); smaller first ones would do there, but hold less of recordings that were held
+/// out (docs/tracking.md). Does not allocate or throw.
 std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
                                                            double residual,
                                                            const std::array<double, kRigSegments>& visible,

@@ -121,8 +121,8 @@ TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
   const std::string scene =
       write("reach.yaml", "abstand: 1\nhumans:\n  - {name: p, height: 1.75, recording: {file: " +
                               projectFile("data/scenes/hug_reach.bvh").string() +
-                              "}}\nobjects:\n  - {name: box, shape: {box: {size: [0.3, 0.3, 1.5]}}, pose: "
-                              "{xyz: [0.9, 0.9, 0.75]}}\n"
+                              "}}\nobjects:\n  - {name: box, shape: {cuboid: {size: [0.3, 0.3, 1.5]}}, pose: "
+                              "{xyz: [0.3, 0.55, 0.75]}}\n"
                               "pairs: {default: between_groups}\n");
   const std::string clip = (folder_.path() / "clip").string();
   ASSERT_EQ(run("render-depth " + scene +
@@ -137,6 +137,11 @@ TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
   const double by_itself = distance("");
   EXPECT_GT(by_itself, 0.0);
   EXPECT_EQ(by_itself, distance(" --cut-things"));
+  // Otherwise the box is taken for a part of the person.
+  const std::string csv = (folder_.path() / "uncut.csv").string();
+  ASSERT_EQ(run("track " + clip + " --out " + csv).code, 0);
+  EXPECT_GT(by_itself,
+            runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>());
 }
 
 TEST_F(Cli, TrackFitsTwoCamerasTogether) {
