@@ -53,6 +53,10 @@ nlohmann::ordered_json groupNeedsJson(const tune::TuneAnswer& answer,
   return rows;
 }
 
+nlohmann::ordered_json toolJson(const std::string& tool) {
+  return tool.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(tool);
+}
+
 nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const tune::ClosestApproach& c : answer.closest) {
@@ -62,6 +66,7 @@ nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer) {
     row["recording"] = seen ? nlohmann::ordered_json(answer.recordings[c.recording].recording) : nullptr;
     row["t"] = seen ? nlohmann::ordered_json(c.t) : nullptr;
     row["link"] = seen ? nlohmann::ordered_json(c.link) : nullptr;
+    row["tool"] = toolJson(c.tool);
     row["distance"] = seen ? nlohmann::ordered_json(c.distance) : nullptr;
     row["error"] = seen ? nlohmann::ordered_json(c.error()) : nullptr;
     row["clearance"] = seen ? nlohmann::ordered_json(c.clearance()) : nullptr;
@@ -86,9 +91,9 @@ std::string closestText(const tune::TuneAnswer& answer) {
       continue;
     }
     text += format("%-14s %8.1f ± %.1f mm (%.1f + %.1f + %.1f + %.1f + %.1f; age %.1f)  %s, %s at %.3f s\n",
-                   c.part.c_str(), 1e3 * c.distance, 1e3 * c.error(), 1e3 * c.bound, 1e3 * c.pose,
-                   1e3 * c.latency, 1e3 * c.calibration, 1e3 * c.between_frames, 1e3 * c.pose_age,
-                   tune::verdictText(c.verdict()), c.link.c_str(), c.t);
+                   tune::partText(c.part, c.tool).c_str(), 1e3 * c.distance, 1e3 * c.error(), 1e3 * c.bound,
+                   1e3 * c.pose, 1e3 * c.latency, 1e3 * c.calibration, 1e3 * c.between_frames,
+                   1e3 * c.pose_age, tune::verdictText(c.verdict()), c.link.c_str(), c.t);
   }
   return text;
 }

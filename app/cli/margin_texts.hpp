@@ -13,6 +13,8 @@ nlohmann::ordered_json outcomeJson(const margin::MarginOutcome& outcome);
 nlohmann::ordered_json strategiesJson(const tune::TuneAnswer& answer);
 nlohmann::ordered_json groupNeedsJson(const tune::TuneAnswer& answer,
                                       const std::vector<tune::GroupNeed>& needs);
+/// null for an empty name.
+nlohmann::ordered_json toolJson(const std::string& tool);
 nlohmann::ordered_json closestJson(const tune::TuneAnswer& answer);
 nlohmann::ordered_json bandsJson(const tune::TuneAnswer& answer);
 std::string closestText(const tune::TuneAnswer& answer);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kFramesAtOnce = 512;
 constexpr const char* kPairHeader =
     "recording,t_s,part,link,distance_m,bound_m,uncertainty_m,clearance_m,robot_speed_m_per_s,"
-    "person_speed_m_per_s,closing_speed_m_per_s,part_x_m,part_y_m,part_z_m,link_x_m,link_y_m,link_z_m\n";
+    "person_speed_m_per_s,closing_speed_m_per_s,part_x_m,part_y_m,part_z_m,link_x_m,link_y_m,link_z_m,tool\n";
 
 /// A comma, and a length (m) in the digits that result files have; nothing behind the comma for NaN.
 void addLength(std::string& line, double value, int digits) {
@@ -39,7 +39,6 @@ void addRow(std::string& line, const tune::StoredPairs& rows, std::size_t i) {
     line += ',' + formatDouble(v);
   for (const std::vector<double>* points : {&rows.on_part, &rows.on_link})
     for (std::size_t k = 0; k < 3; ++k) addLength(line, (*points)[3 * i + k], 3);
-  line += '\n';
 }
 
 }  // namespace
@@ -53,9 +52,10 @@ std::size_t writePairTable(const std::vector<tune::TunedRecording>& recordings,
   for (const tune::TunedRecording& r : recordings) {
     const tune::StoredPairReader reader(r);
     const std::string name = csvField(r.recording);
-    std::vector<std::string> names;
+    std::vector<std::string> names, tools;
     for (const auto& pair : r.pass.pairs)
       names.push_back("," + r.pass.parts[pair.part].part + "," + csvField(r.pass.links[pair.link]));
+    for (const auto& pair : r.pass.pairs) tools.push_back(csvField(r.pass.toolName(pair.tool)));
     const std::vector<double>& t = r.pass.parts.front().track.t;
     for (std::size_t first = 0; first < r.frames; first += kFramesAtOnce) {
       const std::size_t count = std::min(kFramesAtOnce, r.frames - first);
@@ -66,6 +66,7 @@ std::size_t writePairTable(const std::vector<tune::TunedRecording>& recordings,
         for (std::size_t p = 0; p < names.size(); ++p) {
           text += begin + names[p];
           addRow(text, rows, f * names.size() + p);
+          text += ',' + tools[p] + '\n';
         }
         out.stream() << text;
         written += names.size();

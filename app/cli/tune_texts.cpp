@@ -44,8 +44,10 @@ std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part
 Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
   Json j{{"part", p.part}, {"margin", p.margin}};
   if (const auto& d = p.decided_by) {
-    j["decided_by"] = {
-        {"recording", answer.recordings[d->recording].recording}, {"t", d->t}, {"link", d->link}};
+    j["decided_by"] = {{"recording", answer.recordings[d->recording].recording},
+                       {"t", d->t},
+                       {"link", d->link},
+                       {"tool", toolJson(d->tool)}};
     j["uncertainty"] = {{"bound", d->bound}, {"pose", d->pose}, {"sampling", d->sampling}};
   } else {
     j["decided_by"] = nullptr;
@@ -87,7 +89,8 @@ std::string approachesText(const tune::TuneAnswer& answer) {
   for (std::size_t i = 0; i < std::min(ranked.size(), kTextApproaches); ++i) {
     const tune::Approach& a = *ranked[i].approach;
     const tune::TunedRecording& r = *ranked[i].recording;
-    text += format("%8.1f mm  %s to %s at %.3f s", 1e3 * a.clearance, r.pass.parts[a.part].part.c_str(),
+    text += format("%8.1f mm  %s to %s at %.3f s", 1e3 * a.clearance,
+                   tune::partText(r.pass.parts[a.part].part, r.pass.toolName(a.tool)).c_str(),
                    r.pass.links[a.link].c_str(), a.t);
     if (!a.contact.region.empty()) {
       text += format("; hardest contact before, at %.2f m/s: ", a.contact.closing);
@@ -192,8 +195,9 @@ std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMar
       "%-14s %6.0f mm  determined by %s at %.3f s, %s; including bound %.1f, pose %.1f, one frame %.1f mm; "
       "body "
       "encloses %s of people\n",
-      p.part.c_str(), 1e3 * p.margin, answer.recordings[d.recording].recording.c_str(), d.t, d.link.c_str(),
-      1e3 * d.bound, 1e3 * d.pose, 1e3 * d.sampling, enclosed.c_str());
+      tune::partText(p.part, d.tool).c_str(), 1e3 * p.margin,
+      answer.recordings[d.recording].recording.c_str(), d.t, d.link.c_str(), 1e3 * d.bound, 1e3 * d.pose,
+      1e3 * d.sampling, enclosed.c_str());
 }
 
 }  // namespace
@@ -206,6 +210,7 @@ nlohmann::ordered_json approachJson(const tune::RankedApproach& r) {
       {"t", a.t},
       {"part", r.recording->pass.parts[a.part].part},
       {"link", r.recording->pass.links[a.link]},
+      {"tool", toolJson(r.recording->pass.toolName(a.tool))},
       {"distance", a.distance},
       {"clearance", a.clearance},
       {"closing_speed", closing},

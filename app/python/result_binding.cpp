@@ -16,18 +16,21 @@ struct PairResultFile {
   tune::StoredPairs pairs;
   std::vector<double> closing_speed;  ///< m/s
   std::vector<std::int32_t> indices;  ///< of each pair: part, link
+  std::vector<std::int32_t> tools;    ///< of each pair: index of the tool in the hand; -1: the part itself
 
   std::size_t frames() const { return stored.tuned.frames; }
   std::size_t width() const { return stored.tuned.pass.pairs.size(); }
 };
 
 PairResultFile readPairResult(const std::filesystem::path& path) {
-  PairResultFile file{tune::readResult(path), {}, {}, {}};
+  PairResultFile file{tune::readResult(path), {}, {}, {}, {}};
   file.pairs = tune::StoredPairReader(file.stored.tuned).rows(0, file.frames());
   for (std::size_t i = 0; i < file.pairs.robot_speed.size(); ++i)
     file.closing_speed.push_back(file.pairs.robot_speed[i] + file.pairs.person_speed[i]);
-  for (const auto& pair : file.stored.tuned.pass.pairs)
+  for (const auto& pair : file.stored.tuned.pass.pairs) {
     file.indices.insert(file.indices.end(), {pair.part, pair.link});
+    file.tools.push_back(pair.tool == tune::kNoTool ? -1 : pair.tool);
+  }
   return file;
 }
 
@@ -96,6 +99,17 @@ void bindResults(py::module_& module) {
                           self);
           },
           "(pairs, 2) int32: indices into `parts` and `links`.")
+      .def_property_readonly(
+          "tools", [](const PairResultFile& f) { return f.stored.tuned.pass.tools; },
+          "Names of the tools in people's hands.")
+      .def_property_readonly(
+          "pair_tools",
+          [](py::handle self) {
+            const auto& f = py::cast<const PairResultFile&>(self);
+            return viewOf(f.tools.data(), {static_cast<py::ssize_t>(f.width())}, {sizeof(std::int32_t)},
+                          self);
+          },
+          "(pairs,) int32: index into `tools` for a pair of the tool in the hand; -1 for the part itself.")
       .def_property_readonly(
           "t",
           [](py::handle self) {

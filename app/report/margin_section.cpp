@@ -48,7 +48,8 @@ std::string closestSection(const tune::TuneAnswer& answer) {
       if (several) rows.back().push_back("");
       continue;
     }
-    rows.push_back({c.part, text::rounded(1e3 * c.distance, 1) + " \u00b1 " + millimetresText(c.error(), 1),
+    rows.push_back({tune::partText(c.part, c.tool),
+                    text::rounded(1e3 * c.distance, 1) + " \u00b1 " + millimetresText(c.error(), 1),
                     text::rounded(1e3 * c.bound, 1),
                     c.poseTracker() > kStated ? text::rounded(1e3 * c.poseTracker(), 1) : "not stated",
                     text::rounded(1e3 * c.pose_age, 1), text::rounded(1e3 * c.latency, 1),

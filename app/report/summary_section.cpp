@@ -22,9 +22,10 @@ std::string nearestText(const tune::TuneAnswer& answer) {
   }
   std::string text = "Nobody was ever seen.";
   if (nearest)
-    text = "Nearest: " + nearest->part + " to " + nearest->link + ", " + roundedMm(nearest->distance, 1) +
-           " \u00b1 " + roundedMm(nearest->error(), 1) + ", " + tune::verdictText(nearest->verdict()) + " (" +
-           answer.recordings[nearest->recording].recording + " at " + text::rounded(nearest->t, 3) + " s).";
+    text = "Nearest: " + tune::partText(nearest->part, nearest->tool) + " to " + nearest->link + ", " +
+           roundedMm(nearest->distance, 1) + " \u00b1 " + roundedMm(nearest->error(), 1) + ", " +
+           tune::verdictText(nearest->verdict()) + " (" + answer.recordings[nearest->recording].recording +
+           " at " + text::rounded(nearest->t, 3) + " s).";
   return unseen.empty() ? text : text + " Not always seen, and not known there: " + unseen + ".";
 }
 

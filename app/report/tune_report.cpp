@@ -50,7 +50,8 @@ std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part
 std::string proposedSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
   for (const tune::ProposedMargin& p : answer.table.proposed) {
-    std::vector<std::string> row{p.part, std::isinf(p.margin) ? "no margin suffices" : mm(p.margin)};
+    std::vector<std::string> row{p.decided_by ? tune::partText(p.part, p.decided_by->tool) : p.part,
+                                 std::isinf(p.margin) ? "no margin suffices" : mm(p.margin)};
     if (const auto& d = p.decided_by)
       row.insert(row.end(), {answer.recordings[d->recording].recording + " at " + seconds(d->t), d->link,
                              shown("%.1f mm", 1e3 * d->bound) + " + " + shown("%.1f mm", 1e3 * d->pose) +
@@ -161,7 +162,8 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
   for (std::size_t i = 0; i < all.size(); ++i) {
     const tune::Approach& a = *all[i].approach;
     const tune::TunedRecording& r = *all[i].recording;
-    const std::string part = r.pass.parts[a.part].part, link = r.pass.links[a.link];
+    const std::string part = tune::partText(r.pass.parts[a.part].part, r.pass.toolName(a.tool));
+    const std::string& link = r.pass.links[a.link];
     const bool contact = !a.contact.region.empty();
     std::vector<std::string> row{mm(a.clearance), part, link, seconds(a.t)};
     if (contact)

@@ -78,8 +78,8 @@ void HumanDriver::hold(humanmodel::BodyPart hand, ObjectId object, const Transfo
 std::vector<HumanDriver::Body> HumanDriver::bodies() const {
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < humanmodel::kBodyPartCount; ++i)
-    if (objects_[i]) bodies.push_back({*objects_[i], static_cast<humanmodel::BodyPart>(i)});
-  for (const Held& held : held_) bodies.push_back({held.object, held.hand});
+    if (objects_[i]) bodies.push_back({*objects_[i], static_cast<humanmodel::BodyPart>(i), false});
+  for (const Held& held : held_) bodies.push_back({held.object, held.hand, true});
   return bodies;
 }
 

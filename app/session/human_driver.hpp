@@ -50,6 +50,7 @@ class HumanDriver {
   struct Body {
     ObjectId object;
     humanmodel::BodyPart part;
+    bool tool{false};
   };
   /// Parts in their order, then tools.
   std::vector<Body> bodies() const;

@@ -39,11 +39,15 @@ struct ContactShare {
   contact::ContactKind kind{contact::ContactKind::kTransient};  ///< quasi-static: the part may be clamped
 };
 
+/// In place of the index of a tool: a body part itself.
+inline constexpr std::uint16_t kNoTool = 65535;
+
 /// A local minimum of a part's clearance, where closing speeds are low, and the hardest possible contact on
 /// the way there: at the highest closing speed since the part came within `near`, or since the previous
 /// minimum.
 struct Approach {
   std::uint16_t part{0}, link{0};  ///< indices into PassResult
+  std::uint16_t tool{kNoTool};     ///< index into PassResult::tools: this tool in the hand came near
   double t{0.0}, distance{0.0}, clearance{0.0};
   ClosingMotion motion;
   ContactShare contact;

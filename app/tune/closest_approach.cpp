@@ -21,6 +21,7 @@ void takeFrames(const TunedRecording& recording, std::size_t index, const PartCl
     closest.recording = index;
     closest.t = track.t[i];
     closest.link = recording.pass.links[part.link[i]];
+    closest.tool = recording.pass.toolName(part.tool[i]);
     closest.distance = part.distance[i];
     closest.bound = part.bound[i];
     closest.calibration = calibration;

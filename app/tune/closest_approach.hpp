@@ -15,6 +15,7 @@ struct ClosestApproach {
   std::size_t recording{0};  ///< index
   double t{0.0};             ///< s; between two frames, that of the first one
   std::string link;
+  std::string tool;            ///< name of the tool in the hand that is nearer than the hand; else empty
   double distance{kInfinity};  ///< m
   /// m, contributions to the error: the engine's bound, uncertainty of the person's pose (tracking, gaps),
   /// latency of the pose (latency.hpp), calibration between recording and robot, and possible approach

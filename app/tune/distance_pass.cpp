@@ -47,6 +47,7 @@ void reserveFrames(std::size_t frames, PartClearance& part) {
         &part.person_speed, &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
     list->reserve(frames);
   part.link.reserve(frames);
+  part.tool.reserve(frames);
 }
 
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
@@ -65,18 +66,22 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
     result_.parts.push_back(
-        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
+        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
   for (PartClearance& part : result_.parts) {
     part.contact_excluded = judge_.excluded(part.part);
     if (options.keep_frames) reserveFrames(options.frames, part);
   }
-  std::map<std::size_t, std::uint16_t> link_index;
+  std::map<std::size_t, std::uint16_t> link_index, tool_index;
+  const auto named = [&](std::size_t object, std::map<std::size_t, std::uint16_t>& index,
+                         std::vector<std::string>& names) {
+    const auto [at, fresh] = index.try_emplace(object, static_cast<std::uint16_t>(names.size()));
+    if (fresh) names.push_back(session.scene().objects()[object].spec.name);
+    return at->second;
+  };
   for (const WatchedPair& pair : window_.pairs()) {
     const auto part = static_cast<std::uint16_t>(std::distance(there.begin(), there.find(pair.body_part)));
-    const auto [at, fresh] =
-        link_index.try_emplace(pair.link, static_cast<std::uint16_t>(result_.links.size()));
-    if (fresh) result_.links.push_back(session.scene().objects()[pair.link].spec.name);
-    result_.pairs.push_back({part, at->second});
+    result_.pairs.push_back({part, named(pair.link, link_index, result_.links),
+                             pair.tool ? named(pair.part, tool_index, result_.tools) : kNoTool});
   }
   const margin::MarginOptions needs{options.limit, 0.0};
   link_watches_.assign(result_.links.size(), NeedWatch(needs));
@@ -150,6 +155,7 @@ void DistancePass::addFrame(double t) {
                          &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
         list->clear();
       part.link.clear();
+      part.tool.clear();
     }
     part.track.t.push_back(t);
     part.track.clearance.push_back(kInfinity);
@@ -161,6 +167,7 @@ void DistancePass::addFrame(double t) {
     part.age_uncertainty.push_back(0.0);
     part.latency_uncertainty.push_back(0.0);
     part.link.push_back(0);
+    part.tool.push_back(kNoTool);
     part.robot_speed.push_back(0.0);
     part.person_speed.push_back(0.0);
     part.separation.missing.push_back(-kInfinity);
@@ -180,6 +187,7 @@ void DistancePass::take(const WindowFrame& frame, const WindowFrame* next) {
       part.age_uncertainty[i] = frame.age_uncertainty[p];
       part.latency_uncertainty[i] = window_.latencyOf(window_.pairs()[p]);
       part.link[i] = result_.pairs[p].link;
+      part.tool[i] = result_.pairs[p].tool;
       part.distance[i] = frame.distance[p];
       nearest_[result_.pairs[p].part] = p;
       part.bound[i] = frame.bound[p];
@@ -270,8 +278,8 @@ void DistancePass::watchApproach(std::size_t index, const WindowFrame& frame) {
   if (is_hardest || told) judge_.complete(frame, pair, motion);
   if (is_hardest) hardest = {frame.t, pair, motion};
   if (!told) return;
-  result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), frame.t,
-                                part.distance.back(), clearance, motion,
+  result_.approaches.push_back({static_cast<std::uint16_t>(index), part.link.back(), part.tool.back(),
+                                frame.t, part.distance.back(), clearance, motion,
                                 judge_.contact(hardest->motion, hardest->t, hardest->pair, part.part)});
   hardest.reset();
 }

@@ -57,6 +57,7 @@ struct PartClearance {
   std::vector<double> age_uncertainty;
   std::vector<double> latency_uncertainty;  ///< m, of that pair: share of the uncertainty due to the latency
   std::vector<std::uint16_t> link;          ///< index of that pair's link in PassResult::links
+  std::vector<std::uint16_t> tool;  ///< index in PassResult::tools; kNoTool: the part itself is nearest
   /// m/s, of that pair, towards each other; rounded up to whole steps of kSpeedStep.
   std::vector<double> robot_speed, person_speed;
   PartSeparation
@@ -78,9 +79,13 @@ inline constexpr double kSpeedStep = 1.0 / 16384.0;
 struct PassResult {
   std::vector<PartClearance> parts;  ///< in the order of the body
   std::vector<std::string> links;    ///< names of the robots' links
+  std::vector<std::string> tools;    ///< names of the objects in people's hands: "operator/driver"
   struct PairOfNames {
-    std::uint16_t part, link;  ///< indices into `parts` and `links`
+    std::uint16_t part, link;     ///< indices into `parts` and `links`
+    std::uint16_t tool{kNoTool};  ///< index into `tools`; kNoTool: the part itself
   };
+  /// Name of a tool; empty for kNoTool.
+  std::string toolName(std::uint16_t tool) const { return tool == kNoTool ? std::string() : tools.at(tool); }
   std::vector<PairOfNames> pairs;      ///< in the order of WindowFrame's lists
   std::vector<MarginNeed> link_needs;  ///< of each link, with the nearest part of any person
   std::vector<MarginNeed> pair_needs;  ///< of each of `pairs`

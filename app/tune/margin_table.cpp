@@ -51,6 +51,7 @@ ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string&
     proposed.decided_by = {j.index,
                            j.part->track.t[told],
                            j.recording->pass.links[j.part->link[told]],
+                           j.recording->pass.toolName(j.part->tool[told]),
                            j.part->track.clearance[before],
                            j.part->bound[before],
                            j.part->uncertainty[before],

@@ -25,6 +25,7 @@ struct ProposedMargin {
     std::size_t recording{0};  ///< index
     double t{0.0};             ///< s, time of the stop command
     std::string link;
+    std::string tool;       ///< name of the tool in the hand that is nearer than the hand; else empty
     double clearance{0.0};  ///< m, one frame earlier
     /// m, contributions to the margin: the engine's bound, pose uncertainty, and motion within one frame.
     double bound{0.0}, pose{0.0}, sampling{0.0};

@@ -10,7 +10,7 @@ namespace {
 
 /// Columns of one part, in file order.
 const char* const kPartColumns[] = {"clearance",   "between", "braking", "distance", "bound",
-                                    "uncertainty", "link",    "age",     "latency"};
+                                    "uncertainty", "link",    "age",     "latency",  "tool"};
 constexpr std::size_t kPartColumnCount = std::size(kPartColumns);
 /// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
 constexpr double kAllMissing = 1e4;
@@ -75,6 +75,7 @@ class PartLists {
     part.link.push_back(static_cast<std::uint16_t>(v[6]));
     part.age_uncertainty.push_back(v[7]);
     part.latency_uncertainty.push_back(v[8]);
+    part.tool.push_back(toolOf(v[9], names_.tools, file_));
   }
   static void addMissing(double missing, double scale, PartSeparation& separation) {
     separation.missing.push_back(std::isnan(missing)      ? -kInfinity
@@ -95,6 +96,14 @@ class PartLists {
 
 }  // namespace
 
+double toolNumber(std::uint16_t tool) { return tool == kNoTool ? 0.0 : tool + 1.0; }
+
+std::uint16_t toolOf(double number, std::size_t tools, const std::string& file) {
+  if (!(number >= 0.0 && number <= static_cast<double>(tools)))
+    throw ParseError({file}, "found the number of a tool that is not among the tools");
+  return number < 1.0 ? kNoTool : static_cast<std::uint16_t>(number - 1.0);
+}
+
 void PartTableWriter::begin(std::size_t parts, hdf5::TableWriter& out) {
   using hdf5::Storage;
   t_ = out.table("t", {});
@@ -111,7 +120,7 @@ void PartTableWriter::add(const std::vector<PartClearance>& parts, std::size_t i
   for (const PartClearance& p : parts)
     row_.insert(row_.end(), {p.track.clearance[i], p.track.between[i], p.track.braking[i], p.distance[i],
                              p.bound[i], p.uncertainty[i], static_cast<double>(p.link[i]),
-                             p.age_uncertainty[i], p.latency_uncertainty[i]});
+                             p.age_uncertainty[i], p.latency_uncertainty[i], toolNumber(p.tool[i])});
   out.add(values_, row_);
   row_.clear();
   for (const PartClearance& p : parts) row_.insert(row_.end(), {p.robot_speed[i], p.person_speed[i]});

@@ -7,6 +7,11 @@
 
 namespace abstand::tune {
 
+/// Number of a tool in files: 0 for a part itself, else its index + 1; and back. `tools`: how many there are.
+/// Throws ParseError.
+double toolNumber(std::uint16_t tool);
+std::uint16_t toolOf(double number, std::size_t tools, const std::string& file);
+
 /// Writes the tables with a row for each frame.
 class PartTableWriter {
  public:
@@ -25,7 +30,7 @@ void writeWorstSeparation(const std::vector<PartClearance>& parts, hdf5::TableWr
 /// What the other tables of the file name.
 struct PartTableNames {
   const std::vector<std::string>& parts;
-  std::size_t links{0}, frames{0};
+  std::size_t links{0}, tools{0}, frames{0};
 };
 
 /// Reads both, some thousand frames at a time. Throws ParseError for damaged or inconsistent tables.

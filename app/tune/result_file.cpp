@@ -23,8 +23,9 @@ constexpr double kPointsWithin = 0.5;
 constexpr std::size_t kMaxNames = 10000;
 
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
-/// the hardest contact on the way, excluded, force, energy, share, pressure, its share, quasi-static.
-constexpr std::size_t kApproachColumns = 17;
+/// the hardest contact on the way, excluded, force, energy, share, pressure, its share, quasi-static,
+/// tool.
+constexpr std::size_t kApproachColumns = 18;
 /// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
 constexpr std::size_t kNeedColumns = 7;
 
@@ -74,21 +75,23 @@ std::vector<MarginNeed> needsOf(const std::vector<double>& table, std::size_t fi
 /// Reads pairs of indices of parts and links.
 void readPairs(const hdf5::TableReader& in, std::size_t parts, PassResult& pass, const std::string& file) {
   const std::size_t count = in.extents("pairs").rows;
-  const std::vector<double> pairs = in.table("pairs", count, 2);
+  const std::vector<double> pairs = in.table("pairs", count, 3);
   for (std::size_t p = 0; p < count; ++p) {
-    const double part = pairs[2 * p], link = pairs[2 * p + 1];
+    const double part = pairs[3 * p], link = pairs[3 * p + 1];
     if (!(part >= 0.0 && part < static_cast<double>(parts) && link >= 0.0 &&
           link < static_cast<double>(pass.links.size())))
       throw ParseError({file}, "found a pair of an unknown part or link");
-    pass.pairs.push_back({static_cast<std::uint16_t>(part), static_cast<std::uint16_t>(link)});
+    pass.pairs.push_back({static_cast<std::uint16_t>(part), static_cast<std::uint16_t>(link),
+                          toolOf(pairs[3 * p + 2], pass.tools.size(), file)});
   }
   const std::vector<double> needs = in.table("needs", pass.links.size() + count, kNeedColumns);
   pass.link_needs = needsOf(needs, 0, pass.links.size(), file);
   pass.pair_needs = needsOf(needs, pass.links.size(), count, file);
 }
 
-std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t parts, std::size_t links,
+std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t parts, const PassResult& pass,
                                    const std::string& file) {
+  const std::size_t links = pass.links.size();
   const std::size_t count = in.extents("approaches").rows;
   const std::vector<double> v = in.table("approaches", count, kApproachColumns);
   const std::vector<std::string> regions = in.texts("approach_regions");
@@ -103,6 +106,7 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
     Approach approach;
     approach.part = static_cast<std::uint16_t>(a[0]);
     approach.link = static_cast<std::uint16_t>(a[1]);
+    approach.tool = toolOf(a[17], pass.tools.size(), file);
     approach.t = a[2], approach.distance = a[3], approach.clearance = a[4];
     approach.motion.robot_speed = a[5], approach.motion.person_speed = a[6],
     approach.motion.robot_mass = a[7];
@@ -148,8 +152,10 @@ void ResultWriter::begin(const PassResult& names) {
   out_.texts("parts", parts);
   out_.texts("links", names.links);
   std::vector<int> pairs;
-  for (const auto& p : names.pairs) pairs.insert(pairs.end(), {p.part, p.link});
-  out_.integers("pairs", pairs, 2);
+  for (const auto& p : names.pairs)
+    pairs.insert(pairs.end(), {p.part, p.link, static_cast<int>(toolNumber(p.tool))});
+  out_.texts("tools", names.tools);
+  out_.integers("pairs", pairs, 3);
   using hdf5::Storage;
   distance_ = out_.table("distance", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
   bound_ = out_.table("bound", {names.pairs.size()}, Storage::kSteps32, kDistanceStep);
@@ -237,10 +243,11 @@ void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
   const std::size_t approaches = out_.table("approaches", {kApproachColumns});
   for (const Approach& a : all) {
     const ContactShare& c = a.contact;
-    for (const double v : {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance,
-                           a.clearance, a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t,
-                           c.closing, c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure,
-                           c.pressure_share, c.kind == contact::ContactKind::kQuasiStatic ? 1.0 : 0.0})
+    for (const double v :
+         {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance, a.clearance,
+          a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t, c.closing,
+          c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share,
+          c.kind == contact::ContactKind::kQuasiStatic ? 1.0 : 0.0, toolNumber(a.tool)})
       out_.add(approaches, v);
     out_.endRow();
     regions.push_back(c.region);
@@ -329,15 +336,17 @@ StoredResult readResult(const std::filesystem::path& file) {
   }
   const std::vector<std::string> parts = in.texts("parts");
   tuned.pass.links = in.texts("links");
+  tuned.pass.tools = in.texts("tools");
   if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
-      tuned.pass.links.size() > kMaxNames)
+      tuned.pass.links.size() > kMaxNames || tuned.pass.tools.size() > kMaxNames)
     fail("found no parts or no links, expected some");
   readPairs(in, parts.size(), tuned.pass, file.string());
   tuned.file = file;
   const std::size_t frames = in.extents("t").rows;
   tuned.frames = frames;
-  tuned.pass.parts = readPartTables(in, {parts, tuned.pass.links.size(), frames}, file.string());
-  tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass.links.size(), file.string());
+  tuned.pass.parts =
+      readPartTables(in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), frames}, file.string());
+  tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass, file.string());
   tuned.enclosed = enclosedOf(in, parts.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());
   return stored;

@@ -67,15 +67,15 @@ class OddResult {
     lists();
     const std::size_t frames = 1 + in_.byte() % 4, parts = 2;
     table("t", frames, {}, [](std::size_t row, std::size_t) { return 0.1 * static_cast<double>(row); });
-    table("part_values", frames, {parts, 9},
-          [](std::size_t, std::size_t i) { return i % 9 == 6 ? 1.0 : 0.3; });
+    table("part_values", frames, {parts, 10},
+          [](std::size_t, std::size_t i) { return i % 10 == 6 || i % 10 == 9 ? 1.0 : 0.3; });
     table("part_separation", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_speeds", frames, {parts, 2}, [](std::size_t, std::size_t) { return 0.5; });
     table("worst_separation", parts, {10}, [](std::size_t, std::size_t) { return 0.5; });
-    table("pairs", 2, {2},
+    table("pairs", 2, {3},
           [](std::size_t row, std::size_t i) { return i == 0 ? 0.0 : static_cast<double>(row); });
     table("needs", 5, {7}, [](std::size_t, std::size_t) { return 0.1; });
-    table("approaches", in_.byte() % 3, {17}, [](std::size_t, std::size_t) { return 0.5; });
+    table("approaches", in_.byte() % 3, {18}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_contact", frames, {parts}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("contact_excluded", {"part1"});
     table("enclosed", parts, {2}, [](std::size_t, std::size_t) { return 0.5; });
@@ -111,6 +111,9 @@ class OddResult {
     for (std::size_t i = in_.count(in_.byte() % 3); i > 0; --i) regions.push_back(in_.text("chest"));
     if (!in_.rarely()) out_.texts("parts", parts);
     if (!in_.rarely()) out_.texts("links", links);
+    std::vector<std::string> tools;
+    for (std::size_t i = in_.count(1); i > 0; --i) tools.push_back(in_.text("tool" + std::to_string(i)));
+    if (!in_.rarely()) out_.texts("tools", tools);
     if (!in_.rarely()) out_.texts("reservations", reservations);
     if (!in_.rarely()) out_.texts("approach_regions", regions);
   }
@@ -141,8 +144,12 @@ void judge(const tune::StoredResult& stored) {
   for (const tune::PartClearance& p : stored.tuned.pass.parts) {
     ABSTAND_CHECK(p.link.size() == stored.tuned.frames && p.distance.size() == stored.tuned.frames);
     for (const std::uint16_t link : p.link) ABSTAND_CHECK(link < stored.tuned.pass.links.size());
+    for (const std::uint16_t tool : p.tool)
+      ABSTAND_CHECK(tool == tune::kNoTool || tool < stored.tuned.pass.tools.size());
     if (p.separation.worst) ABSTAND_CHECK(p.separation.worst->link < stored.tuned.pass.links.size());
   }
+  for (const auto& pair : stored.tuned.pass.pairs)
+    ABSTAND_CHECK(pair.tool == tune::kNoTool || pair.tool < stored.tuned.pass.tools.size());
   for (const tune::Approach& a : stored.tuned.pass.approaches)
     ABSTAND_CHECK(a.part < stored.tuned.pass.parts.size() && a.link < stored.tuned.pass.links.size());
   tune::marginTable(alone, {0.0, 0.2}, stored.options);

@@ -44,7 +44,8 @@ TEST_F(PairExport, HasRowPerFrameAndPairMatchingPartResults) {
   EXPECT_EQ(pairs[0][1], "t_s");
   EXPECT_EQ(pairs[0][7], "clearance_m");
   EXPECT_EQ(pairs[0][10], "closing_speed_m_per_s");
-  ASSERT_EQ(pairs[0].size(), 17u);
+  EXPECT_EQ(pairs[0][17], "tool");
+  ASSERT_EQ(pairs[0].size(), 18u);
   int near = 0, far = 0;
   for (std::size_t i = 1; i < pairs.size(); ++i) {
     const auto &pair = pairs[i], &part = parts[i];
@@ -62,6 +63,7 @@ TEST_F(PairExport, HasRowPerFrameAndPairMatchingPartResults) {
     EXPECT_LE(number(pair[8]), std::max(0.0, number(part[8])) + kSpeedStep) << i;
     ++(distance < 0.5 ? near : far);
     EXPECT_EQ(pair[11].empty(), !(distance < 0.5)) << i;
+    EXPECT_EQ(pair[17], "") << "nobody holds a tool";
     if (pair[11].empty()) continue;
     double squared = 0.0;
     for (std::size_t k = 0; k < 3; ++k) squared += std::pow(number(pair[14 + k]) - number(pair[11 + k]), 2);

@@ -43,6 +43,7 @@ class Results(unittest.TestCase):
         self.assertEqual([row["part"] for row in rows[:pairs]], [r.parts[p] for p, _ in r.pairs])
         self.assertEqual([row["link"] for row in rows[:pairs]], [r.links[l] for _, l in r.pairs])
         self.assertEqual({row["recording"] for row in rows}, {r.recording})
+        self.assertEqual((r.tools, {row["tool"] for row in rows}, r.pair_tools.tolist()), ([], {""}, [-1] * pairs))
 
         def column(name):
             return np.array([float(row[name] or "nan") for row in rows]).reshape(frames, pairs)

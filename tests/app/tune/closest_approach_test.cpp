@@ -21,6 +21,7 @@ TunedRecording handOf(const std::vector<double>& clearance) {
     part.age_uncertainty.push_back(0.0);
     part.latency_uncertainty.push_back(0.0);
     part.link.push_back(0);
+    part.tool.push_back(kNoTool);
   }
   recording.pass.parts.push_back(part);
   return recording;

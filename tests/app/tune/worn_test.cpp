@@ -1,7 +1,9 @@
 // Clothing and tools in hands against closed forms.
 #include <gtest/gtest.h>
 
+#include "app/tune/closest_approach.hpp"
 #include "app/tune/plan.hpp"
+#include "app/tune/result_file.hpp"
 #include "app/tune/worst_phase.hpp"
 #include "humanmodel/held_tool.hpp"
 #include "tests/app/tune/slide_scene.hpp"
@@ -102,6 +104,29 @@ TEST(Worn, ClothingTakesItsThicknessFromTheDistance) {
   for (std::size_t i = 0; i < before.track.frames(); ++i)
     EXPECT_NEAR(after.distance[i], before.distance[i] - kThick, 2 * kRelative * before.distance[i] + kEngine);
   EXPECT_EQ(partOf(a, "head").distance, partOf(b, "head").distance) << "the head is bare";
+}
+
+TEST(Worn, ResultsNameTheToolThatIsNearerThanTheHand) {
+  const testing::ScratchFolder folder;
+  const auto session = openWorn(folder, {{}, {ballTool()}});
+  const TunedRecording tuned = tuneRecording(*session, {}, {}, "slide");
+  ASSERT_EQ(tuned.pass.tools, std::vector<std::string>{"person/hand_right/ball"});
+  // The ball is 0.6 m before the hand, on the robot's way.
+  for (const std::uint16_t tool : partOf(tuned, "hand_right").tool)
+    EXPECT_EQ(tuned.pass.toolName(tool), "person/hand_right/ball");
+  for (const std::uint16_t tool : partOf(tuned, "hand_left").tool) EXPECT_EQ(tool, kNoTool);
+  for (const ClosestApproach& closest : closestApproaches({tuned}, 0.0))
+    EXPECT_EQ(closest.tool, closest.part == "hand_right" ? "person/hand_right/ball" : "") << closest.part;
+  // Through a file as well.
+  const std::filesystem::path file = folder.path() / "result.h5";
+  ResultWriter writer(file, {}, hdf5::Compression::kDeflate);
+  writer.commit(tuned, {});
+  const StoredResult stored = readResult(file);
+  EXPECT_EQ(stored.tuned.pass.tools, tuned.pass.tools);
+  EXPECT_EQ(partOf(stored.tuned, "hand_right").tool, partOf(tuned, "hand_right").tool);
+  EXPECT_EQ(partOf(stored.tuned, "hand_left").tool, partOf(tuned, "hand_left").tool);
+  for (std::size_t p = 0; p < tuned.pass.pairs.size(); ++p)
+    EXPECT_EQ(stored.tuned.pass.pairs[p].tool, tuned.pass.pairs[p].tool);
 }
 
 TEST(Worn, TheWorstPhaseKnowsTheTool) {
