@@ -1,8 +1,8 @@
 // abstand tune: outcomes of safety margins over recordings, and proposed margins.
 #include <cstdlib>
-#include <set>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/pass_arguments.hpp"
 #include "app/cli/question_arguments.hpp"
 #include "app/cli/speed_texts.hpp"
 #include "app/cli/tune_arguments.hpp"
@@ -20,17 +20,15 @@
 #include "core/base/interrupt.hpp"
 #include "core/base/temporary_folder.hpp"
 #include "core/base/write_error.hpp"
-#include "core/contact/contact_limits_reader.hpp"
-#include "humanmodel/body_part.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct TuneArguments {
-  std::string scene, limit, reaction_time, deceleration, restart_time, near, calibration_error, latency,
-      contact_limits, out, shard;
-  std::vector<std::string> recordings, separation, clamped;
+  std::string scene, out, shard;
+  std::vector<std::string> recordings;
   QuestionArguments questions;
+  PassArguments pass;
   int jobs{1};
   bool cut_things{false}, worst_phase{false};
   SpeedArguments speeds;
@@ -38,61 +36,6 @@ struct TuneArguments {
   WarmStartArguments warm_start;
   robot_file::PackagePaths packages;
 };
-
-/// Parses KEY=VALUE texts.
-void takeSeparation(const std::vector<std::string>& texts, safety::SeparationOptions& options) {
-  for (const std::string& text : texts) {
-    const auto equals = text.find('=');
-    std::string known;
-    bool found = false;
-    safety::SeparationOptions::eachNumber(
-        options, [&](const char* key, double& value, const config::NumberRule&) {
-          known += (known.empty() ? "" : ", ") + std::string(key);
-          if (equals == std::string::npos || text.substr(0, equals) != key) return;
-          value = number(text.substr(equals + 1), "--separation " + text.substr(0, equals));
-          found = true;
-        });
-    if (!found)
-      throw UsageError("--separation: found '" + text + "', expected KEY=VALUE with a key of " + known);
-  }
-  options.validate();
-}
-
-/// Sorted names, each once.
-std::vector<std::string> clampedNames(const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    if (!humanmodel::parsePart(name)) {
-      std::string known;
-      for (const std::string_view part : humanmodel::partNames())
-        known += (known.empty() ? "" : ", ") + std::string(part);
-      throw UsageError("--clamped: found '" + name + "', expected parts of the body: " + known);
-    }
-  const std::set<std::string> parts(names.begin(), names.end());
-  return {parts.begin(), parts.end()};
-}
-
-tune::TuneOptions optionsOf(const TuneArguments& args) {
-  tune::TuneOptions o;
-  if (!args.limit.empty()) o.pass.limit = numberWithin(args.limit, "--limit", 0.0, 10.0, "m");
-  if (!args.reaction_time.empty())
-    o.pass.braking.reaction_time = numberWithin(args.reaction_time, "--reaction-time", 0.0, 10.0, "s");
-  if (!args.deceleration.empty())
-    o.pass.braking.deceleration =
-        numberWithin(args.deceleration, "--deceleration", 1e-3, 1e6, "rad/s^2 or m/s^2");
-  if (!args.near.empty()) o.pass.near = numberWithin(args.near, "--near", 0.0, 10.0, "m");
-  if (!args.calibration_error.empty())
-    o.pass.calibration_error = numberWithin(args.calibration_error, "--calibration-error", 0.0, 10.0, "m");
-  if (!args.latency.empty()) o.pass.latency = numberWithin(args.latency, "--latency", 0.0, 10.0, "s");
-  o.pass.separation.reaction_time = o.pass.braking.reaction_time;
-  takeSeparation(args.separation, o.pass.separation);
-  o.restart_time = restartTime(args.restart_time);
-  o.pass.clamped = clampedNames(args.clamped);
-  o.pass.contact = std::make_shared<const contact::ContactLimits>(
-      contact::loadContactLimits(args.contact_limits.empty() ? contact::defaultContactLimits()
-                                                             : std::filesystem::path(args.contact_limits),
-                                 humanmodel::partNames()));
-  return o;
-}
 
 session::SessionOptions sessionOptions(const CommandLine& line, const TuneArguments& args,
                                        const std::string& recording) {
@@ -323,7 +266,7 @@ tune::ReplayRuns replayItems(const CommandLine& line, const TuneArguments& args,
 }
 
 int runTune(const CommandLine& line, const TuneArguments& args) {
-  const tune::TuneOptions options = optionsOf(args);
+  const tune::TuneOptions options = args.pass.options();
   Asked asked{args.questions, args.questions.questions(), args.scene};
   const std::vector<tune::PlanItem> items = itemsOf(args);
   MomentPainter painter(line, args, items);
@@ -391,32 +334,10 @@ void addTune(CLI::App& root, CommandLine& line) {
   command->add_option("--recordings", args->recordings,
                       "recordings of people, each run with the scene's robots");
   args->questions.add(*command, line);
-  command->add_option("--limit", args->limit,
-                      "clearance limit in m of a moving robot (default: 0, no contact)");
-  command->add_option("--reaction-time", args->reaction_time,
-                      "reaction time in s: from the first frame inside the margin until the robot "
-                      "decelerates (default: 0.1)");
-  command->add_option("--deceleration", args->deceleration,
-                      "rad/s^2 or m/s^2, of every joint on its path (default: 5)");
-  command->add_option("--restart-time", args->restart_time,
-                      "restart time in s: from the end of an intrusion until the robot resumes (default: 0)");
+  args->pass.add(*command);
   command->add_flag("--worst-phase", args->worst_phase,
                     "smallest certified clearance over all phases of the robots' programs");
-  command->add_option(
-      "--separation", args->separation,
-      "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");
   addSpeedStudy(*command, line, args->speeds);
-  command->add_option("--near", args->near, "m: approaches below this clearance are listed (default: 0.2)");
-  command->add_option(
-      "--calibration-error", args->calibration_error,
-      "calibration error in m between recording and robot, part of every uncertainty (default: 0)");
-  command->add_option(
-      "--latency", args->latency,
-      "s: how old a person's pose is when it arrives, part of every uncertainty (default: 0)");
-  command->add_option("--contact-limits", args->contact_limits,
-                      "table of contact limits (default: ISO/TS 15066:2016, docs/contact.md)");
-  command->add_option("--clamped", args->clamped,
-                      "PART...: parts that may be clamped; quasi-static contact limits apply to them");
   args->worn.add(*command);
   command->add_flag(
       "--cut-things", args->cut_things,

@@ -1,0 +1,23 @@
+// Options of a pass over recordings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/command_line.hpp"
+#include "app/tune/recording_tune.hpp"
+
+namespace abstand::cli {
+
+/// Assumptions about robots, sensors and contacts, as texts: numbers are parsed by options().
+struct PassArguments {
+  std::string limit, reaction_time, deceleration, restart_time, near, calibration_error, latency,
+      contact_limits;
+  std::vector<std::string> separation, clamped;
+
+  void add(CLI::App& command);
+  /// Reads the table of contact limits. Throws UsageError and ParseError.
+  tune::TuneOptions options() const;
+};
+
+}  // namespace abstand::cli
