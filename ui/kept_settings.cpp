@@ -19,13 +19,19 @@ struct Remembered {
   Id id;
   const char* key;
 };
-constexpr Remembered kRemembered[] = {
-    {Id::kForces, "view/forces"},           {Id::kTorques, "view/torques"},
-    {Id::kVelocities, "view/velocities"},   {Id::kClosest, "view/closest"},
-    {Id::kLabels, "view/labels"},           {Id::kFloor, "view/floor"},
-    {Id::kShadows, "view/shadows"},         {Id::kLoop, "playback/loop"},
-    {Id::kTransparent, "view/transparent"}, {Id::kAutoScale, "view/auto_scale"},
-    {Id::kMetres, "view/metres"},           {Id::kRadians, "view/radians"}};
+constexpr Remembered kRemembered[] = {{Id::kForces, "view/forces"},
+                                      {Id::kTorques, "view/torques"},
+                                      {Id::kJointTorques, "view/joint_torques"},
+                                      {Id::kVelocities, "view/velocities"},
+                                      {Id::kClosest, "view/closest"},
+                                      {Id::kLabels, "view/labels"},
+                                      {Id::kFloor, "view/floor"},
+                                      {Id::kShadows, "view/shadows"},
+                                      {Id::kLoop, "playback/loop"},
+                                      {Id::kTransparent, "view/transparent"},
+                                      {Id::kAutoScale, "view/auto_scale"},
+                                      {Id::kMetres, "view/metres"},
+                                      {Id::kRadians, "view/radians"}};
 
 }  // namespace
 

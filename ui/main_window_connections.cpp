@@ -61,8 +61,8 @@ constexpr int kSlowMs = 100, kMaxTreeLevels = 20;
 }  // namespace
 
 void MainWindow::connectView() {
-  for (const Id id : {Id::kForces, Id::kTorques, Id::kVelocities, Id::kClosest, Id::kLabels, Id::kFloor,
-                      Id::kShadows, Id::kTransparent, Id::kAutoScale})
+  for (const Id id : {Id::kForces, Id::kTorques, Id::kJointTorques, Id::kVelocities, Id::kClosest,
+                      Id::kLabels, Id::kFloor, Id::kShadows, Id::kTransparent, Id::kAutoScale})
     connect((*actions_)[id], &QAction::toggled, this, &MainWindow::applyOptions);
   connect(opacity_, &QSlider::valueChanged, this, &MainWindow::applyOptions);
   connect(opacity_, &QSlider::sliderReleased, document_, &Document::endStep);

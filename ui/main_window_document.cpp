@@ -34,12 +34,16 @@ struct ViewSwitch {
   ActionId id;
   bool ViewOptions::*member;
 };
-constexpr ViewSwitch kViewSwitches[] = {
-    {ActionId::kForces, &ViewOptions::forces},          {ActionId::kTorques, &ViewOptions::torques},
-    {ActionId::kVelocities, &ViewOptions::velocities},  {ActionId::kClosest, &ViewOptions::closest},
-    {ActionId::kLabels, &ViewOptions::labels},          {ActionId::kFloor, &ViewOptions::floor},
-    {ActionId::kShadows, &ViewOptions::shadows},        {ActionId::kAutoScale, &ViewOptions::auto_scale},
-    {ActionId::kTransparent, &ViewOptions::transparent}};
+constexpr ViewSwitch kViewSwitches[] = {{ActionId::kForces, &ViewOptions::forces},
+                                        {ActionId::kTorques, &ViewOptions::torques},
+                                        {ActionId::kJointTorques, &ViewOptions::joint_torques},
+                                        {ActionId::kVelocities, &ViewOptions::velocities},
+                                        {ActionId::kClosest, &ViewOptions::closest},
+                                        {ActionId::kLabels, &ViewOptions::labels},
+                                        {ActionId::kFloor, &ViewOptions::floor},
+                                        {ActionId::kShadows, &ViewOptions::shadows},
+                                        {ActionId::kAutoScale, &ViewOptions::auto_scale},
+                                        {ActionId::kTransparent, &ViewOptions::transparent}};
 
 }  // namespace
 

@@ -114,4 +114,13 @@ void MechanismDriver::efforts(const scene::Scene& scene, std::span<double> out) 
   }
 }
 
+void MechanismDriver::axes(std::span<mechanism::JointAxis> out) const {
+  if (state_.X_BF.size() != mechanism_.frames.size()) return;  // not posed so far
+  mechanism::jointAxes(mechanism_, state_, out);
+  for (mechanism::JointAxis& axis : out) {
+    axis.p = X_WB_ * axis.p;
+    axis.direction = X_WB_.linear() * axis.direction;
+  }
+}
+
 }  // namespace abstand::session

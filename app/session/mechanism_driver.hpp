@@ -6,6 +6,7 @@
 
 #include "app/scene_file/scene_description.hpp"
 #include "core/mechanism/dof_limits.hpp"
+#include "core/mechanism/joint_axis.hpp"
 #include "core/mechanism/mechanism.hpp"
 #include "core/mechanism/motion_file.hpp"
 #include "core/scene/scene.hpp"
@@ -43,6 +44,9 @@ class MechanismDriver {
   void markStale(double t, scene::Scene& scene) const;
   /// Joint efforts (N m, N) caused by the contact wrenches on the links: J^T w. Size: dof().
   void efforts(const scene::Scene& scene, std::span<double> out) const;
+
+  /// Axes of the joints in the world. Size: dof().
+  void axes(std::span<mechanism::JointAxis> out) const;
 
   struct Link {
     int frame;  ///< index into the mechanism's frames, -1: the base

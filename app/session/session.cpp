@@ -294,9 +294,12 @@ void Session::capture(double t, view::SceneSnapshot& out) const {
   out.t = t;
   out.joint_efforts = joint_efforts_;
   out.joint_positions.resize(joint_efforts_.size());
+  out.joint_axes.resize(joint_efforts_.size());
   std::size_t i = 0;
-  for (const auto& m : mechanisms_)
+  for (const auto& m : mechanisms_) {
+    m->axes(std::span(out.joint_axes).subspan(i, m->q().size()));
     for (double q : m->q()) out.joint_positions[i++] = q;
+  }
   out.movers.by_hand.resize(mechanisms_.size());
   for (std::size_t m = 0; m < mechanisms_.size(); ++m) out.movers.by_hand[m] = mechanisms_[m]->byHand();
   out.movers.person_age.resize(humans_.size());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mechanism/joint_axis.hpp"
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
@@ -83,10 +84,11 @@ struct SceneSnapshot {
   std::vector<double> joint_positions;  ///< all mechanisms, concatenated (rad, m)
   std::vector<double> joint_efforts;    ///< N m, N: due to the contact forces
   std::vector<TorqueParts> joint_torques;
-  std::vector<PairGroupSnapshot> groups;  ///< in the order of SceneOutline::pair_groups
-  std::vector<int> pair_group;            ///< group of each pair, -1: none
-  bool torques_on{true};                  ///< the reactions' torques are sent to the motors
-  double cycle_us{0.0};                   ///< us, last cycle
+  std::vector<mechanism::JointAxis> joint_axes;  ///< in the world
+  std::vector<PairGroupSnapshot> groups;         ///< in the order of SceneOutline::pair_groups
+  std::vector<int> pair_group;                   ///< group of each pair, -1: none
+  bool torques_on{true};                         ///< the reactions' torques are sent to the motors
+  double cycle_us{0.0};                          ///< us, last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
   double step_s{1e-3};            ///< s of wall time available for a cycle, chosen by the loop
   long played_cycles{0};          ///< since playing began or its speed changed

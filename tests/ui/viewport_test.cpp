@@ -77,9 +77,9 @@ TEST_F(ViewportTest, DrawsOnlyWhenSomethingChanges) {
 
 TEST_F(ViewportTest, EveryToggleChangesThePicture) {
   pictureAt(0.4);
-  for (const ActionId id :
-       {ActionId::kForces, ActionId::kTorques, ActionId::kVelocities, ActionId::kClosest, ActionId::kLabels,
-        ActionId::kFloor, ActionId::kShadows, ActionId::kTransparent}) {
+  for (const ActionId id : {ActionId::kForces, ActionId::kTorques, ActionId::kJointTorques,
+                            ActionId::kVelocities, ActionId::kClosest, ActionId::kLabels, ActionId::kFloor,
+                            ActionId::kShadows, ActionId::kTransparent}) {
     QAction* action = window.actions()[id];
     SCOPED_TRACE(action->text().toStdString());
     const bool was = action->isChecked();

@@ -35,14 +35,15 @@ inline constexpr std::array<ViewNumber, 6> kViewNumbers{
      {"least_torque", &ViewOptions::min_torque},
      {"least_speed", &ViewOptions::min_speed}}};
 
-inline constexpr std::array<ViewFlag, 9> kViewFlags{{{"forces", &ViewOptions::forces},
-                                                     {"torques", &ViewOptions::torques},
-                                                     {"velocities", &ViewOptions::velocities},
-                                                     {"closest_points", &ViewOptions::closest},
-                                                     {"labels", &ViewOptions::labels},
-                                                     {"floor", &ViewOptions::floor},
-                                                     {"shadows", &ViewOptions::shadows},
-                                                     {"auto_scale", &ViewOptions::auto_scale},
-                                                     {"transparent_people", &ViewOptions::transparent}}};
+inline constexpr std::array<ViewFlag, 10> kViewFlags{{{"forces", &ViewOptions::forces},
+                                                      {"torques", &ViewOptions::torques},
+                                                      {"joint_torques", &ViewOptions::joint_torques},
+                                                      {"velocities", &ViewOptions::velocities},
+                                                      {"closest_points", &ViewOptions::closest},
+                                                      {"labels", &ViewOptions::labels},
+                                                      {"floor", &ViewOptions::floor},
+                                                      {"shadows", &ViewOptions::shadows},
+                                                      {"auto_scale", &ViewOptions::auto_scale},
+                                                      {"transparent_people", &ViewOptions::transparent}}};
 
 }  // namespace abstand::ui

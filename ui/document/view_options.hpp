@@ -6,6 +6,7 @@ namespace abstand::ui {
 struct ViewOptions {
   bool forces{true};
   bool torques{true};
+  bool joint_torques{false};
   bool velocities{false};
   bool closest{true};
   bool labels{true};

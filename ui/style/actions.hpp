@@ -36,6 +36,7 @@ enum class ActionId {
   kRedo,
   kForces,
   kTorques,
+  kJointTorques,
   kVelocities,
   kClosest,
   kLabels,

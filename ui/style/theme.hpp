@@ -13,6 +13,7 @@ inline constexpr QRgb kAmber = 0xffe69f00;         ///< close to the margin
 inline constexpr QRgb kContactForce = 0xffc0342b;  ///< force where surfaces overlap
 inline constexpr QRgb kVirtualForce = 0xffb07a00;  ///< force of the margins alone: nothing touches
 inline constexpr QRgb kBlue = 0xff0072b2;          ///< torque
+inline constexpr QRgb kViolet = 0xff7a4ea3;        ///< torque or force on a joint
 inline constexpr QRgb kCyan = 0xff2aa8c4;          ///< velocity
 inline constexpr QRgb kAccent = 0xff3b78b5;        ///< selection
 

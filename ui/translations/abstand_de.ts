@@ -2092,6 +2092,14 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Events, reservations and what was read of the recordings</source>
         <translation>Ereignisse, Zweifel und was von den Aufnahmen gelesen wurde</translation>
     </message>
+    <message>
+        <source>&amp;Joint torques</source>
+        <translation>Ac&amp;hsmomente</translation>
+    </message>
+    <message>
+        <source>Show what contacts cause at each joint, as arrows about or along its axis</source>
+        <translation>Was Kontakte an jedem Gelenk bewirken, als Pfeile um seine Achse oder entlang davon</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -4698,6 +4706,14 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     <message>
         <source>%1 is posed by hand</source>
         <translation>%1 ist von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>Joint torque of contacts: %1 ≙ %2 N·m</source>
+        <translation>Achsmoment der Kontakte: %1 ≙ %2 N·m</translation>
+    </message>
+    <message>
+        <source>Joint force of contacts: %1 ≙ %2 N</source>
+        <translation>Achskraft der Kontakte: %1 ≙ %2 N</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "ui/viewport/arrows.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/style/theme.hpp"
 
@@ -33,6 +34,11 @@ void Arrows::open(const view::SceneOutline& outline) {
     batch = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
   torques_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kCurved, n, renderer_);
   velocities_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, n, renderer_);
+  const auto joints = static_cast<int>(outline.joints.size());
+  joint_torques_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kCurved, joints, renderer_);
+  joint_forces_ = std::make_unique<ArrowBatch>(ArrowBatch::Shape::kStraight, joints, renderer_);
+  joint_torques_->setColour(QColor(kViolet));
+  joint_forces_->setColour(QColor(kViolet));
   forces_[kReal]->setColour(QColor(kContactForce));
   forces_[kVirtual]->setColour(QColor(kVirtualForce));
   torques_->setColour(QColor(kBlue));
@@ -62,6 +68,34 @@ void Arrows::sumForces(const view::SceneOutline& outline, const view::SceneSnaps
     for (std::size_t i = 0; i < pushes.size(); ++i)
       pushes[i].point =
           pushes[i].weight > 0.0 ? Vector3d(pushes[i].point / pushes[i].weight) : snapshot.objects[i].p_WCom;
+}
+
+void Arrows::addJoints(const view::SceneSnapshot& snapshot, const ViewOptions& options) {
+  joint_torques_->begin();
+  joint_forces_->begin();
+  const std::size_t joints =
+      options.joint_torques ? std::min(snapshot.joint_axes.size(), snapshot.joint_torques.size()) : 0;
+  double max_torque = 0.0, max_force = 0.0;
+  for (std::size_t j = 0; j < joints; ++j) {
+    double& largest = snapshot.joint_axes[j].prismatic ? max_force : max_torque;
+    largest = std::max(largest, std::abs(snapshot.joint_torques[j].contact));
+  }
+  if (max_torque < options.min_torque) max_torque = 0.0;
+  if (max_force < options.min_force) max_force = 0.0;
+  const double per_newton_metre =
+      scaleFor(max_torque, kLargestArc, options.metres_per_newton_metre, options.auto_scale, joint_torque_);
+  const double per_newton =
+      scaleFor(max_force, kLongest, options.metres_per_newton, options.auto_scale, joint_force_);
+  for (std::size_t j = 0; j < joints; ++j) {
+    const mechanism::JointAxis& axis = snapshot.joint_axes[j];
+    const double effort = snapshot.joint_torques[j].contact, size = std::abs(effort);
+    const Vector3d direction = effort < 0.0 ? Vector3d(-axis.direction) : axis.direction;
+    if (axis.prismatic && size >= options.min_force)
+      joint_forces_->add(axis.p, direction, std::clamp(size * per_newton, kShortest, kLongest), kForceRadius);
+    if (!axis.prismatic && size >= options.min_torque)
+      joint_torques_->add(axis.p, direction, std::clamp(size * per_newton_metre, kSmallestArc, kLargestArc),
+                          0.0);
+  }
 }
 
 bool Arrows::refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,
@@ -114,7 +148,9 @@ bool Arrows::refresh(const view::SceneOutline& outline, const view::SceneSnapsho
       arrow(*velocities_, object.p_WCom, object.velocity.linear, options.min_speed, per_speed, kShortest,
             kLongest, kVelocityRadius);
   }
-  bool changed = false;
+  addJoints(snapshot, options);
+  bool changed = joint_torques_->finish();
+  changed |= joint_forces_->finish();
   for (auto& batch : forces_) changed |= batch->finish();
   changed |= torques_->finish();
   changed |= velocities_->finish();

@@ -182,6 +182,10 @@ void Viewport::Impl::addLegend() {
   add(LegendLine::Mark::kThinArrow, kVirtualForce, arrows.virtualScale(),
       Viewport::tr("Repulsion (margin, virtual): %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kCurvedArrow, kBlue, arrows.torqueScale(), Viewport::tr("Torque: %1 ≙ %2 N·m"), 2);
+  add(LegendLine::Mark::kCurvedArrow, kViolet, arrows.jointTorqueScale(),
+      Viewport::tr("Joint torque of contacts: %1 ≙ %2 N·m"), 2);
+  add(LegendLine::Mark::kArrow, kViolet, arrows.jointForceScale(),
+      Viewport::tr("Joint force of contacts: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
 }
 
