@@ -2094,11 +2094,11 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     </message>
     <message>
         <source>&amp;Joint torques</source>
-        <translation>Ac&amp;hsmomente</translation>
+        <translation>Gelenkmomente</translation>
     </message>
     <message>
         <source>Show what contacts cause at each joint, as arrows about or along its axis</source>
-        <translation>Was Kontakte an jedem Gelenk bewirken, als Pfeile um seine Achse oder entlang davon</translation>
+        <translation>Was Kontakte an jedem Gelenk bewirken, als Pfeile um seine Achse oder an ihr entlang</translation>
     </message>
 </context>
 <context>
@@ -4709,11 +4709,11 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     </message>
     <message>
         <source>Joint torque of contacts: %1 ≙ %2 N·m</source>
-        <translation>Achsmoment der Kontakte: %1 ≙ %2 N·m</translation>
+        <translation>Gelenkmoment der Kontakte: %1 ≙ %2 N·m</translation>
     </message>
     <message>
         <source>Joint force of contacts: %1 ≙ %2 N</source>
-        <translation>Achskraft der Kontakte: %1 ≙ %2 N</translation>
+        <translation>Gelenkkraft der Kontakte: %1 ≙ %2 N</translation>
     </message>
 </context>
 <context>
