@@ -29,12 +29,13 @@ session::SessionOptions optionsOf(const ui::Work& work) {
   return options;
 }
 
-/// Runs on the load's thread.
+/// Runs on the load's thread. Sets `bodies`.
 std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_file::PackagePaths& packages,
                                               const std::atomic<bool>& cancelled,
-                                              const OpeningProgress::Show& show) {
+                                              const OpeningProgress::Show& show, SceneBodies& bodies) {
   scene_file::SceneDescription scene = sceneOf(work.scene, work.recording, packages);
   session::SessionOptions options = optionsOf(work);
+  for (const scene_file::HumanDescription& human : scene.humans) bodies[human.name] = human.body;
   applyWork(work, scene);
   OpeningProgress progress(show);
   options.tracked = [&progress](std::size_t done, std::size_t all) { progress.read(done, all); };
@@ -85,7 +86,7 @@ void Loader::start(const ui::Work& work, double t) {
       const auto show = [&](const ui::Opening& opening) {
         post([this, opening] { Q_EMIT progressed(opening); });
       };
-      auto session = makeSession(work, packages_, job->cancelled, show);
+      auto session = makeSession(work, packages_, job->cancelled, show, loaded->bodies);
       loaded->notes = run::notesOf(*session);
       loaded->analysis = analysis::requestFor(*session, optionsOf(work));
       for (const scene::Object& object : session->scene().objects())

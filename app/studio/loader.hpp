@@ -10,6 +10,7 @@
 
 #include "app/analysis/analysis_runner.hpp"
 #include "app/loop/live_session.hpp"
+#include "app/studio/body_previews.hpp"
 #include "app/studio/live_port.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "core/scene/scene_note.hpp"
@@ -26,6 +27,7 @@ struct Loaded {
   std::shared_ptr<const ui::PreparedMeshes> meshes;
   std::optional<analysis::AnalysisRequest> analysis;  ///< of a scene with people beside robots
   Structures structures;                              ///< by object
+  SceneBodies bodies;                                 ///< without the options of the work
   QString problem;                                    ///< why it failed
 };
 

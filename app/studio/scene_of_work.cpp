@@ -6,8 +6,6 @@
 
 namespace abstand::studio {
 
-namespace {
-
 void applyPerson(const ui::PersonOptions& options, humanmodel::HumanOptions& body) {
   if (options.stature) body.height = options.stature;
   if (options.percentile) body.percentile = options.percentile;
@@ -15,6 +13,8 @@ void applyPerson(const ui::PersonOptions& options, humanmodel::HumanOptions& bod
   if (!options.sex.isEmpty())
     body.sex = options.sex == QLatin1String("f") ? humanmodel::Sex::kFemale : humanmodel::Sex::kMale;
 }
+
+namespace {
 
 /// As Session names them.
 QSet<QString> bodiesOf(const scene_file::SceneDescription& scene) {

@@ -6,6 +6,9 @@
 
 namespace abstand::studio {
 
+/// Replaces what `options` sets.
+void applyPerson(const ui::PersonOptions& options, humanmodel::HumanOptions& body);
+
 /// Changes how recordings are read, how people are built, and which pairs are checked. People and bodies of
 /// the work that the scene does not have have no effect.
 void applyWork(const ui::Work& work, scene_file::SceneDescription& scene);

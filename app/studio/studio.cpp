@@ -18,6 +18,8 @@
 #include "ui/exchange_commands.hpp"
 #include "ui/import_commands.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/panels/inspector_panel.hpp"
+#include "ui/panels/person_editor.hpp"
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
@@ -77,6 +79,11 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
   connect(&window.reports(), &ui::ReportCommands::wanted, this, &Studio::makeReport);
   connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
   window.imports().setReader(readForImport);
+  window.panels().inspector->person()->setPreviewer(
+      [this](const QString& person, const ui::PersonOptions& options) {
+        const auto body = bodies_.find(person.toStdString());
+        return bodyPreview(body != bodies_.end() ? body->second : humanmodel::HumanOptions(), options);
+      });
   connectExchange();
   connect(&files_, &QFileSystemWatcher::fileChanged, this, [this](const QString& file) {
     window_.statusBar()->showMessage(
@@ -304,6 +311,7 @@ void Studio::take(Loaded& loaded) {
   if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
   port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
                                      std::move(loaded.meshes), std::move(loaded.structures));
+  bodies_ = std::move(loaded.bodies);
   shown_ = wanted;
   watchFiles();
   editDocument(*request);

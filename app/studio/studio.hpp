@@ -67,6 +67,7 @@ class Studio : public QObject {
   robot_file::PackagePaths packages_;
   Loader loader_;
   std::unique_ptr<LivePort> port_;
+  SceneBodies bodies_;  // of the scene that port_ shows
   analysis::AnalysisRunner analyses_;
   std::unique_ptr<Request> request_;  // of the load that is under way
   ui::Work shown_;                    // what port_ was loaded from

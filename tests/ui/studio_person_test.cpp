@@ -7,14 +7,18 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include "app/studio/body_previews.hpp"
 #include "app/studio/scene_of_work.hpp"
+#include "humanmodel/population.hpp"
 #include "tests/ui/studio_window.hpp"
 #include "ui/document/project_file.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/selection.hpp"
+#include "ui/panels/body_view.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/person_editor.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::studio {
 namespace studio_person_test {
@@ -59,6 +63,42 @@ struct StudioPerson : StudioWindow {
   }
   ui::CameraView camera;
 };
+
+TEST_F(StudioPerson, DrawsPersonOfTheFieldsBesideSmallAndLargeOnes) {
+  auto* view = window.panels().inspector->person()->findChild<ui::BodyView*>("body_view");
+  ASSERT_TRUE(view->isVisible());
+  EXPECT_TRUE(view->text().startsWith("This person: 1.75 m")) << view->text().toStdString();
+  const double small = humanmodel::statureOfPercentile(5.0, humanmodel::Sex::kFemale),
+               large = humanmodel::statureOfPercentile(95.0, humanmodel::Sex::kMale);
+  EXPECT_TRUE(view->text().contains("Woman, 5th percentile: " + ui::fixed(small, 2) + " m"));
+  EXPECT_TRUE(view->text().contains("Man, 95th percentile: " + ui::fixed(large, 2) + " m"));
+  const QImage before = view->grab().toImage();
+  tick("stature", 1.95);
+  EXPECT_TRUE(view->text().startsWith("This person: 1.95 m")) << "before the person is built";
+  EXPECT_NE(view->grab().toImage(), before);
+  tick("mass", 300.0);
+  tick("stature", 1.2);
+  EXPECT_TRUE(view->text().contains("mass")) << view->text().toStdString();
+  EXPECT_EQ(stature(), "1.750 m");
+}
+
+TEST(BodyPreview, PartsReachFromFloorToStature) {
+  ui::PersonOptions options;
+  options.stature = 1.6;
+  const ui::BodyPreview preview = bodyPreview({}, options);
+  EXPECT_EQ(preview.person.patches.size(), humanmodel::kBodyPartCount);
+  for (const ui::BodyShape* shape : {&preview.person, &preview.smallest, &preview.largest}) {
+    double top = 0.0, bottom = 1.0;
+    for (const ui::BodyPatch& patch : shape->patches) {
+      top = std::max(top, patch.centre.z() + patch.half.z());
+      bottom = std::min(bottom, patch.centre.z() - patch.half.z());
+    }
+    // Ellipsoids of the model extend beyond their joints by up to 2 cm.
+    EXPECT_NEAR(top, shape->stature, 0.02);
+    EXPECT_NEAR(bottom, 0.0, 0.02);
+  }
+  EXPECT_EQ(preview.person.stature, 1.6);
+}
 
 TEST_F(StudioPerson, ChangingStatureKeepsOtherStateAndIsUndone) {
   EXPECT_EQ(stature(), "1.750 m");

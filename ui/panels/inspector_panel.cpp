@@ -15,7 +15,7 @@ namespace abstand::ui {
 namespace {
 
 const view::SceneOutline kNoScene;
-constexpr int kPropertyWidth = 128, kJointsHeight = 170;  // px, at first
+constexpr int kPropertyWidth = 128, kJointsHeight = 170, kRowsHeight = 130;  // px, at first
 
 void paintRow(QTreeWidgetItem* item, const InspectedRow& row) {
   QFont font = item->treeWidget()->font();
@@ -52,6 +52,7 @@ InspectorPanel::InspectorPanel(QWidget* parent)
   rows_->setUniformRowHeights(true);
   rows_->setAllColumnsShowFocus(true);
   rows_->setFrameShape(QFrame::NoFrame);
+  rows_->setMinimumHeight(kRowsHeight);
   rows_->setColumnWidth(0, kPropertyWidth);
   rows_->header()->setStretchLastSection(true);
   joints_area_->setAccessibleName(tr("Joints"));

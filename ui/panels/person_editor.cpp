@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "ui/panels/body_view.hpp"
 #include "ui/style/calm_inputs.hpp"
 
 namespace abstand::ui {
@@ -21,7 +22,10 @@ constexpr double kUsualPercentile = 50;
 }  // namespace
 
 PersonEditor::PersonEditor(QWidget* parent)
-    : QWidget(parent), sex_{new QComboBox(this)}, apply_{new QPushButton(tr("Rebuild the person"), this)} {
+    : QWidget(parent),
+      sex_{new QComboBox(this)},
+      apply_{new QPushButton(tr("Rebuild the person"), this)},
+      body_{new BodyView(this)} {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(8, 4, 8, 4);
   form->setVerticalSpacing(2);
@@ -43,6 +47,7 @@ PersonEditor::PersonEditor(QWidget* parent)
   apply_->setObjectName(QStringLiteral("rebuild_person"));
   apply_->setToolTip(tr("In the background; what is shown stays until the new person is there"));
   form->addRow(apply_);
+  form->addRow(body_);
   connect(sex_, qOverload<int>(&QComboBox::currentIndexChanged), this, &PersonEditor::changed);
   connect(apply_, &QPushButton::clicked, this, [this] { Q_EMIT wanted(person_, options()); });
 }
@@ -80,6 +85,7 @@ void PersonEditor::open(const view::SceneOutline& outline, int person, const Per
   const QSignalBlocker no_sex(sex_);
   sex_->setCurrentIndex(std::max(0, sex_->findData(present.sex)));
   apply_->setEnabled(false);
+  preview();
 }
 
 PersonOptions PersonEditor::options() const {
@@ -98,6 +104,14 @@ PersonOptions PersonEditor::options() const {
   return options;
 }
 
-void PersonEditor::changed() { apply_->setEnabled(!(options() == present_)); }
+void PersonEditor::changed() {
+  apply_->setEnabled(!(options() == present_));
+  preview();
+}
+
+void PersonEditor::preview() {
+  body_->setVisible(previewer_ != nullptr);
+  if (previewer_) body_->show(previewer_(person_, options()));
+}
 
 }  // namespace abstand::ui

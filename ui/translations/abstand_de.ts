@@ -2161,6 +2161,25 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     </message>
 </context>
 <context>
+    <name>abstand::ui::BodyView</name>
+    <message>
+        <source>%1: %2 m, %3 kg</source>
+        <translation>%1: %2 m, %3 kg</translation>
+    </message>
+    <message>
+        <source>This person</source>
+        <translation>Diese Person</translation>
+    </message>
+    <message>
+        <source>Woman, 5th percentile</source>
+        <translation>Frau, 5. Perzentil</translation>
+    </message>
+    <message>
+        <source>Man, 95th percentile</source>
+        <translation>Mann, 95. Perzentil</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::BookmarkCommands</name>
     <message>
         <source>Bookmark</source>
