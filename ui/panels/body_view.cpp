@@ -10,7 +10,7 @@ namespace abstand::ui {
 namespace {
 
 constexpr double kBodyHeight = 2.1, kBodyWidth = 1.2;    // m, of each view
-constexpr int kFiguresHeight = 150, kLeastFigures = 50;  // px
+constexpr int kFiguresHeight = 150, kLeastFigures = 80;  // px
 
 QString described(const QString& who, const BodyShape& shape) {
   return BodyView::tr("%1: %2 m, %3 kg").arg(who, fixed(shape.stature, 2), fixed(shape.mass, 0));

@@ -15,7 +15,7 @@ namespace abstand::ui {
 namespace {
 
 const view::SceneOutline kNoScene;
-constexpr int kPropertyWidth = 128, kJointsHeight = 170, kRowsHeight = 130;  // px, at first
+constexpr int kPropertyWidth = 128, kJointsHeight = 170, kRowsHeight = 90;  // px, at first
 
 void paintRow(QTreeWidgetItem* item, const InspectedRow& row) {
   QFont font = item->treeWidget()->font();
