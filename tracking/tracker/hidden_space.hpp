@@ -7,24 +7,24 @@
 
 namespace abstand::tracking {
 
-/// Where the joints of hidden limbs can be. Poses of each hidden chain, from the joint at which it is
-/// attached to a visible segment, are sampled evenly over the directions that the joint limits allow; samples
-/// of which a joint or the middle of a bone lies where a camera sees past (not behind what it sees), before
-/// what it sees, or below the floor z = 0 are refuted. Not shared between threads; update() does not allocate
-/// or throw.
+/// Region in which the joints of hidden limbs can be. Poses of each hidden chain, starting at the joint that
+/// attaches it to a visible segment, are sampled uniformly over the directions within the joint limits. A
+/// sample is rejected if a joint or the middle of a bone is in space that a camera observes to be empty, in
+/// front of a measured surface, or below the floor z = 0. Not shared between threads; update() does not
+/// allocate or throw.
 class HiddenSpace {
  public:
   explicit HiddenSpace(const BodyRig& rig);
 
   static constexpr int kSamples = 128;  ///< of each chain
   static constexpr double kShare = 0.97;
-  /// m; less than this outside of what was seen refutes nothing: error of the chain's attachment.
+  /// m; samples less than this inside empty space are kept: error of the joint that attaches the chain.
   static constexpr double kTolerance = 0.05;
 
   void update(const BodyObservation& seen, const RigPlacement& X_WS, SeenSegments visible);
-  /// m, for each joint: kShare of the samples that are not refuted are nearer to the joint in the pose than
-  /// this. Infinite for joints of visible segments, of the trunk and the head, and of chains of which fewer
-  /// than kFewest samples are left.
+  /// m, for each joint: quantile kShare of the distances between the joint in the fitted pose and in the
+  /// samples that are not rejected. Infinite for joints of visible segments, trunk and head, and of chains
+  /// with fewer than kFewest such samples.
   const std::array<double, humanmodel::kJointCount>& extent() const { return extent_; }
 
   static constexpr int kFewest = 8;

@@ -1,4 +1,4 @@
-// Notices that a fixed depth camera was moved, or repeats an image.
+// Detects that a fixed depth camera was moved, or repeats an image.
 #pragma once
 
 #include <span>
@@ -9,26 +9,26 @@
 
 namespace abstand::tracking {
 
-/// Keeps the depth of what stands still in a coarse grid of pixels. Moved: for kLasts some of that has
-/// another depth in each third of the image, left, middle and right, as no person or robot hides or uncovers.
-/// What turns about the view of a wall alone keeps its depths and is not noticed. Not shared between threads.
-/// see() does not throw, and does not allocate after the first image.
+/// Stores the depth of static surfaces on a coarse grid of pixels. The camera was moved if, for kLasts, a
+/// share of them has another depth in each third of the image (left, middle, right): people and robots do not
+/// cover all three. A rotation in front of a wall that fills the image does not change the depths and is not
+/// detected. Not shared between threads. see() does not throw, and does not allocate after the first image.
 class CameraWatch {
  public:
   explicit CameraWatch(const DepthCamera& camera) : camera_{camera} {}
 
   static constexpr double kLasts = 0.5;       ///< s
-  static constexpr double kMovedShare = 0.2;  ///< of the cells of a third that stood still
+  static constexpr double kMovedShare = 0.2;  ///< of the static cells of a third
 
   /// `t` (s) increases. `is_person`: for each pixel, not 0 for people. `known`: depths (m) of known objects,
-  /// or null; neither is looked at. People are only looked at near the floor: a floor that a pushed camera
-  /// sees nearer is taken for a part of them.
+  /// or null; pixels of both are ignored, except pixels of people near the floor: the floor seen by a moved
+  /// camera may be assigned to them.
   void see(double t, const DepthImage& image, std::span<const std::uint8_t> is_person,
            const DepthImage* known = nullptr);
 
   /// s, first image after the camera was moved; infinite if it was not.
   double movedAt() const { return moved_at_; }
-  /// Images that are equal to the one before them, as of a camera that hangs.
+  /// Number of images equal to the previous one.
   std::size_t repeated() const { return repeated_; }
 
  private:
