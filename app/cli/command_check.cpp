@@ -1,7 +1,9 @@
 // abstand check: distance check for scripts.
+#include <algorithm>
 #include <iostream>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/cut_things.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/cli/warm_start.hpp"
@@ -21,7 +23,8 @@ struct CheckArguments {
   std::vector<std::string> recordings;
   std::string poses, react{"on"};
   WarmStartArguments warm_start;
-  bool dry_run{false}, strict{false}, swept{false}, cut_things{false};
+  bool dry_run{false}, strict{false}, swept{false};
+  std::optional<bool> cut_things;
   robot_file::PackagePaths packages;
 };
 
@@ -79,6 +82,7 @@ struct Judged {
   nlohmann::ordered_json reactions = nlohmann::ordered_json::array();
   nlohmann::ordered_json joint_limits = nlohmann::ordered_json::array();
   nlohmann::ordered_json warm_start;
+  std::vector<std::string> remarks;  ///< of the sessions, each once
   std::string robots_text;
   bool interrupted{false};
 };
@@ -115,6 +119,9 @@ void judge(const CommandLine& line, const CheckArguments& args, const scene_file
     if (!recording.empty()) j["recording"] = recording;
     judged.joint_limits.push_back(std::move(j));
   }
+  for (const std::string& remark : session.remarks())
+    if (std::find(judged.remarks.begin(), judged.remarks.end(), remark) == judged.remarks.end())
+      judged.remarks.push_back(remark);
   judged.interrupted = summary.interrupted;
 }
 
@@ -172,6 +179,7 @@ int runCheck(const CommandLine& line, const CheckArguments& args) {
   if (args.swept) document["swept"] = {{"queries", all.swept_queries}};
   if (!judged.reactions.empty()) document["reactions"] = judged.reactions;
   document["joint_limits"] = judged.joint_limits;
+  document["remarks"] = judged.remarks;
   document["interrupted"] = judged.interrupted;
   text += judged.robots_text;
   text += reservationsText(all.reservations) +
@@ -192,9 +200,7 @@ void addCheck(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<CheckArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--recording", args->recordings, "recordings, each checked in turn");
-  command->add_flag(
-      "--cut-things", args->cut_things,
-      "remove the scene's robots and objects from the depth images, at their poses in the scene");
+  addCutThings(*command, args->cut_things);
   command->add_option("--poses", args->poses, "CSV of poses that named objects follow");
   command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
   command->add_option("--margins", args->margins,

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/cut_things.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
 #include "app/cli/warm_start.hpp"
@@ -179,9 +180,7 @@ void addRun(CLI::App& root, CommandLine& line) {
                  "abstand run data/scenes/hug_boxing.yaml --json --pairs-out pairs.csv");
   auto args = std::make_shared<RunArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
-  command->add_flag(
-      "--cut-things", args->session.cut_things,
-      "remove the scene's robots and objects from the depth images, at their poses in the scene");
+  addCutThings(*command, args->session.cut_things);
   command->add_option("--poses", args->session.poses, "CSV of poses that named objects follow");
   command->add_option("--recording", args->session.recording, "recording that replaces the scene's");
   command->add_option("--start", args->start, "first time in s");

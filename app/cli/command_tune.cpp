@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/cut_things.hpp"
 #include "app/cli/pass_arguments.hpp"
 #include "app/cli/question_arguments.hpp"
 #include "app/cli/speed_texts.hpp"
@@ -30,7 +31,8 @@ struct TuneArguments {
   QuestionArguments questions;
   PassArguments pass;
   int jobs{1};
-  bool cut_things{false}, worst_phase{false};
+  std::optional<bool> cut_things;
+  bool worst_phase{false};
   SpeedArguments speeds;
   WornArguments worn;
   WarmStartArguments warm_start;
@@ -138,8 +140,8 @@ tune::TuneAnswer tuneInto(const std::filesystem::path& folder, const CommandLine
   study.tune = options;
   study.folder = folder;
   study.jobs = args.jobs;
-  study.settings = std::string(args.cut_things ? "cut_things " : "") + (args.warm_start.cold ? "cold " : "") +
-                   args.warm_start.tolerance;
+  const std::string cut_things = args.cut_things ? (*args.cut_things ? "cut_things " : "no_cut_things ") : "";
+  study.settings = cut_things + (args.warm_start.cold ? "cold " : "") + args.warm_start.tolerance;
   study.shard = shard;
   study.interrupted = interrupted;
   study.progress = progressBar(line, "tune");
@@ -339,9 +341,7 @@ void addTune(CLI::App& root, CommandLine& line) {
                     "smallest certified clearance over all phases of the robots' programs");
   addSpeedStudy(*command, line, args->speeds);
   args->worn.add(*command);
-  command->add_flag(
-      "--cut-things", args->cut_things,
-      "remove the scene's robots and objects from the depth images, at their poses in the scene");
+  addCutThings(*command, args->cut_things);
   command->add_option("--out", args->out,
                       "folder for one result file per run; existing results are not run again");
   command->add_option("--jobs", args->jobs, "number of parallel runs, one process each (default: 1)")

@@ -77,8 +77,9 @@ struct RecordingDescription {
   tracking::RecordingOptions options;    ///< interpretation of the file
   Vector3d place_xyz{Vector3d::Zero()};  ///< position of the recording's origin
   double place_yaw{0.0};                 ///< rad, about world z
-  /// The scene's robots and objects are visible in the depth images: they are cut out.
-  bool cut_things{false};
+  /// Whether the scene's robots and objects are removed from the depth images; unset: if the images show
+  /// them.
+  std::optional<bool> cut_things;
   double speed{1.0};     ///< factor of the recorded speed, from the first frame on
   bool mirrored{false};  ///< mirrored: left and right exchanged (mirrored_person.hpp)
   SourcePos pos;

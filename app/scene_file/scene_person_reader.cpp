@@ -49,7 +49,7 @@ RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
       o.marker_set = existingFile(*set, "`marker_set`", "auto, none or a marker set").string();
   }
   o.repair = fields.choice("repair", {"true", "false"}).value_or("true") == "true";
-  r.cut_things = readFlag(fields, "cut_things");
+  if (const auto cut = fields.choice("cut_things", {"true", "false"})) r.cut_things = *cut == "true";
   if (const auto* place = fields.find("place")) {
     const config::YamlFields p(*place, file_, "`place`", {"xyz", "yaw"});
     r.place_xyz = p.vector("xyz", kPositionRange).value_or(r.place_xyz);

@@ -118,7 +118,7 @@ std::string recordingText(const RecordingDescription& r) {
   if (!r.options.joint_map.empty()) said += ", joint_map: " + scalar(r.options.joint_map.string());
   if (r.options.marker_set != "auto") said += ", marker_set: " + scalar(r.options.marker_set);
   if (!r.options.repair) said += ", repair: false";
-  if (r.cut_things) said += ", cut_things: true";
+  if (r.cut_things) said += std::string(", cut_things: ") + (*r.cut_things ? "true" : "false");
   return "    recording: {file: " + scalar(r.file.string()) + ", format: " + scalar(r.options.format) +
          ", units: " + (parseDouble(r.options.units) ? r.options.units : scalar(r.options.units)) +
          ", up: " + scalar(r.options.up) + said + ", place: {xyz: " + vector(r.place_xyz) +

@@ -33,7 +33,7 @@ Session::Session(scene_file::SceneDescription description, const SessionOptions&
   for (auto& human : description_.humans) {
     if (!options.recording.empty()) human.recording.file = options.recording;
     human.recording.speed *= options.person_speed;
-    human.recording.cut_things |= options.cut_things;
+    if (options.cut_things) human.recording.cut_things = options.cut_things;
   }
 
   // Reads everything that can fail because of invalid files before expensive builds.

@@ -17,7 +17,7 @@ namespace abstand::session {
 
 struct SessionOptions {
   std::filesystem::path recording;  ///< replaces the recording of every person; empty: as in the scene
-  bool cut_things{false};           ///< RecordingDescription::cut_things for every person
+  std::optional<bool> cut_things;   ///< replaces RecordingDescription::cut_things of every person
   double person_speed{1.0};         ///< factor of the recorded speed of people
   std::filesystem::path poses;      ///< `--poses`; empty: none
   int threads{0};                   ///< lock-step workers; 0: all cores

@@ -25,7 +25,7 @@ session::SessionOptions optionsOf(const ui::Work& work) {
   session::SessionOptions options;
   options.recording = QFile::encodeName(work.recording).toStdString();
   options.person_speed = work.reading.speed;
-  options.cut_things = work.reading.cut_things;
+  if (work.reading.cut_things) options.cut_things = true;
   return options;
 }
 

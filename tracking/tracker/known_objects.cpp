@@ -27,7 +27,7 @@ bool KnownPixels::show() const {
   return all >= kFewestPixels && static_cast<double>(there) >= kShown * static_cast<double>(all);
 }
 
-bool showsKnown(DepthStream& stream, const KnownThings& known) {
+KnownPixels compareWithKnown(DepthStream& stream, const KnownThings& known) {
   KnownPixels pixels;
   DepthFrame frame;
   const std::size_t count = stream.times().size(), compared = std::min(count, kComparedImages);
@@ -38,7 +38,7 @@ bool showsKnown(DepthStream& stream, const KnownThings& known) {
     if (image && image->z.size() == frame.image.z.size()) pixels.add(frame.image, *image);
   }
   stream.seek(0);
-  return pixels.show();
+  return pixels;
 }
 
 }  // namespace abstand::tracking

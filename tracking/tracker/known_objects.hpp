@@ -14,8 +14,8 @@ struct KnownPixels {
   bool show() const;
 };
 
-/// Compares images from all over the recording, at most kComparedImages. Throws ParseError.
-bool showsKnown(DepthStream& stream, const KnownThings& known);
+/// The pixels of up to kComparedImages images, evenly spread over the recording. Throws ParseError.
+KnownPixels compareWithKnown(DepthStream& stream, const KnownThings& known);
 inline constexpr std::size_t kComparedImages = 12;
 
 }  // namespace abstand::tracking

@@ -22,6 +22,32 @@ std::string toMillimetre(double m) {
   return text;
 }
 
+/// Whether known objects are removed from the images, and why.
+struct Removal {
+  bool remove{false};
+  std::string note;  ///< empty: none are known
+};
+
+Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::filesystem::path& path) {
+  if (!objects.known) return {};
+  const std::string things = "the scene's robots and objects were ";
+  const bool pose_known = stream.facts().pose_known;
+  if (objects.remove) {
+    if (!*objects.remove) return {false, things + "not removed from the images, as specified"};
+    if (!pose_known)
+      throw ParseError({path.string()},
+                       "found depth images without a camera pose, expected a camera with T_WC, "
+                       "to remove the scene's robots and objects from them");
+    return {true, things + "removed from the images, as specified"};
+  }
+  if (!pose_known) return {false, things + "not removed from the images, because the camera pose is unknown"};
+  if (!stream.camera().distortion.isZero(0.0))
+    return {false, things + "not removed from the images, because the lens distortion is not removed"};
+  const bool remove = compareWithKnown(stream, objects.known).show();
+  return {remove, things + (remove ? "removed from the images, which show them"
+                                   : "not removed from the images, which do not show them")};
+}
+
 }  // namespace
 
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person) {
@@ -143,14 +169,8 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   const auto stream = openDepthStream(path, stream_options);
   ClipTrackerOptions tracker;
   tracker.person.height = height;
-  if (objects.known && objects.always && !stream->facts().pose_known)
-    throw ParseError({path.string()},
-                     "found depth images without a camera pose, expected a camera with T_WC, "
-                     "to remove the scene's robots and objects from them");
-  const bool can_compare = stream->facts().pose_known && stream->camera().distortion.isZero(0.0);
-  const bool is_cut =
-      objects.known && (objects.always || (can_compare && showsKnown(*stream, objects.known)));
-  if (is_cut) tracker.known = objects.known;
+  const Removal removal = removalOf(objects, *stream, path);
+  if (removal.remove) tracker.known = objects.known;
   tracker.progress = monitor.progress;
   tracker.interrupted = [&monitor] {
     return interruptRequested() || (monitor.cancelled && monitor.cancelled());
@@ -161,10 +181,7 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   if (track.people.empty())
     throw ParseError({path.string()}, "found no person in the depth recording, expected one");
   Recording recording = recordingOf(track, stream->facts(), 0);
-  if (is_cut)
-    recording.report.notes.emplace_back(
-        objects.always ? "the scene's robots and objects were removed from the images"
-                       : "the images show the robots and objects of the scene, which were cut out of them");
+  if (!removal.note.empty()) recording.report.notes.push_back(removal.note);
   return recording;
 }
 

@@ -31,14 +31,14 @@ bool isDepthRecording(const std::filesystem::path& path);
 
 /// Objects to remove from depth images.
 struct KnownObjects {
-  KnownThings known;   ///< may be empty
-  bool always{false};  ///< otherwise only where the images show them (showsKnown())
+  KnownThings known;           ///< may be empty
+  std::optional<bool> remove;  ///< unset: if the images show them (compareWithKnown())
 };
 
 /// openRecording(); for a depth recording its first person, tracked. `height` (m): stature of the body;
-/// otherwise measured. With `known`, which removes pixels of known objects, the recording must state its
-/// camera pose, unless they are only removed where the images show them (KnownObjects). Throws ParseError,
-/// UsageError, and Interrupted on an interrupt during tracking, or if the monitor ends it.
+/// otherwise measured. A note of the report states whether known objects were removed from the images. If
+/// they must be, the recording must state its camera pose. Throws ParseError, UsageError, and Interrupted on
+/// an interrupt during tracking, or if the monitor ends it.
 Recording openAnyRecording(const std::filesystem::path& path, const RecordingOptions& options,
                            std::optional<double> height, const KnownObjects& objects = {},
                            const TrackMonitor& monitor = {});

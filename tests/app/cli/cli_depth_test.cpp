@@ -140,8 +140,29 @@ TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
   // Otherwise the box is taken for a part of the person.
   const std::string csv = (folder_.path() / "uncut.csv").string();
   ASSERT_EQ(run("track " + clip + " --out " + csv).code, 0);
-  EXPECT_GT(by_itself,
-            runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>());
+  const double uncut = runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>();
+  EXPECT_GT(by_itself, uncut);
+  // The CSV has seven digits.
+  EXPECT_NEAR(distance(" --no-cut-things"), uncut, 1e-6);
+  EXPECT_EQ(run("run " + scene + " --cut-things --no-cut-things --recording " + clip).code, 2);
+
+  const auto removal = [&](const std::string& options) {
+    std::vector<std::string> said;
+    const json ran = runJson("run " + scene + options + " --recording " + clip);
+    for (const json& remark : ran["remarks"])
+      if (remark.get<std::string>().find("robots and objects were") != std::string::npos)
+        said.push_back(remark);
+    return said;
+  };
+  const std::string what = "clip: the scene's robots and objects were ";
+  EXPECT_THAT(removal(""), ::testing::ElementsAre(what + "removed from the images, which show them"));
+  EXPECT_THAT(removal(" --cut-things"),
+              ::testing::ElementsAre(what + "removed from the images, as specified"));
+  EXPECT_THAT(removal(" --no-cut-things"),
+              ::testing::ElementsAre(what + "not removed from the images, as specified"));
+  const json checked = runJson("check " + scene + " --min-distance 0 --recording " + clip);
+  EXPECT_THAT(checked["remarks"].get<std::vector<std::string>>(),
+              ::testing::Contains(what + "removed from the images, which show them"));
 }
 
 TEST_F(Cli, TrackFitsTwoCamerasTogether) {

@@ -139,6 +139,7 @@ TEST_F(SceneFile, ReadsEveryKey) {
   EXPECT_EQ(h.recording.options.joint_map, path("own.map"));
   EXPECT_EQ(h.recording.options.marker_set, path("own.markers"));
   EXPECT_FALSE(h.recording.options.repair);
+  EXPECT_EQ(h.recording.cut_things, true);
   EXPECT_EQ(h.recording.place_xyz, Vector3d(0.9, 0, 0.1));
   EXPECT_EQ(h.recording.place_yaw, 3.14);
   EXPECT_TRUE(s.humans[1].recording.file.empty());
@@ -369,6 +370,17 @@ TEST_F(SceneFile, ReadsClampedParts) {
   using enum humanmodel::BodyPart;
   EXPECT_EQ(scene.humans[0].clamped, (std::set{kHandLeft, kTorso}));
   EXPECT_TRUE(scene.humans[1].clamped.empty());
+  expectSame(scene, parse(describeScene(scene)));
+}
+
+TEST_F(SceneFile, ReadsRemovalOfObjectsFromDepthImages) {
+  const auto scene = parse(
+      "abstand: 1\nhumans:\n  - {name: p, recording: {file: boxing.bvh, cut_things: false}}\n"
+      "  - {name: q, recording: {file: boxing.bvh, cut_things: true}}\n"
+      "  - {name: r, recording: {file: boxing.bvh}}\n");
+  EXPECT_EQ(scene.humans[0].recording.cut_things, false);
+  EXPECT_EQ(scene.humans[1].recording.cut_things, true);
+  EXPECT_EQ(scene.humans[2].recording.cut_things, std::nullopt);
   expectSame(scene, parse(describeScene(scene)));
 }
 
