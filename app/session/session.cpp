@@ -294,10 +294,10 @@ void Session::capture(double t, view::SceneSnapshot& out) const {
   out.t = t;
   out.joint_efforts = joint_efforts_;
   out.joint_positions.resize(joint_efforts_.size());
-  out.joint_axes.resize(joint_efforts_.size());
+  out.movers.joint_axes.resize(joint_efforts_.size());
   std::size_t i = 0;
   for (const auto& m : mechanisms_) {
-    m->axes(std::span(out.joint_axes).subspan(i, m->q().size()));
+    m->axes(std::span(out.movers.joint_axes).subspan(i, m->q().size()));
     for (double q : m->q()) out.joint_positions[i++] = q;
   }
   out.movers.by_hand.resize(mechanisms_.size());

@@ -8,7 +8,7 @@
 namespace abstand::mechanism {
 namespace {
 
-constexpr double kFirstLambda = 1e-2, kLeastLambda = 1e-6, kLargestLambda = 1e4;
+constexpr double kFirstLambda = 1e-2, kMinLambda = 1e-6, kMaxLambda = 1e4;
 constexpr double kLower = 0.3, kRaise = 4.0;  // factors of lambda after a step that comes nearer, or does not
 constexpr double kSmallestStep = 1e-12;       // rad or m, of all joints together
 
@@ -94,13 +94,13 @@ PointReach::Result PointReach::solve(const Vector3d& p_F, const Vector3d& p_B, s
     is_new = distance < result.distance;
     if (!is_new) {
       lambda *= kRaise;
-      if (lambda > kLargestLambda) break;
+      if (lambda > kMaxLambda) break;
       continue;
     }
     std::copy(next_.begin(), next_.end(), q.begin());
     p = next;
     result.distance = distance;
-    lambda = std::max(kLeastLambda, kLower * lambda);
+    lambda = std::max(kMinLambda, kLower * lambda);
   }
   return result;
 }

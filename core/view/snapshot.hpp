@@ -69,7 +69,8 @@ struct RobotSnapshot {
 
 /// What moves robots and people.
 struct MoverSnapshot {
-  std::vector<bool> by_hand;  ///< for each of SceneOutline::robots: posed by hand
+  std::vector<bool> by_hand;                     ///< for each of SceneOutline::robots: posed by hand
+  std::vector<mechanism::JointAxis> joint_axes;  ///< of all joints, in the world
   std::vector<double>
       person_age;  ///< s, for each of SceneOutline::people: longest time since a part was seen
 };
@@ -84,11 +85,10 @@ struct SceneSnapshot {
   std::vector<double> joint_positions;  ///< all mechanisms, concatenated (rad, m)
   std::vector<double> joint_efforts;    ///< N m, N: due to the contact forces
   std::vector<TorqueParts> joint_torques;
-  std::vector<mechanism::JointAxis> joint_axes;  ///< in the world
-  std::vector<PairGroupSnapshot> groups;         ///< in the order of SceneOutline::pair_groups
-  std::vector<int> pair_group;                   ///< group of each pair, -1: none
-  bool torques_on{true};                         ///< the reactions' torques are sent to the motors
-  double cycle_us{0.0};                          ///< us, last cycle
+  std::vector<PairGroupSnapshot> groups;  ///< in the order of SceneOutline::pair_groups
+  std::vector<int> pair_group;            ///< group of each pair, -1: none
+  bool torques_on{true};                  ///< the reactions' torques are sent to the motors
+  double cycle_us{0.0};                   ///< us, last cycle
   double cycle_median_us{0.0}, cycle_p99_us{0.0};
   double step_s{1e-3};            ///< s of wall time available for a cycle, chosen by the loop
   long played_cycles{0};          ///< since playing began or its speed changed

@@ -95,7 +95,7 @@ FakeSession::FakeSession() {
   snapshot_.joint_positions.resize(outline_.joints.size());
   snapshot_.joint_efforts.resize(outline_.joints.size());
   snapshot_.joint_torques.resize(outline_.joints.size());
-  snapshot_.joint_axes.resize(outline_.joints.size());
+  snapshot_.movers.joint_axes.resize(outline_.joints.size());
   // Pairs with the person, and the others.
   outline_.pair_groups = {"people", "things"};
   for (const auto& [a, b] : outline_.pairs)
@@ -143,7 +143,7 @@ void FakeSession::place(double t) {
     const double yaw = 0.5 * std::sin(0.5 * t);
     const Vector3d direction(std::sin(bend) * std::cos(yaw), std::sin(bend) * std::sin(yaw), std::cos(bend));
     snapshot_.objects[i].X_WB = along(at, direction, kLinkHalf.z());
-    snapshot_.joint_axes[joint] = {at, Vector3d(-std::sin(yaw), std::cos(yaw), 0.0), false};
+    snapshot_.movers.joint_axes[joint] = {at, Vector3d(-std::sin(yaw), std::cos(yaw), 0.0), false};
     at += 2.0 * kLinkHalf.z() * 0.95 * direction;
     snapshot_.joint_positions[static_cast<std::size_t>(k)] = bend;
   }

@@ -9,8 +9,8 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kBodyHeight = 2.1, kBodyWidth = 1.2;    // m, of each view
-constexpr int kFiguresHeight = 150, kLeastFigures = 80;  // px
+constexpr double kBodyHeight = 2.1, kBodyWidth = 1.2;  // m, of each view
+constexpr int kFiguresHeight = 150, kMinFigures = 80;  // px
 
 QString described(const QString& who, const BodyShape& shape) {
   return BodyView::tr("%1: %2 m, %3 kg").arg(who, fixed(shape.stature, 2), fixed(shape.mass, 0));
@@ -29,7 +29,7 @@ QSize BodyView::minimumSizeHint() const { return {200, 3 * fontMetrics().lineSpa
 
 int BodyView::figuresHeight() const {
   const int left = height() - 3 * fontMetrics().lineSpacing();
-  return left < kLeastFigures ? 0 : left;
+  return left < kMinFigures ? 0 : left;
 }
 
 void BodyView::show(const BodyPreview& preview) {

@@ -74,10 +74,10 @@ void Arrows::addJoints(const view::SceneSnapshot& snapshot, const ViewOptions& o
   joint_torques_->begin();
   joint_forces_->begin();
   const std::size_t joints =
-      options.joint_torques ? std::min(snapshot.joint_axes.size(), snapshot.joint_torques.size()) : 0;
+      options.joint_torques ? std::min(snapshot.movers.joint_axes.size(), snapshot.joint_torques.size()) : 0;
   double max_torque = 0.0, max_force = 0.0;
   for (std::size_t j = 0; j < joints; ++j) {
-    double& largest = snapshot.joint_axes[j].prismatic ? max_force : max_torque;
+    double& largest = snapshot.movers.joint_axes[j].prismatic ? max_force : max_torque;
     largest = std::max(largest, std::abs(snapshot.joint_torques[j].contact));
   }
   if (max_torque < options.min_torque) max_torque = 0.0;
@@ -87,7 +87,7 @@ void Arrows::addJoints(const view::SceneSnapshot& snapshot, const ViewOptions& o
   const double per_newton =
       scaleFor(max_force, kLongest, options.metres_per_newton, options.auto_scale, joint_force_);
   for (std::size_t j = 0; j < joints; ++j) {
-    const mechanism::JointAxis& axis = snapshot.joint_axes[j];
+    const mechanism::JointAxis& axis = snapshot.movers.joint_axes[j];
     const double effort = snapshot.joint_torques[j].contact, size = std::abs(effort);
     const Vector3d direction = effort < 0.0 ? Vector3d(-axis.direction) : axis.direction;
     if (axis.prismatic && size >= options.min_force)
