@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "core/geometry/surface.hpp"
 #include "humanmodel/anthropometry.hpp"
 
 namespace abstand::humanmodel {
@@ -203,6 +204,39 @@ TEST(HumanModel, NeighboursMeetAtSharedJoint) {
           << partName(parent) << " " << partName(child) << " at " << m.height;
     }
   }
+}
+
+/// m, how far a ball around the left hip, of 0.8 times the thigh's half thickness, extends beyond torso and
+/// thigh with the hip flexed by `flexion` (rad).
+double gapAtHip(const HumanModel& m, double flexion) {
+  constexpr int kCircles = 24;
+  const HumanPart &torso = m.part(BodyPart::kTorso), &thigh = m.part(BodyPart::kThighLeft);
+  const auto of_torso = geometry::makeSurface(torso.bare), of_thigh = geometry::makeSurface(thigh.bare);
+  const Matrix3d R_PW = Eigen::AngleAxisd(flexion, Vector3d::UnitY()).toRotationMatrix();
+  const Vector3d hip = m.rest[thigh.proximal];
+  const double radius = 0.8 * 0.5 * std::min(thigh.breadth, thigh.depth);
+  double gap = -kInfinity;
+  for (int i = 0; i <= kCircles; ++i)
+    for (int k = 0; k < 2 * kCircles; ++k) {
+      const double down = kPi * i / kCircles, around = kPi * k / kCircles;
+      const Vector3d d = radius * Vector3d(std::sin(down) * std::cos(around),
+                                           std::sin(down) * std::sin(around), std::cos(down));
+      gap = std::max(gap, std::min(of_torso->signedDistance(hip + d - restOrigin(m, torso)),
+                                   of_thigh->signedDistance(R_PW * d + thigh.p_proximal)));
+    }
+  return gap;
+}
+
+TEST(HumanModel, FlexedHipIsClosedInAnthropometricPreset) {
+  constexpr double kClosed = 0.006;  // m
+  for (const double height : {1.55, 1.75, 1.95})
+    for (const double flexion : {0.0, 45.0, 90.0, 120.0}) {
+      EXPECT_LT(gapAtHip(human(height, HumanPreset::kAnthropometric), unit::deg(flexion)), kClosed)
+          << height << " " << flexion;
+      // The ellipsoid of the thesis's table ends in a point at the hip.
+      if (flexion < 90.0) continue;
+      EXPECT_GT(gapAtHip(human(height, HumanPreset::kThesis), unit::deg(flexion)), 0.04) << height;
+    }
 }
 
 TEST(HumanModel, LeftAndRightAreMirrorImages) {
