@@ -15,6 +15,7 @@ struct CalibrateArguments {
   bool intrinsics{false};
   std::filesystem::path links;   ///< a depth recording
   std::filesystem::path person;  ///< a recording of the person in world
+  std::filesystem::path room;    ///< a depth recording of the same room by a camera with known pose
   std::string robot;
   robot_file::PackagePaths packages;
   std::uint64_t seed{1};
@@ -29,6 +30,9 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args);
 int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args);
 /// From depth images of a person who is known in the world.
 int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args);
+
+/// From depth images of the room that a camera with known pose sees, too.
+int calibrateByRoom(const CommandLine& line, const CalibrateArguments& args);
 
 /// The twelve numbers of `T_WC` in JSON.
 std::vector<double> rowsOf(const Transform& X_WC);

@@ -8,6 +8,8 @@ namespace {
 int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
   if (args.links.empty() && !args.robot.empty())
     throw UsageError("--robot: found without --links, expected a depth recording there");
+  if (!args.room.empty() && (!args.images.empty() || !args.links.empty() || !args.person.empty()))
+    throw UsageError("--room: found together with --chessboard, --links or --person, expected one of them");
   if (!args.images.empty()) {
     if (!args.links.empty())
       throw UsageError("--chessboard: found together with --links, expected one of them");
@@ -19,11 +21,13 @@ int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
     throw UsageError("found --squares, --square, --board or --intrinsics without --chessboard, expected it");
   if (args.input.empty())
     throw UsageError(
-        "found neither a table of points, nor --chessboard, nor SCENE with --links, nor CLIP with --person, "
-        "expected one of them");
+        "found neither a table of points, nor --chessboard, nor SCENE with --links, nor CLIP with --person "
+        "or "
+        "--room, expected one of them");
   if (!args.person.empty() && !args.links.empty())
     throw UsageError("--person: found together with --links, expected one of them");
   if (!args.person.empty()) return calibrateByPerson(line, args);
+  if (!args.room.empty()) return calibrateByRoom(line, args);
   if (!args.links.empty()) return calibrateByLinks(line, args);
   if (args.camera.empty()) throw UsageError("--camera: found none, expected a camera file");
   return calibrateByPoints(line, args);
@@ -39,17 +43,19 @@ std::vector<double> rowsOf(const Transform& X_WC) {
 void addCalibrate(CLI::App& root, CommandLine& line) {
   auto* command = addCommand(
       root, line, "calibrate",
-      "estimates the pose of a depth camera from matched points, a chessboard, a robot's links or a person",
+      "estimates the pose of a depth camera from matched points, a chessboard, a robot's links, a "
+      "person or the room",
       "abstand calibrate points.csv --camera kinect.yaml --out placed.yaml\n"
       "  abstand calibrate --chessboard board.png --squares 8x5 --square 0.03 --board 0.4,-0.2,0.75 "
       "--camera kinect.yaml --out placed.yaml\n  "
       "abstand calibrate data/scenes/hug_boxing.yaml --links clip --robot left_arm --camera rough.yaml "
       "--out placed.yaml\n  "
-      "abstand calibrate side_clip --person front_clip --out placed.yaml");
+      "abstand calibrate side_clip --person front_clip --out placed.yaml\n  "
+      "abstand calibrate side_clip --room front_clip --camera rough.yaml --out placed.yaml");
   auto args = std::make_shared<CalibrateArguments>();
   command->add_option("POINTS", args->input,
                       "CSV: cx,cy,cz,wx,wy,wz, m; in the camera's axes and in world; with --links a scene "
-                      "file; with --person a "
+                      "file; with --person or --room a "
                       "depth recording of the camera");
   command->add_option("--camera", args->camera, "camera file with the intrinsics");
   line.output(
@@ -76,6 +82,10 @@ void addCalibrate(CLI::App& root, CommandLine& line) {
                       "recording of the same person in world: depth images of a camera with T_WC, or "
                       "skeletons; clocks may differ "
                       "by 5 s");
+  command->add_option(
+      "--room", args->room,
+      "depth recording of the same room by a camera with T_WC; the start is the T_WC of --camera or of CLIP, "
+      "within 0.2 m and 20 degrees of the true pose");
   command->add_option("--robot", args->robot,
                       "mechanism of SCENE whose links are visible (default: the only one)");
   command->add_option("--seed", args->seed, "random seed of the search with --links");

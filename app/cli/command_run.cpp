@@ -5,6 +5,7 @@
 #include "app/cli/cut_things.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/robot_texts.hpp"
+#include "app/cli/version.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/depth/open_session.hpp"
 #include "app/run/run_scene.hpp"

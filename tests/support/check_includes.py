@@ -20,7 +20,7 @@ FENCES = [
     (r"urdf_|console_bridge", r"core/robot_file/.*\.cpp"),
     (r"ode/", r"core/physics/.*\.cpp"),
     (r"opencv2/", r"tracking/depth/(calibration|formats)/.*\.cpp|app/studio/avi_file\.cpp"),
-    (r"pcl/", r"tracking/depth/people/floor_consensus\.cpp"),
+    (r"pcl/", r"tracking/depth/(people/floor_consensus|calibration/cloud_registration)\.cpp"),
     (r"libfreenect", r"tracking/depth/live/.*\.cpp"),
     (r"zlib", r"tracking/kinect/.*\.cpp|app/results/mcap_writer\.cpp"),
     (r"zstd", r"app/results/mcap_writer\.cpp"),

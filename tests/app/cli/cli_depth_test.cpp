@@ -218,6 +218,56 @@ TEST_F(Cli, TrackFitsTwoCamerasTogether) {
   EXPECT_EQ(run(both + " --camera " + front + "/camera.yaml," + lens).code, 2) << "a camera without a pose";
 }
 
+TEST_F(Cli, CalibrateByRoomSeenByTwoCameras) {
+  const auto box = [](const char* name, const char* size, const char* p) {
+    return std::string("  - {name: ") + name + ", shape: {cuboid: {size: [" + size + "]}}, pose: {xyz: [" +
+           p + "]}}\n";
+  };
+  const std::string room =
+      write("room.yaml",
+            "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\npairs: {default: none}\nobjects:\n" +
+                box("floor", "8, 8, 0.1", "0, 0, -0.05") + box("wall", "0.1, 8, 3", "-1.85, 0, 1.5") +
+                box("other", "8, 0.1, 3", "0, 1.85, 1.5") + box("bench", "0.7, 1.4, 0.9", "-1.3, 0.2, 0.45") +
+                box("box", "0.4, 0.3, 0.5", "0, 1, 0.25"));
+  const std::string render =
+      "render-depth " + room + " --width 320 --start 0 --end 0.1 --no-cache --look -0.4,0.4,0.7 ";
+  const std::string front = (folder_.path() / "front").string(), side = (folder_.path() / "side").string();
+  ASSERT_EQ(run(render + "--eye 2.4,-0.6,1.6 --out " + front).code, 0);
+  ASSERT_EQ(run(render + "--eye 1.0,-2.2,1.9 --seed 2 --out " + side).code, 0);
+  tracking::DepthCamera camera = tracking::loadDepthCamera(side + "/camera.yaml");
+  const Transform truth = camera.X_WC;
+  camera.X_WC = truth * fromXyzRpy({0.06, -0.05, 0.06}, {0.1, -0.12, 0.06});
+  const std::string rough = write("rough.yaml", tracking::describeDepthCamera(camera));
+  const std::string placed = (folder_.path() / "placed.yaml").string();
+  const std::string calibrate = "calibrate " + side + " --room " + front;
+  const json j = runJson(calibrate + " --camera " + rough + " --out " + placed);
+  const tracking::DepthCamera found = tracking::loadDepthCamera(placed);
+  EXPECT_LT((found.X_WC.translation() - truth.translation()).norm(), 0.015) << j;
+  EXPECT_LT(Quaterniond(found.X_WC.linear()).angularDistance(Quaterniond(truth.linear())), unit::deg(0.4));
+  EXPECT_EQ(found.spread, j["spread"].get<double>());
+  EXPECT_GT(j["agreeing"], 0.9);
+  EXPECT_NEAR(j["moved"], std::sqrt(0.06 * 0.06 + 0.05 * 0.05 + 0.06 * 0.06), 0.015);
+  EXPECT_EQ(j["T_WC"].size(), 12u);
+  EXPECT_THAT(run(calibrate).out, ::testing::HasSubstr("agree on"));
+
+  camera.X_WC = Transform::Identity();
+  const std::string lens = write("lens.yaml", tracking::describeDepthCamera(camera));
+  const Answer no_start = run(calibrate + " --camera " + lens);
+  EXPECT_EQ(no_start.code, 2);
+  EXPECT_THAT(no_start.err, ::testing::HasSubstr("without a camera pose"));
+  // The camera looks elsewhere: refused, and nothing is written.
+  camera.X_WC = truth * fromXyzRpy({0.0, 0.0, 0.0}, {0.0, 3.0, 0.0});
+  const std::string wrong = write("wrong.yaml", tracking::describeDepthCamera(camera));
+  const std::string none = (folder_.path() / "none.yaml").string();
+  const Answer refused = run(calibrate + " --camera " + wrong + " --out " + none);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, ::testing::HasSubstr("--room: found "));
+  EXPECT_FALSE(std::filesystem::exists(none));
+  EXPECT_EQ(run(calibrate + " --person " + front).code, 2);
+  EXPECT_EQ(run("calibrate --room " + front).code, 2);
+  EXPECT_EQ(run("calibrate " + side + " --room nothing").code, 3);
+}
+
 TEST_F(Cli, CalibrateByPersonSeenByTwoCameras) {
   constexpr double kPlaced = 0.15;  // m, by a person who stays at one place
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +

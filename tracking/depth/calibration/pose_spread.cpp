@@ -1,6 +1,7 @@
 // Accuracy of a camera pose, and of the points that the camera sees.
 #include "tracking/depth/calibration/pose_spread.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace abstand::tracking {
@@ -22,6 +23,15 @@ double spreadAt(const Matrix6d& covariance, double reach) {
   const double moves = covariance.topLeftCorner<3, 3>().trace();
   const double turns = covariance.bottomRightCorner<3, 3>().trace();
   return std::sqrt((moves + 2.0 / 3.0 * reach * reach * turns) / 3.0);
+}
+
+double weakestConstraint(const Matrix6d& mean_JTJ) {
+  Matrix6d H = mean_JTJ;
+  const double turns = H.bottomRightCorner<3, 3>().trace();
+  const double scale = turns > 0.0 ? 1.0 / std::sqrt(turns) : 0.0;
+  H.bottomRows<3>() *= scale;
+  H.rightCols<3>() *= scale;
+  return Eigen::SelfAdjointEigenSolver<Matrix6d>(H, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 }  // namespace abstand::tracking

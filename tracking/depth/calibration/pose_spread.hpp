@@ -17,6 +17,11 @@ Transform movedAbout(const Vector3d& p_W, const Transform& X_WC, const Vector6d&
 /// sqrt((tr C_t + 2/3 reach^2 tr C_r) / 3).
 double spreadAt(const Matrix6d& covariance, double reach);
 
+/// Smallest constraint of any degree of freedom for the normal matrix of the steps of movedAbout(), of rows
+/// with unit normals and the mean over the rows: the smallest eigenvalue, with rotations scaled so that they
+/// count by the displacement of a point at a typical distance. 0: one is not determined.
+double weakestConstraint(const Matrix6d& mean_JTJ);
+
 /// m, typical distance of people from the calibration target, for spreadAt(): someone within a robot's reach
 /// is about this far from a board on its table, or from its links.
 inline constexpr double kUsedWithin = 1.0;

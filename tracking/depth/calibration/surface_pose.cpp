@@ -2,7 +2,6 @@
 #include "tracking/depth/calibration/surface_pose.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -174,17 +173,6 @@ class Fit {
   std::vector<geometry::Bounds> boxes_;
 };
 
-/// Smallest constraint of any dof, as a share of the rows: rotations count by the displacement of a point at
-/// a typical distance from the centre.
-double weakestConstraint(const Fit::Sum& sum) {
-  Matrix6d H = sum.JTJ / sum.weights;
-  const double turns = H.bottomRightCorner<3, 3>().trace();
-  const double scale = turns > 0.0 ? 1.0 / std::sqrt(turns) : 0.0;
-  H.bottomRows<3>() *= scale;
-  H.rightCols<3>() *= scale;
-  return Eigen::SelfAdjointEigenSolver<Matrix6d>(H, Eigen::EigenvaluesOnly).eigenvalues()[0];
-}
-
 template <class... Values>
 [[noreturn]] void refuse(const char* pattern, Values... values) {
   char text[300];
@@ -223,7 +211,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
         "--links: found %.0f %% of the visible robot surface, expected half or more: its joint values are "
         "wrong, or the camera's start is more than 0.1 m or 10 degrees off",
         100.0 * best.explained);
-  if (!(weakestConstraint(sum) >= kMinConstraint))
+  if (!(weakestConstraint(sum.JTJ / sum.weights) >= kMinConstraint))
     throw UsageError(
         "--links: found surfaces that do not determine every degree of freedom of the camera, as a sphere "
         "does, expected links "

@@ -1,0 +1,253 @@
+// Camera pose from the room that a camera with known pose sees, too.
+#include "tracking/depth/calibration/room_pose.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/error.hpp"
+#include "tracking/depth/calibration/cloud_registration.hpp"
+#include "tracking/depth/calibration/pose_spread.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr double kRoomStartTurn = unit::deg(15.0);  // of further starts
+constexpr std::size_t kRoomStartPoints = 1500;      // of each camera, until the best start is known
+constexpr std::size_t kRoomCostPoints = 6000;       // of each camera
+constexpr std::size_t kRoomAllPoints = 1u << 30;
+constexpr double kRoomCostTolerance = 0.03;                    // m
+constexpr double kRoomFirstGate = 0.15, kRoomLastGate = 0.05;  // m
+constexpr double kRoomAgree = 0.8;  // smallest cosine between the normals of both cameras
+constexpr int kRoomSteps = 40;
+constexpr double kSmallRoomStep = 1e-6;
+constexpr double kRoomSmallest = 5e-4;  // m, smallest scale of the weights
+constexpr std::size_t kRoomMinPoints = 1000;
+constexpr double kRoomMinAgreeing = 0.85;
+constexpr double kRoomMaxRms = 0.02;  // m
+// Smallest weakestConstraint(). Measured: a floor, a wall or both up to 0.013 in single images, in which
+// noisy normals seem to determine what they do not; rooms with a floor and two walls 0.047 and more.
+constexpr double kRoomMinConstraint = 0.015;
+
+/// m, standard deviation of a Kinect's depth (kinect_noise.hpp), for weights.
+double roomNoiseAt(double z) { return 0.002 + 0.002 * z * z; }
+
+struct RoomRow {
+  double distance;  ///< m, along n_W
+  double weight;    ///< of the noise of both points, at most 1
+  Vector3d p_W, n_W;
+};
+
+/// Comparison of a point with the surface of the other camera at its pixel.
+enum class Seen { kNot, kAgrees, kHidden, kThrough };
+
+class RoomRows {
+ public:
+  RoomRows(const RoomView& known, const RoomView& camera) : known_{known}, camera_{camera} {}
+
+  /// Compares point `p` of `from`, at X_WF, with the surface of `to`, at X_WT. RoomRow: moves of `from`
+  /// against `to`.
+  static Seen compare(const RoomPoint& p, const Transform& X_WF, const RoomView& to, const Transform& X_WT,
+                      double gate, RoomRow& row) {
+    row.p_W = X_WF * p.p_C;
+    const RoomPoint* q = to.at(X_WT.inverse() * row.p_W);
+    if (!q || !q->smooth()) return Seen::kNot;
+    const Vector3d n_p = X_WF.linear() * p.n_C;
+    row.n_W = X_WT.linear() * q->n_C;
+    const Vector3d d = row.p_W - X_WT * q->p_C;
+    row.distance = row.n_W.dot(d);
+    const double noise = std::max(roomNoiseAt(p.p_C.z()), roomNoiseAt(q->p_C.z()));
+    row.weight = std::pow(roomNoiseAt(1.0) / std::max(noise, roomNoiseAt(1.0)), 2);
+    if (std::abs(row.distance) < gate && n_p.dot(row.n_W) > kRoomAgree) return Seen::kAgrees;
+    return row.distance > 0.0 ? Seen::kThrough : Seen::kHidden;
+  }
+
+  struct Sum {
+    double weights{0.0}, squares{0.0};
+    std::size_t rows{0};
+    Vector3d middle{Vector3d::Zero()};
+    Matrix6d JTJ{Matrix6d::Zero()};
+    Vector6d JTr{Vector6d::Zero()};
+  };
+
+  Sum at(const Transform& X_WC, double gate, std::size_t points) const {
+    std::vector<RoomRow> rows;
+    collect(camera_, X_WC, known_, known_.camera().X_WC, gate, points, 1.0, rows);
+    collect(known_, known_.camera().X_WC, camera_, X_WC, gate, points, -1.0, rows);
+    Sum sum;
+    if (rows.empty()) return sum;
+    std::vector<double> sizes;
+    for (const RoomRow& row : rows) {
+      sum.middle += row.p_W / static_cast<double>(rows.size());
+      sizes.push_back(std::abs(row.distance));
+    }
+    const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), median, sizes.end());
+    const double width = 3.0 * std::max(kRoomSmallest, 1.4826 * *median);
+    for (const RoomRow& row : rows) {
+      Vector6d J;
+      J << row.n_W, (row.p_W - sum.middle).cross(row.n_W);
+      const double part = row.distance / width;
+      const double weight = row.weight / ((1.0 + part * part) * (1.0 + part * part));
+      sum.weights += weight;
+      sum.squares += weight * row.distance * row.distance;
+      sum.JTJ += weight * J * J.transpose();
+      sum.JTr += weight * row.distance * J;
+      ++sum.rows;
+    }
+    return sum;
+  }
+
+  Transform from(Transform X_WC, double gate, std::size_t points) const {
+    for (int i = 0; i < kRoomSteps; ++i) {
+      const double part = std::min(1.0, static_cast<double>(i) / (0.5 * kRoomSteps));
+      const Sum sum = at(X_WC, gate * std::pow(kRoomLastGate / gate, part), points);
+      if (sum.rows <= 6) return X_WC;
+      Matrix6d held = sum.JTJ;
+      held.diagonal().array() += 1e-6 * sum.weights;
+      const Vector6d step = -held.ldlt().solve(sum.JTr);
+      if (!step.allFinite()) return X_WC;
+      X_WC = movedAbout(sum.middle, X_WC, step);
+      if (part == 1.0 && step.norm() < kSmallRoomStep) break;
+    }
+    return X_WC;
+  }
+
+  /// Mean distance (m) of the points of both cameras that the other one sees, truncated at
+  /// kRoomCostTolerance.
+  double cost(const Transform& X_WC) const {
+    double sum = 0.0, seen = 0.0;
+    const auto add = [&](const RoomView& from, const Transform& X_WF, const RoomView& to,
+                         const Transform& X_WT) {
+      const std::size_t stride = std::max<std::size_t>(1, from.points().size() / kRoomCostPoints);
+      RoomRow row;
+      for (std::size_t i = 0; i < from.points().size(); i += stride) {
+        const Seen how = compare(from.points()[i], X_WF, to, X_WT, kRoomCostTolerance, row);
+        if (how == Seen::kNot) continue;
+        ++seen;
+        // What is far behind a surface may be hidden by it.
+        const bool may_hide = how == Seen::kHidden && row.distance < -4.0 * kRoomCostTolerance;
+        sum += how == Seen::kAgrees ? std::abs(row.distance) : (may_hide ? 0.7 : 1.0) * kRoomCostTolerance;
+      }
+    };
+    add(camera_, X_WC, known_, known_.camera().X_WC);
+    add(known_, known_.camera().X_WC, camera_, X_WC);
+    return seen > 0.0 ? sum / seen : kInfinity;
+  }
+
+  /// Fills shared and agreeing.
+  void compareAll(RoomFit& fit) const {
+    double agree = 0.0, through = 0.0, all = 0.0, own = 0.0;
+    const auto add = [&](const RoomView& from, const Transform& X_WF, const RoomView& to,
+                         const Transform& X_WT, bool is_own) {
+      RoomRow row;
+      for (const RoomPoint& p : from.points()) {
+        const Seen how = compare(p, X_WF, to, X_WT, kRoomLastGate, row);
+        agree += how == Seen::kAgrees;
+        through += how == Seen::kThrough;
+        if (is_own) ++all, own += how == Seen::kAgrees;
+      }
+    };
+    add(camera_, fit.X_WC, known_, known_.camera().X_WC, true);
+    add(known_, known_.camera().X_WC, camera_, fit.X_WC, false);
+    fit.shared = all > 0.0 ? own / all : 0.0;
+    fit.agreeing = agree + through > 0.0 ? agree / (agree + through) : 0.0;
+  }
+
+ private:
+  static void collect(const RoomView& from, const Transform& X_WF, const RoomView& to, const Transform& X_WT,
+                      double gate, std::size_t points, double side, std::vector<RoomRow>& rows) {
+    const std::size_t stride = std::max<std::size_t>(1, from.points().size() / points);
+    RoomRow row;
+    for (std::size_t i = 0; i < from.points().size(); i += stride) {
+      if (compare(from.points()[i], X_WF, to, X_WT, gate, row) != Seen::kAgrees) continue;
+      // A step of the camera moves its surface, not the points of the known one.
+      row.n_W *= side;
+      rows.push_back(row);
+    }
+  }
+
+  const RoomView &known_, &camera_;
+};
+
+std::vector<Vector3d> positionsOf(const RoomView& view) {
+  std::vector<Vector3d> points;
+  for (const RoomPoint& point : view.points()) points.push_back(point.p_C);
+  return points;
+}
+
+/// The start, and the start rotated to both sides about each axis of the camera.
+std::vector<Transform> startsAround(const Transform& X_WC) {
+  std::vector<Transform> starts{X_WC};
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double turn : {kRoomStartTurn, -kRoomStartTurn})
+      starts.push_back(X_WC * Eigen::AngleAxisd(turn, Vector3d::Unit(axis)));
+  return starts;
+}
+
+/// Throws UsageError if the pose is not certain.
+void refuseDoubtful(const RoomFit& fit) {
+  const auto refuse = [](const char* pattern, auto... values) {
+    char text[300];
+    std::snprintf(text, sizeof text, pattern, values...);
+    throw UsageError(text);
+  };
+  if (fit.points < kRoomMinPoints)
+    refuse(
+        "--room: found %zu points that both cameras see, expected %zu or more: their views do not overlap, "
+        "or "
+        "the camera's start is more than 0.2 m or 20 degrees off",
+        fit.points, kRoomMinPoints);
+  if (!(fit.agreeing >= kRoomMinAgreeing))
+    refuse(
+        "--room: found that the cameras agree on %.0f %% of their common view, expected %.0f %% or more: the "
+        "room has changed between the recordings, or the camera's start is more than 0.2 m or 20 degrees off",
+        100.0 * fit.agreeing, 100.0 * kRoomMinAgreeing);
+  if (!(fit.weakest >= kRoomMinConstraint))
+    throw UsageError(
+        "--room: found surfaces that do not determine every degree of freedom of the camera, as a floor and "
+        "one "
+        "wall do, expected surfaces with three directions in the common view");
+  if (!(fit.rms <= kRoomMaxRms))
+    refuse(
+        "--room: found an RMS distance of %.0f mm between the surfaces of the cameras, expected %.0f or "
+        "less: "
+        "the intrinsics are wrong, or the room has changed",
+        1e3 * fit.rms, 1e3 * kRoomMaxRms);
+}
+
+}  // namespace
+
+RoomFit fitPoseToRoom(const RoomView& known, const RoomView& camera) {
+  const RoomRows rows(known, camera);
+  const Transform& X_WK = known.camera().X_WC;
+  const Transform& start = camera.camera().X_WC;
+  const CloudRegistration clouds(positionsOf(camera), positionsOf(known));
+  RoomFit best;
+  double smallest_cost = kInfinity;
+  for (const Transform& X_WC : startsAround(start)) {
+    const Transform end =
+        rows.from(X_WK * clouds.align(X_WK.inverse() * X_WC), kRoomFirstGate, kRoomStartPoints);
+    const double cost = rows.cost(end);
+    if (!(cost < smallest_cost)) continue;
+    smallest_cost = cost;
+    best.X_WC = end;
+  }
+  best.X_WC = rows.from(best.X_WC, kRoomLastGate, kRoomAllPoints);
+  const RoomRows::Sum sum = rows.at(best.X_WC, kRoomLastGate, kRoomAllPoints);
+  rows.compareAll(best);
+  best.points = sum.rows;
+  best.weakest = sum.rows > 0 ? weakestConstraint(sum.JTJ / sum.weights) : 0.0;
+  const double sigma2 = sum.squares / sum.weights;
+  best.rms = std::sqrt(sigma2);
+  const Transform moved = start.inverse() * best.X_WC;
+  best.moved = moved.translation().norm();
+  best.turned = Eigen::AngleAxisd(moved.linear()).angle();
+  refuseDoubtful(best);
+  best.spread =
+      std::hypot(best.rms, spreadAt(sigma2 * sum.JTJ.inverse(), kUsedWithin), known.camera().spread);
+  return best;
+}
+
+}  // namespace abstand::tracking
