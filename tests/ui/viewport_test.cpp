@@ -10,6 +10,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/viewport/overlay.hpp"
 #include "ui/window_grab.hpp"
 
 namespace abstand::ui {
@@ -168,6 +169,31 @@ TEST_F(ViewportTest, DarkAndLightDifferAndBothHaveContent) {
   EXPECT_GT(countColours(dark), kColours);
   EXPECT_NE(dark, light);
   window.actions()[ActionId::kDarkTheme]->setChecked(false);
+}
+
+TEST_F(ViewportTest, LegendStaysWithinView) {
+  const Overlay& shown = window.viewport().overlay();
+  ASSERT_FALSE(shown.content().legend.empty());
+  Overlay overlay(nullptr);
+  overlay.content().legend = shown.content().legend;
+  overlay.content().legend.push_back(
+      {LegendLine::Mark::kArrow, QColor(kVermillion),
+       QStringLiteral("Abstoßung (Sicherheitsabstand, virtuell): 120 mm ≙ 1234,5 N")});
+  overlay.resize(900, 400);
+  const LegendPlace wide = overlay.placeLegend();
+  for (const int width : {620, 340, 240}) {
+    overlay.resize(width, 400);
+    const LegendPlace place = overlay.placeLegend();
+    EXPECT_TRUE(QRectF(overlay.rect()).contains(place.box)) << width;
+    constexpr double kAxes = 80.0;  // px
+    EXPECT_GE(place.box.left(), width > 300 ? kAxes : 0.0) << "beside the axes";
+    ASSERT_EQ(place.rows.size(), overlay.content().legend.size());
+    double rows = 0.0;
+    for (const double row : place.rows) rows += row;
+    EXPECT_LE(rows, place.box.height());
+  }
+  overlay.resize(240, 400);
+  EXPECT_GT(overlay.placeLegend().rows.back(), wide.rows.back()) << "wrapped, not cut";
 }
 
 }  // namespace viewport_test

@@ -12,9 +12,11 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kAxisLength = 30.0;  // px
-constexpr double kMargin = 14.0;      // px from the edges
-constexpr int kMarkWidth = 34;        // px, of the legend's arrows
+constexpr double kAxisLength = 30.0;                                      // px
+constexpr double kMargin = 14.0;                                          // px from the edges
+constexpr double kAxesRoom = kMargin + 2.0 * (kAxisLength + 6.0) + 10.0;  // px, left of the legend
+constexpr int kMarkWidth = 34;                                            // px, of the legend's arrows
+constexpr double kLegendPad = 30.0, kMinLegend = 60.0;  // px, about its marks and texts; of its texts
 constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
 constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label covers
 constexpr double kValueDrop = 30.0;  // px from a point down to a value
@@ -187,30 +189,43 @@ void Overlay::paintAxes(QPainter& painter) const {
   }
 }
 
+LegendPlace Overlay::placeLegend() const {
+  const QFontMetricsF metrics(font(), const_cast<Overlay*>(this));
+  // Lines that are longer than the view beside the axes is wide are wrapped.
+  const double room = std::max(kMinLegend, width() - kAxesRoom - kMargin - kMarkWidth - kLegendPad);
+  const QRectF line_room(0.0, 0.0, room, 1e4);
+  LegendPlace place;
+  double text_width = 0.0, height = 0.0;
+  for (const LegendLine& line : content_.legend) {
+    const QRectF text = metrics.boundingRect(line_room, Qt::TextWordWrap, line.text);
+    text_width = std::max(text_width, std::ceil(text.width()) + 1.0);
+    place.rows.push_back(std::ceil(text.height()) + 5.0);
+    height += place.rows.back();
+  }
+  place.box = QRectF(0, 0, text_width + kMarkWidth + kLegendPad, height + 10.0);
+  place.box.moveBottomRight(QPointF(width() - kMargin, this->height() - kMargin));
+  return place;
+}
+
 void Overlay::paintLegend(QPainter& painter) const {
   if (content_.legend.empty()) return;
   const SceneColours colours = sceneColours(themeOf(palette()));
   painter.setFont(font());
-  const QFontMetricsF metrics(font(), const_cast<Overlay*>(this));
-  double text_width = 0.0;
-  for (const LegendLine& line : content_.legend)
-    text_width = std::max(text_width, metrics.horizontalAdvance(line.text));
-  const double row = metrics.height() + 5.0;
-  QRectF box(0, 0, text_width + kMarkWidth + 30.0, row * static_cast<double>(content_.legend.size()) + 10.0);
-  box.moveBottomRight(QPointF(width() - kMargin, height() - kMargin));
+  const auto [box, rows] = placeLegend();
   QColor back = colours.label_back;
   back.setAlpha(200);
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
   painter.setBrush(back);
   painter.drawRoundedRect(box, 5.0, 5.0);
   double y = box.top() + 5.0;
-  for (const LegendLine& line : content_.legend) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const LegendLine& line = content_.legend[i];
     painter.setBrush(Qt::NoBrush);
-    legendMark(painter, line, QRectF(box.left() + 10, y, kMarkWidth, row));
+    legendMark(painter, line, QRectF(box.left() + 10, y, kMarkWidth, rows[i]));
     painter.setPen(colours.label_text);
-    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, text_width + 4, row),
-                     Qt::AlignLeft | Qt::AlignVCenter, line.text);
-    y += row;
+    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, box.width() - kMarkWidth - kLegendPad, rows[i]),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, line.text);
+    y += rows[i];
   }
 }
 

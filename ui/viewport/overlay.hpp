@@ -34,6 +34,12 @@ struct LegendLine {
   QString text;
 };
 
+/// Where the legend stands, and the heights of its lines (px).
+struct LegendPlace {
+  QRectF box;
+  std::vector<double> rows;
+};
+
 struct OverlayContent {
   std::vector<OverlayLabel> labels;
   std::vector<OverlaySegment> segments;
@@ -50,6 +56,8 @@ class Overlay : public QWidget {
   const OverlayContent& content() const { return content_; }
   /// Where the labels stand, each as near to its point as others and the ends of lines allow.
   std::vector<PlacedLabel> placeLabels() const;
+  /// In the lower right corner, within the view.
+  LegendPlace placeLegend() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
