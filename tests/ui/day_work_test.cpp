@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTreeWidget>
 #include <cmath>
 #include <memory>
 
@@ -24,6 +25,9 @@
 #include "ui/model/recent_files.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/panels/history_panel.hpp"
+#include "ui/panels/inspector_panel.hpp"
+#include "ui/panels/joint_editor.hpp"
+#include "ui/panels/joint_row.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/log_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
@@ -38,6 +42,7 @@
 #include "ui/plots/plot_panel.hpp"
 #include "ui/plots/strip_chart.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::ui {
 namespace day_work_test {
@@ -78,6 +83,49 @@ TEST_F(DayWorkTest, LengthsAreShownInMetresAndDataStay) {
   window.actions()[ActionId::kMetres]->setChecked(false);
   EXPECT_EQ(box->text(), "125 mm");
   EXPECT_NEAR(row->metres(), 0.125, 1e-9);
+}
+
+TEST_F(DayWorkTest, AnglesAreShownInRadiansAndDataStay) {
+  bring("inspector");
+  InspectorPanel* panel = window.panels().inspector;
+  const int link = session.indexOf("arm/link3");
+  window.selection().setObjects({link});
+  window.pull();
+  const auto inspected = [&](const QString& property) {
+    for (int i = 0; i < panel->rows()->topLevelItemCount(); ++i)
+      if (panel->rows()->topLevelItem(i)->text(0) == property) return panel->rows()->topLevelItem(i)->text(1);
+    return QString();
+  };
+  auto* box = panel->joints()->row(1)->findChild<QDoubleSpinBox*>();
+  const double joint = window.moment().joint_positions[1];
+  EXPECT_NEAR(box->value(), joint * 180.0 / kPi, 0.051);
+  EXPECT_TRUE(box->text().endsWith(QStringLiteral("°")));
+  const QString degrees = inspected("Roll, pitch, yaw");
+  ASSERT_TRUE(degrees.contains(QStringLiteral("°"))) << degrees.toStdString();
+  const Work work = window.document().work();
+  window.actions()[ActionId::kRadians]->setChecked(true);
+  EXPECT_TRUE(box->text().endsWith(QStringLiteral(" rad"))) << box->text().toStdString();
+  EXPECT_NEAR(box->value(), joint, 0.00051);
+  EXPECT_NEAR(box->maximum(), session.outline().joints[1].upper, 0.00051);
+  window.pull();
+  const QStringList shown = inspected("Roll, pitch, yaw").split(QStringLiteral(", ")),
+                    before = degrees.split(QStringLiteral(", "));
+  ASSERT_EQ(shown.size(), 3);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_TRUE(shown[k].endsWith(QStringLiteral(" rad"))) << shown[k].toStdString();
+    const double rad = shown[k].chopped(4).toDouble(), deg = before[k].chopped(1).toDouble();
+    // Both are rounded: to 0.1 degrees and to 0.001 rad.
+    EXPECT_NEAR(rad, deg * kPi / 180.0, 0.5e-3 + 0.05 * kPi / 180.0);
+  }
+  EXPECT_EQ(angleText(kPi / 2.0), QStringLiteral("1.571 rad"));
+  EXPECT_TRUE(window.document().work() == work) << "no edit";
+  session.log.clear();
+  box->setValue(0.25);
+  EXPECT_TRUE(std::find(session.log.begin(), session.log.end(), "pose 1 0.25") != session.log.end());
+  EXPECT_NEAR(window.document().work().posed["arm"][1], 0.25, 1e-12) << "rad, as in files";
+  window.actions()[ActionId::kRadians]->setChecked(false);
+  EXPECT_NEAR(box->value(), 0.25 * 180.0 / kPi, 0.051);
+  EXPECT_EQ(angleText(kPi / 2.0), QStringLiteral("90.0°"));
 }
 
 TEST_F(DayWorkTest, MessagesCanBeReadAgain) {
