@@ -36,7 +36,7 @@ double positive(const std::string& text, const std::string& option, double least
 
 void draw(const tracking::ClipMoment& moment, OutputFolder& folder) {
   const std::string name = format("person%d_%06zu.png", moment.id, moment.image);
-  tracking::saveColourPng(tracking::pictureOf(moment.frame.image, moment.camera, moment.rig, moment.body),
+  tracking::saveColourPng(tracking::pictureOf(moment.frame.image, moment.camera, *moment.rig, moment.body),
                           folder.place(name));
 }
 

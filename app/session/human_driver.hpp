@@ -62,6 +62,10 @@ class HumanDriver {
   const humanmodel::HumanModel& model() const { return model_; }
   /// Null for a person without a recording.
   const tracking::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
+  /// Bodies fitted to the images of a depth recording; null for any other recording, or if not kept
+  /// (SessionOptions::keep_fits).
+  const std::shared_ptr<const tracking::FittedClip>& fitted() const { return fitted_; }
+  void keepFitted(std::shared_ptr<const tracking::FittedClip> fitted) { fitted_ = std::move(fitted); }
   std::optional<ObjectId> object(humanmodel::BodyPart part) const {
     return objects_[static_cast<std::size_t>(part)];
   }
@@ -80,6 +84,7 @@ class HumanDriver {
   void show(const humanmodel::SkeletonFrame& frame, double t, scene::Scene& scene);
 
   std::optional<tracking::Recording> recording_;
+  std::shared_ptr<const tracking::FittedClip> fitted_;
   humanmodel::HumanModel model_;
   humanmodel::Poser poser_;
   humanmodel::HumanPose pose_;

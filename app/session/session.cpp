@@ -109,8 +109,11 @@ void Session::planMechanisms(std::vector<Planned>& plan, const SessionOptions& o
 
 void Session::planHumans(std::vector<Planned>& plan, const SessionOptions& options) {
   for (const auto& d : description_.humans) {
-    humans_.push_back(std::make_unique<HumanDriver>(
-        d, options.known, tracking::TrackMonitor{options.tracked, options.monitor.cancelled}));
+    std::shared_ptr<const tracking::FittedClip> fitted;
+    tracking::TrackMonitor monitor{options.tracked, options.monitor.cancelled, {}};
+    if (options.keep_fits) monitor.fitted = [&fitted](auto clip) { fitted = std::move(clip); };
+    humans_.push_back(std::make_unique<HumanDriver>(d, options.known, monitor));
+    humans_.back()->keepFitted(std::move(fitted));
     HumanDriver* driver = humans_.back().get();
     const int first = static_cast<int>(plan.size());
     for (const humanmodel::HumanPart& part : driver->model().parts) {

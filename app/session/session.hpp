@@ -28,6 +28,7 @@ struct SessionOptions {
   /// Called with the number of tracked images of a depth recording, and of all. monitor.cancelled ends this,
   /// too.
   std::function<void(std::size_t done, std::size_t all)> tracked;
+  bool keep_fits{false};  ///< HumanDriver::fitted() of depth recordings
   /// Called with the number of structures before the first is looked up or built.
   std::function<void(std::size_t structures)> planned;
   tracking::KnownThings known;  ///< images of the robots as seen by a camera, for depth recordings that

@@ -192,7 +192,7 @@ class ClipPasses {
         widenByLag(images.size() > 1 ? moment.lag : 0.0, track_.people[place[person]].frames);
         if (!body || !options_.watch) continue;
         const double pause = processorSeconds();
-        options_.watch({i, person, *moment.frames[first], *cameras[first].camera, *tracker.rig(), *body});
+        options_.watch({i, person, *moment.frames[first], *cameras[first].camera, tracker.rig(), *body});
         track_.seconds -= processorSeconds() - pause;
       }
       if (!keep) continue;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clock_offset.hpp"
@@ -17,7 +18,7 @@ struct ClipMoment {
   int id;
   const DepthFrame& frame;
   const DepthCamera& camera;
-  const BodyRig& rig;
+  const std::shared_ptr<const BodyRig>& rig;
   const TrackedBody& body;
 };
 

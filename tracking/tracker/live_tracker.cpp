@@ -44,7 +44,7 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
     if (!body) continue;
     if (body->found) seen_.push_back({person.id, body});
     if (options_.watch)
-      options_.watch({track_.images - 1, person.id, frame, track_.camera, *tracker.rig(), *body});
+      options_.watch({track_.images - 1, person.id, frame, track_.camera, tracker.rig(), *body});
   }
   forget(frame.t);
   return seen_;

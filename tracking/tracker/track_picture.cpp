@@ -35,19 +35,15 @@ double shade(const DepthImage& drawn, const DepthCamera& camera, int u, int v) {
 
 }  // namespace
 
-ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const BodyRig& rig,
-                      const TrackedBody& body) {
+void drawBody(const DepthImage& image, const DepthCamera& camera, const BodyRig& rig,
+              const RigPlacement& X_WS, int left, ColourImage& picture) {
   const int w = image.width;
-  ColourImage picture(2 * w, image.height);
-  for (int v = 0; v < image.height; ++v)
-    for (int u = 0; u < w; ++u) picture.at(u, v) = picture.at(u + w, v) = greyOf(image.at(u, v));
-  if (!body.found) return picture;
   const Transform X_CW = camera.X_WC.inverse();
   DepthImage nearest(w, image.height);
   DepthRender render(camera);
   for (std::size_t s = 0; s < kRigSegments; ++s) {
     const RigPart& part = rig.parts[s];
-    Transform X_CP = X_CW * body.X_WS[s];
+    Transform X_CP = X_CW * X_WS[s];
     X_CP.translate(part.p_shape);
     render.clear();
     render.draw(geometry::tessellate(part.shape, kSagitta), X_CP);
@@ -61,12 +57,25 @@ ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const 
         if (nearest.at(u, v) > 0.0f && nearest.at(u, v) < z) continue;
         nearest.at(u, v) = z;
         const double bright = shade(drawn, camera, u, v);
-        Colour& pixel = picture.at(u + w, v);
+        Colour& pixel = picture.at(u + left, v);
         for (std::size_t k = 0; k < 3; ++k)
           pixel[k] = static_cast<std::uint8_t>(std::min(255.0, bright * static_cast<double>(colour[k])));
       }
     }
   }
+}
+
+void drawDepth(const DepthImage& image, int left, ColourImage& picture) {
+  for (int v = 0; v < image.height; ++v)
+    for (int u = 0; u < image.width; ++u) picture.at(u + left, v) = greyOf(image.at(u, v));
+}
+
+ColourImage pictureOf(const DepthImage& image, const DepthCamera& camera, const BodyRig& rig,
+                      const TrackedBody& body) {
+  const int w = image.width;
+  ColourImage picture(2 * w, image.height);
+  for (const int left : {0, w}) drawDepth(image, left, picture);
+  if (body.found) drawBody(image, camera, rig, body.X_WS, w, picture);
   return picture;
 }
 

@@ -58,7 +58,7 @@ class TrackedPerson {
   /// Valid if body() has a value.
   const Stature& stature() const { return stature_; }
   /// The rig of body().
-  const BodyRig* rig() const { return rig_.get(); }
+  const std::shared_ptr<const BodyRig>& rig() const { return rig_; }
   /// Ends measuring and fitting with the images so far.
   void settle();
 
@@ -80,7 +80,7 @@ class TrackedPerson {
   std::optional<humanmodel::HumanOptions> body_;
   Facing facing_;
   Stature stature_;
-  std::unique_ptr<BodyRig> rig_;
+  std::shared_ptr<const BodyRig> rig_;
   std::unique_ptr<BodyTracker> tracker_;
   BodyCalibration calibration_;
   std::future<Fit> fitting_;

@@ -8,6 +8,7 @@
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/recording/part_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
+#include "tracking/tracker/fitted_clip.hpp"
 #include "tracking/tracker/known_objects.hpp"
 
 namespace abstand::tracking {
@@ -175,12 +176,20 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   tracker.interrupted = [&monitor] {
     return interruptRequested() || (monitor.cancelled && monitor.cancelled());
   };
+  FitLog fits;
+  if (monitor.fitted) tracker.watch = [&fits](const ClipMoment& moment) { fits.note(moment); };
   const ClipTrack track = trackClip(*stream, tracker);
   // A partial recording would look like a lost person.
   if (track.interrupted) throw Interrupted();
   if (track.people.empty())
     throw ParseError({path.string()}, "found no person in the depth recording, expected one");
   Recording recording = recordingOf(track, stream->facts(), 0);
+  if (monitor.fitted) {
+    FittedClip clip = fits.clipOf(track, 0, *stream);
+    clip.path = path;
+    clip.options = stream_options;
+    monitor.fitted(std::make_shared<const FittedClip>(std::move(clip)));
+  }
   if (!removal.note.empty()) recording.report.notes.push_back(removal.note);
   return recording;
 }
