@@ -9,6 +9,7 @@
 
 #include "ui/panel_set.hpp"
 #include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/depth_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/history_panel.hpp"
@@ -72,6 +73,8 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
                    tr("Show or hide protective distances and contact limits of the body parts"),
                    key("Ctrl+Shift+3"), panels.separation);
   log = add("log", tr("Log"), tr("Show or hide the messages of the window"), key("Ctrl+Shift+2"), panels.log);
+  depth = add("depth", tr("Depth image"), tr("Show or hide the depth image with the fitted body"),
+              key("Ctrl+Shift+0"), panels.depth);
   history = add("history", tr("History"), tr("Show or hide the edits of the project"), key("Ctrl+Shift+1"),
                 panels.history);
 }
@@ -123,8 +126,9 @@ void DockSet::arrange() const {
   window_->tabifyDockWidget(recordings, curve);
   window_->tabifyDockWidget(curve, cycles);
   window_->tabifyDockWidget(cycles, log);
-  window_->tabifyDockWidget(matrix, history);
-  for (QDockWidget* dock : {cycles, log, history}) dock->hide();
+  window_->tabifyDockWidget(matrix, depth);
+  window_->tabifyDockWidget(depth, history);
+  for (QDockWidget* dock : {cycles, log, history, depth}) dock->hide();
   // Docks that were hidden take the front from those that stay.
   for (QDockWidget* dock : {pairs, plots, margins}) dock->raise();
   for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
@@ -161,7 +165,7 @@ void DockSet::arrangeFor(Task task) const {
       keep({timeline, margins, plots, pairs, events, curve, separation});
       return curve->raise();
     case Task::kReview:
-      keep({scene, timeline, plots, inspector, events, bookmarks, recordings, notes, separation});
+      keep({scene, timeline, plots, inspector, events, bookmarks, recordings, notes, separation, depth});
       notes->raise();
       return events->raise();
   }

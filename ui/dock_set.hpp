@@ -20,7 +20,7 @@ class DockSet {
 
  public:
   /// To be increased when docks are added or removed, so that an old layout is not applied to a new window.
-  static constexpr int kLayoutVersion = 11;
+  static constexpr int kLayoutVersion = 12;
 
   /// The docks take the panels over. `window` and `actions` outlive this object.
   DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels);
@@ -36,13 +36,13 @@ class DockSet {
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 
-  std::array<QDockWidget*, 18> all() const {
-    return {scene,     pairs,      timeline, plots,  margins,   robots, groups,     notes, events,
-            bookmarks, recordings, curve,    cycles, inspector, matrix, separation, log,   history};
+  std::array<QDockWidget*, 19> all() const {
+    return {scene,      pairs, timeline, plots,     margins, robots,     groups, notes,   events, bookmarks,
+            recordings, curve, cycles,   inspector, matrix,  separation, log,    history, depth};
   }
 
   QDockWidget *scene, *pairs, *timeline, *plots, *margins, *robots, *groups, *notes, *events, *bookmarks,
-      *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history;
+      *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history, *depth;
 
  private:
   QDockWidget* add(const char* name, const QString& title, const QString& tip, const QString& key,

@@ -31,7 +31,8 @@ constexpr Remembered kRemembered[] = {{Id::kForces, "view/forces"},
                                       {Id::kTransparent, "view/transparent"},
                                       {Id::kAutoScale, "view/auto_scale"},
                                       {Id::kMetres, "view/metres"},
-                                      {Id::kRadians, "view/radians"}};
+                                      {Id::kRadians, "view/radians"},
+                                      {Id::kDepthBody, "view/depth_body"}};
 
 }  // namespace
 

@@ -22,6 +22,7 @@
 #include "ui/import_commands.hpp"
 #include "ui/kept_settings.hpp"
 #include "ui/language_commands.hpp"
+#include "ui/link_drag.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/log_book.hpp"
@@ -33,6 +34,7 @@
 #include "ui/model/time_axis.hpp"
 #include "ui/moment_feed.hpp"
 #include "ui/panels/bookmark_panel.hpp"
+#include "ui/panels/depth_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/focus_keys.hpp"
 #include "ui/panels/group_panel.hpp"
@@ -145,6 +147,7 @@ void MainWindow::buildPanels() {
   panels_.recordings = new RecordingPanel((*actions_)[Id::kRecordingOptions], this);
   panels_.curve = new MarginCurve(*review_, *selection_, this);
   panels_.cycles = new CyclePanel(this);
+  panels_.depth = new DepthPanel((*actions_)[Id::kDepthBody], this);
   panels_.inspector = new InspectorPanel(this);
   panels_.matrix = new PairMatrix(*selection_, this);
   panels_.separation = new SeparationPanel(this);
@@ -171,6 +174,9 @@ void MainWindow::buildCommands() {
   commands_.exchange = new ExchangeCommands(*actions_, *selection_, *axis_, this);
   commands_.imports = new ImportCommands(*actions_, *document_, this);
   connect(commands_.imports, &ImportCommands::failed, this, &MainWindow::showProblem);
+  commands_.drag =
+      new LinkDrag({*document_, follower_, *selection_, *viewport_, feed_->moment()}, *actions_, this);
+  connect(commands_.drag, &LinkDrag::said, this, &MainWindow::say);
   connect(commands_.scene, &SceneEdits::said, this, &MainWindow::say);
   const auto* pictures =
       new PictureCommands(*actions_, {*viewport_, *panels_.plots, *commands_.videos, *axis_}, this);
@@ -194,6 +200,7 @@ void MainWindow::setSession(SessionPort* session) {
   axis_->setRange(document_->work().range);
   follower_.attach(session_, feed_->moment(), document_->work());
   openPanels(outline);
+  commands_.drag->open(session_);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(feed_->moment());
   enableActions(outline);

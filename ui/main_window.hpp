@@ -24,6 +24,7 @@ class ExchangeCommands;
 class Document;
 class FileCommands;
 class ImportCommands;
+class LinkDrag;
 class LogBook;
 class MarginCommands;
 class MomentFeed;
@@ -159,6 +160,7 @@ class MainWindow : public QMainWindow {
     CameraCommands* camera;
     ExchangeCommands* exchange;
     ImportCommands* imports;
+    LinkDrag* drag;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

@@ -24,6 +24,7 @@
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/command_palette.hpp"
 #include "ui/panels/compare_lanes.hpp"
+#include "ui/panels/depth_panel.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/inspector_panel.hpp"
@@ -234,6 +235,10 @@ void MainWindow::connectInspector() {
   connect(docks_->matrix, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     panels_.matrix->setInFront(visible);
     panels_.matrix->refresh(feed_->moment());
+  });
+  connect(docks_->depth, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    panels_.depth->setInFront(visible);
+    panels_.depth->refresh(feed_->moment());
   });
 }
 

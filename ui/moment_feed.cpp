@@ -12,6 +12,7 @@
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/session_port.hpp"
 #include "ui/model/watched_series.hpp"
+#include "ui/panels/depth_panel.hpp"
 #include "ui/panels/group_panel.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
@@ -66,6 +67,7 @@ void MomentFeed::open(const view::SceneOutline& outline, const std::vector<doubl
   panels.groups->open(outline);
   panels.recordings->open(outline.recordings);
   panels.cycles->open(outline);
+  panels.depth->open(session_ ? session_->depth() : nullptr);
   panels.inspector->open(outline);
   panels.matrix->open(outline);
   panels.separation->open(outline);
@@ -112,6 +114,7 @@ void MomentFeed::show() {
   panels.timeline->refresh(snapshot_);
   if (panels.robots->isVisible()) panels.robots->refresh(outline, snapshot_);
   if (panels.groups->isVisible()) panels.groups->refresh(snapshot_);
+  panels.depth->refresh(snapshot_);
   panels.inspector->refresh(snapshot_);
   panels.matrix->refresh(snapshot_);
   panels.separation->refresh(snapshot_);

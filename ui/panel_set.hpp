@@ -5,6 +5,7 @@ namespace abstand::ui {
 
 class BookmarkPanel;
 class CyclePanel;
+class DepthPanel;
 class EventPanel;
 class GroupPanel;
 class HistoryPanel;
@@ -40,6 +41,7 @@ struct PanelSet {
   RecordingPanel* recordings{nullptr};
   MarginCurve* curve{nullptr};
   CyclePanel* cycles{nullptr};
+  DepthPanel* depth{nullptr};
   InspectorPanel* inspector{nullptr};
   PairMatrix* matrix{nullptr};
   SeparationPanel* separation{nullptr};

@@ -15,7 +15,7 @@ namespace abstand::ui {
 
 namespace {
 using Id = ActionId;
-constexpr double kZoomSteps = 2.0;
+constexpr double kZoomSteps = 2.0, kPanShare = 0.5;
 }  // namespace
 
 TimeCommands::TimeCommands(const Actions& actions, const Clock& clock, QObject* parent)
@@ -70,6 +70,8 @@ void TimeCommands::connectRange(const Actions& actions) {
   on(Id::kZoomTimeIn, [this] { my_.axis.zoomSteps(kZoomSteps, my_.playback.time()); });
   on(Id::kZoomTimeOut, [this] { my_.axis.zoomSteps(-kZoomSteps, my_.playback.time()); });
   on(Id::kZoomTimeAll, [this] { my_.axis.showAll(); });
+  on(Id::kPanTimeBack, [this] { my_.axis.pan(-kPanShare); });
+  on(Id::kPanTimeForward, [this] { my_.axis.pan(kPanShare); });
 }
 
 void TimeCommands::goToEvent(bool next) {

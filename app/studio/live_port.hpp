@@ -6,7 +6,9 @@
 
 #include "app/analysis/analysis_feed.hpp"
 #include "app/loop/live_session.hpp"
+#include "app/studio/depth_pictures.hpp"
 #include "app/studio/inside_of_body.hpp"
+#include "app/studio/robot_reach.hpp"
 #include "ui/model/session_port.hpp"
 
 namespace abstand::studio {
@@ -31,21 +33,30 @@ class LivePort final : public ui::SessionPort {
   /// `analysis`: null for none.
   LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes,
            std::unique_ptr<FeedPort> analysis = nullptr,
-           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr, Structures structures = {})
+           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr, Structures structures = {},
+           std::vector<DepthPerson> depth = {}, RobotReach reach = {})
       : live_(std::move(live)),
         notes_(std::move(notes)),
         analysis_(std::move(analysis)),
         meshes_(std::move(meshes)),
-        structures_(std::move(structures)) {}
+        structures_(std::move(structures)),
+        reach_(std::move(reach)) {
+    if (!depth.empty()) depth_ = std::make_unique<DepthPictures>(std::move(depth));
+  }
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
   ui::AnalysisPort* analysis() override { return analysis_.get(); }
+  ui::DepthPort* depth() override { return depth_.get(); }
   std::shared_ptr<const ui::PreparedMeshes> meshes() const override { return meshes_; }
   std::optional<ui::BodyInside> inside(int object) const override {
     const auto i = static_cast<std::size_t>(object);
     if (i >= structures_.size()) return {};
     return insideOf(*structures_[i]);
+  }
+  std::optional<ui::Reached> reach(int object, const Vector3d& p_B, const Vector3d& p_W,
+                                   const std::vector<double>& joints) const override {
+    return reach_.reach(object, p_B, p_W, joints);
   }
   bool takeSnapshot(view::SceneSnapshot& out) override {
     flush();
@@ -78,6 +89,8 @@ class LivePort final : public ui::SessionPort {
   std::unique_ptr<FeedPort> analysis_;
   std::shared_ptr<const ui::PreparedMeshes> meshes_;
   Structures structures_;
+  std::unique_ptr<DepthPictures> depth_;
+  RobotReach reach_;
   std::deque<loop::Command> waiting_;
 };
 

@@ -43,6 +43,7 @@ std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_
   options.monitor.progress = [&progress](double fraction, std::string_view name) {
     progress.hear(fraction, name);
   };
+  options.keep_fits = true;
   options.monitor.cancelled = [&cancelled] { return cancelled.load(); };
   return depth::openSession(std::move(scene), options);
 }
@@ -89,6 +90,8 @@ void Loader::start(const ui::Work& work, double t) {
       auto session = makeSession(work, packages_, job->cancelled, show, loaded->bodies);
       loaded->notes = run::notesOf(*session);
       loaded->analysis = analysis::requestFor(*session, optionsOf(work));
+      loaded->depth = depthPeople(*session);
+      loaded->reach = RobotReach(*session);
       for (const scene::Object& object : session->scene().objects())
         loaded->structures.push_back(object.spec.structure);
       if (job->cancelled) throw UsageError("abandoned");

@@ -28,7 +28,9 @@ struct Loaded {
   std::optional<analysis::AnalysisRequest> analysis;  ///< of a scene with people beside robots
   Structures structures;                              ///< by object
   SceneBodies bodies;                                 ///< without the options of the work
-  QString problem;                                    ///< why it failed
+  std::vector<DepthPerson> depth;                     ///< whose recording is one of depth images
+  RobotReach reach;
+  QString problem;  ///< why it failed
 };
 
 /// One load at a time counts, the newest. An older one is abandoned: it is told to end, and nobody waits for

@@ -20,6 +20,13 @@ scene_file::SceneDescription sceneOf(const QString& file, const QString& recordi
                                      const robot_file::PackagePaths& packages) {
   const QString path = QFileInfo(file.isEmpty() ? recording : file).absoluteFilePath();
   const std::filesystem::path name(QFile::encodeName(path).toStdString());
+  if (file.isEmpty() && QFileInfo(path).isDir()) {
+    // Of depth images; a scene file names files only.
+    scene_file::SceneDescription scene =
+        scene_file::parseScene("abstand: 1\nhumans:\n  - {name: person}\n", name, packages);
+    scene.humans[0].recording.file = name;
+    return scene;
+  }
   if (file.isEmpty())
     return scene_file::parseScene(
         "abstand: 1\nhumans:\n  - {name: person, recording: {file: " + quoted(path) + "}}\n", name, packages);

@@ -310,7 +310,8 @@ void Studio::take(Loaded& loaded) {
   std::unique_ptr<FeedPort> feed;
   if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
   port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
-                                     std::move(loaded.meshes), std::move(loaded.structures));
+                                     std::move(loaded.meshes), std::move(loaded.structures),
+                                     std::move(loaded.depth), std::move(loaded.reach));
   bodies_ = std::move(loaded.bodies);
   shown_ = wanted;
   watchFiles();

@@ -12,17 +12,20 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include "tests/ui/fake_analysis.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/event_table_model.hpp"
+#include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/panels/event_panel.hpp"
 #include "ui/panels/lane_view.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
+#include "ui/panels/time_minimap.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/style/actions.hpp"
@@ -174,6 +177,64 @@ TEST_F(TimelineTest, WheelZoomsLanesNotStrip) {
   EXPECT_EQ(window.timeAxis().view().from, 0.0);
   key(Qt::Key_Backspace, Qt::ControlModifier);
   EXPECT_FALSE(window.timeAxis().zoomed());
+}
+
+TEST_F(TimelineTest, MinimapShowsAndMovesWhatLanesShow) {
+  TimeAxis& axis = window.timeAxis();
+  TimeMinimap& map = *window.panels().timeline->minimap();
+  EXPECT_FALSE(map.isVisible()) << "the lanes show everything";
+  axis.setView({2.0, 5.0});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return map.isVisible() && map.width() > 200; }, kLimitMs));
+  const double pixel = 12.0 / (map.width() - 2 * TimeMinimap::kSide - 1);
+  EXPECT_NEAR(map.timeAt(map.xOf(3.3)), 3.3, pixel);
+  const auto drag = [&](double from, double to) {
+    const int y = map.height() / 2;
+    QTest::mousePress(&map, Qt::LeftButton, {}, {map.xOf(from), y});
+    // Mouse moves of QTest carry no buttons; the widget knows what it holds.
+    QMouseEvent move(QEvent::MouseMove, QPointF(map.xOf(to), y), Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&map, &move);
+    QTest::mouseRelease(&map, Qt::LeftButton, {}, {map.xOf(to), y});
+  };
+  drag(3.0, 4.5);
+  EXPECT_NEAR(axis.view().from, 3.5, 2 * pixel);
+  EXPECT_NEAR(axis.view().length(), 3.0, 1e-9);
+  drag(axis.view().to, 10.0);
+  EXPECT_NEAR(axis.view().from, 3.5, 2 * pixel) << "the other end stays";
+  EXPECT_NEAR(axis.view().to, 10.0, 2 * pixel);
+  drag(axis.view().from, 8.0);
+  EXPECT_NEAR(axis.view().from, 8.0, 2 * pixel);
+  // A press beside the frame centres it there.
+  drag(1.5, 1.5);
+  EXPECT_NEAR(0.5 * (axis.view().from + axis.view().to), 1.5, 2 * pixel);
+  drag(1.5, -3.0);
+  EXPECT_EQ(axis.view().from, 0.0) << "not beyond the recording";
+  EXPECT_EQ(session.time(), 0.0) << "the clock stays";
+  key(Qt::Key_PageDown, Qt::AltModifier);
+  EXPECT_NEAR(axis.view().from, 0.5 * axis.view().length(), 1e-9);
+  key(Qt::Key_PageUp, Qt::AltModifier);
+  EXPECT_EQ(axis.view().from, 0.0);
+  axis.showAll();
+  EXPECT_FALSE(map.isVisible());
+}
+
+TEST_F(TimelineTest, HoveringShowsNearestPair) {
+  const auto hover = [](QWidget* over, const QPoint& at) {
+    QMouseEvent move(QEvent::MouseMove, at, over->mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(over, &move);
+  };
+  TimeStrip* strip = window.panels().timeline->strip();
+  hover(strip, {strip->xOf(1.5), strip->height() / 2});
+  ASSERT_TRUE(QToolTip::isVisible()) << "at once";
+  const double t = strip->timeAt(strip->xOf(1.5));
+  const QString tip = QToolTip::text();
+  EXPECT_EQ(tip, nearestMomentText(window.review(), t));
+  EXPECT_TRUE(tip.contains(QStringLiteral("frame"))) << tip.toStdString();
+  EXPECT_TRUE(tip.contains(QStringLiteral("±"))) << tip.toStdString();
+  // Part 1 is nearest at 1.5 s; the moment decides, not the lane.
+  EXPECT_TRUE(tip.contains(QStringLiteral("head – arm/link0"))) << tip.toStdString();
+  hover(lanes().viewport(), {lanes().xOf(4.0), 6 * LaneView::kLaneHeight + 5});
+  const QString hand = momentText(window.review(), 6, lanes().timeAt(lanes().xOf(4.0)));
+  EXPECT_EQ(QToolTip::text(), hand);
 }
 
 TEST_F(TimelineTest, NoLanesWithoutAnalysis) {

@@ -59,14 +59,15 @@ QString momentText(const RecordingReview& review, std::size_t part, double t) {
   const margin::ClearanceStore* store = review.store();
   if (isMissing(store, t)) return tr("%1: not analysed yet").arg(secondsWithUnit(t));
   const margin::ClearanceChunk::Nearest nearest = store->nearest(part, store->frameAt(t));
-  const QString head = tr("%1, %2").arg(secondsWithUnit(t), partText(*store, part));
-  if (std::isinf(nearest.clearance)) return tr("%1: not seen").arg(head);
+  const QString head =
+      tr("%1, frame %2: %3").arg(secondsWithUnit(t)).arg(store->frameAt(t) + 1).arg(partText(*store, part));
+  if (std::isinf(nearest.clearance)) return tr("%1 not seen").arg(head);
   const double margin = review.marginOf(part, nearest.link);
   const QString verdict = nearest.clearance < margin ? tr("inside the margin of %1") : tr("margin %1");
-  return tr("%1 – %2: at least %3 (measured %4, error %5), %6%7")
-      .arg(head, linkText(*store, nearest.link), lengthText(nearest.clearance), lengthText(nearest.distance),
-           lengthText(nearest.distance - nearest.clearance), verdict.arg(lengthText(margin)),
-           nearest.unknown ? tr("; the pose is lost") : QString());
+  return tr("%1 – %2: %3 ± %4, so at least %5; %6%7")
+      .arg(head, linkText(*store, nearest.link), lengthText(nearest.distance),
+           lengthText(nearest.distance - nearest.clearance), lengthText(nearest.clearance),
+           verdict.arg(lengthText(margin)), nearest.unknown ? tr("; the pose is lost") : QString());
 }
 
 QString nearestMomentText(const RecordingReview& review, double t) {

@@ -9,10 +9,18 @@
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
 #include "ui/model/body_inside.hpp"
+#include "ui/model/depth_port.hpp"
 
 namespace abstand::ui {
 
 struct PreparedMeshes;
+
+/// Joints of a robot (rad, m), within their limits, and how far (m) the point that was asked for then is from
+/// where it shall be.
+struct Reached {
+  std::vector<double> joints;
+  double distance{0.0};
+};
 
 /// The window's only way to a session. All calls come from the GUI thread, none may wait for the session's
 /// own thread: commands are handed over and obeyed soon after, snapshots are the newest there is. Times are
@@ -32,6 +40,14 @@ class SessionPort {
     static_cast<void>(object);
     return {};
   }
+  /// The joints that bring the point `p_B` (m, frame of the body) of an object to `p_W` (m, world), or as
+  /// near as no small motion is nearer, starting at `joints` of its robot; nothing: no joint moves the
+  /// object.
+  virtual std::optional<Reached> reach(int object, const Vector3d& p_B, const Vector3d& p_W,
+                                       const std::vector<double>& joints) const {
+    static_cast<void>(object), static_cast<void>(p_B), static_cast<void>(p_W), static_cast<void>(joints);
+    return {};
+  }
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
   virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.
@@ -39,6 +55,8 @@ class SessionPort {
 
   /// Of the whole recording; null: there is none. Lives as long as the session.
   virtual AnalysisPort* analysis() { return nullptr; }
+  /// Of people whose recording is one of depth images; null: there are none. Lives as long as the session.
+  virtual DepthPort* depth() { return nullptr; }
 
   virtual void play(bool on) = 0;
   /// Moves by this many frame periods (negative: back) and stays paused.

@@ -36,6 +36,8 @@ QString shortcutPage(const Actions& actions) {
        QApplication::translate("help", "Orbit; a click selects")},
       {QApplication::translate("help", "Right or middle button, or Shift and left button"),
        QApplication::translate("help", "Pan")},
+      {QApplication::translate("help", "Ctrl and left button"),
+       QApplication::translate("help", "Pull a link of a robot")},
       {QApplication::translate("help", "Wheel"), QApplication::translate("help", "Zoom")},
       {QApplication::translate("help", "Double click"),
        QApplication::translate("help", "Zoom to the selection")},

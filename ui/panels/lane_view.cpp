@@ -186,7 +186,11 @@ void LaneView::mousePressEvent(QMouseEvent* event) {
 }
 
 void LaneView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton && lanes() > 0) Q_EMIT scrubbed(timeAt(event->x()));
+  const int lane = laneAt(event->y());
+  if (event->buttons() & Qt::LeftButton && lanes() > 0)
+    Q_EMIT scrubbed(timeAt(event->x()));
+  else if (lane >= 0)
+    QToolTip::showText(event->globalPos(), textAt(lane, timeAt(event->x())), this);
 }
 
 void LaneView::wheelEvent(QWheelEvent* event) {

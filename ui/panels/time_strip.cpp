@@ -236,7 +236,10 @@ void TimeStrip::mousePressEvent(QMouseEvent* event) {
 
 void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
   hover_x_ = std::clamp(event->x(), band().left(), band().right());
-  if (event->buttons() & Qt::LeftButton) Q_EMIT scrubbed(timeAt(event->x()));
+  if (event->buttons() & Qt::LeftButton)
+    Q_EMIT scrubbed(timeAt(event->x()));
+  else if (distance_)
+    QToolTip::showText(event->globalPos(), textAt(timeAt(event->x())), this);
   update();
 }
 

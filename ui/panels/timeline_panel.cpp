@@ -16,6 +16,7 @@
 #include "ui/model/time_text.hpp"
 #include "ui/panels/compare_lanes.hpp"
 #include "ui/panels/lane_view.hpp"
+#include "ui/panels/time_minimap.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/elided_label.hpp"
@@ -46,6 +47,7 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
       strip_{new TimeStrip(review, axis, this)},
       compare_{new CompareLanes(review, axis, this)},
       lanes_{new LaneView(review, axis, this)},
+      minimap_{new TimeMinimap(review, axis, this)},
       go_to_{new QLineEdit(this)},
       what_if_{new ElidedLabel(this)},
       no_lanes_{new QLabel(this)},
@@ -64,6 +66,10 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
   layout->addLayout(strip_row);
   layout->addWidget(compare_);
   layout->addWidget(lanes_, 1);
+  auto* map_row = new QHBoxLayout;
+  map_row->setContentsMargins(strip_row->contentsMargins());
+  map_row->addWidget(minimap_);
+  layout->addLayout(map_row);
   no_lanes_->setText(tr("Body parts have lanes here where a scene has a person and a robot"));
   no_lanes_->setForegroundRole(QPalette::PlaceholderText);
   no_lanes_->setAlignment(Qt::AlignCenter);
@@ -174,6 +180,7 @@ void TimelinePanel::goToTyped() {
 void TimelinePanel::showTime() {
   strip_->setTime(playback_.time());
   lanes_->setTime(playback_.time());
+  minimap_->setTime(playback_.time());
   compare_->setTime(playback_.time());
   time_->setText(secondsWithUnit(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));

@@ -17,6 +17,7 @@ class LaneView;
 class Playback;
 class RecordingReview;
 class TimeAxis;
+class TimeMinimap;
 class TimeStrip;
 
 /// Shows and drives a Playback; the buttons are the window's actions. Lanes and the sentence on the present
@@ -32,6 +33,7 @@ class TimelinePanel : public QWidget {
   void refresh(const view::SceneSnapshot& snapshot);
   TimeStrip* strip() const { return strip_; }
   LaneView* laneView() const { return lanes_; }
+  TimeMinimap* minimap() const { return minimap_; }
   CompareLanes* compareLanes() const { return compare_; }
   /// Where a time is typed.
   QLineEdit* timeField() const { return go_to_; }
@@ -55,6 +57,7 @@ class TimelinePanel : public QWidget {
   TimeStrip* strip_;
   CompareLanes* compare_;
   LaneView* lanes_;
+  TimeMinimap* minimap_;
   QLineEdit* go_to_;
   QLabel* what_if_;
   QLabel* no_lanes_;

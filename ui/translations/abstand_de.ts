@@ -151,6 +151,14 @@
         <source>Show or hide the edits of the project</source>
         <translation>Änderungen des Projekts zeigen oder ausblenden</translation>
     </message>
+    <message>
+        <source>Depth image</source>
+        <translation>Tiefenbild</translation>
+    </message>
+    <message>
+        <source>Show or hide the depth image with the fitted body</source>
+        <translation>Tiefenbild mit dem angepassten Körper zeigen oder verbergen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::ReportJob</name>
@@ -237,24 +245,12 @@
         <translation>%1: noch nicht ausgewertet</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: not seen</source>
-        <translation>%1: nicht gesehen</translation>
-    </message>
-    <message>
         <source>inside the margin of %1</source>
         <translation>unter dem Sicherheitsabstand von %1</translation>
     </message>
     <message>
         <source>margin %1</source>
         <translation>Sicherheitsabstand %1</translation>
-    </message>
-    <message>
-        <source>%1 – %2: at least %3 (measured %4, error %5), %6%7</source>
-        <translation>%1 – %2: mindestens %3 (gemessen %4, Unsicherheit %5), %6%7</translation>
     </message>
     <message>
         <source>; the pose is lost</source>
@@ -2100,6 +2096,114 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Show what contacts cause at each joint, as arrows about or along its axis</source>
         <translation>Was Kontakte an jedem Gelenk bewirken, als Pfeile um seine Achse oder an ihr entlang</translation>
     </message>
+    <message>
+        <source>%1, frame %2: %3</source>
+        <translation>%1, Bild %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 not seen</source>
+        <translation>%1 nicht gesehen</translation>
+    </message>
+    <message>
+        <source>%1 – %2: %3 ± %4, so at least %5; %6%7</source>
+        <translation>%1 – %2: %3 ± %4, also mindestens %5; %6%7</translation>
+    </message>
+    <message>
+        <source>%1: not known</source>
+        <translation>%1: nicht bekannt</translation>
+    </message>
+    <message>
+        <source>tracked</source>
+        <translation>verfolgt</translation>
+    </message>
+    <message>
+        <source>inferred</source>
+        <translation>erschlossen</translation>
+    </message>
+    <message>
+        <source>± %1</source>
+        <translation>± %1</translation>
+    </message>
+    <message>
+        <source>uncertainty not known</source>
+        <translation>Unsicherheit nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+    <message>
+        <source>Body over the depth image</source>
+        <translation>Körper über dem Tiefenbild</translation>
+    </message>
+    <message>
+        <source>Draw the fitted body and its joints over the depth image</source>
+        <translation>Den angepassten Körper und seine Gelenke über das Tiefenbild zeichnen</translation>
+    </message>
+    <message>
+        <source>Earlier time in the lanes</source>
+        <translation>Frühere Zeit in den Spuren</translation>
+    </message>
+    <message>
+        <source>Move what the zoomed lanes show to an earlier time</source>
+        <translation>Den Ausschnitt der Spuren zu einer früheren Zeit verschieben</translation>
+    </message>
+    <message>
+        <source>Later time in the lanes</source>
+        <translation>Spätere Zeit in den Spuren</translation>
+    </message>
+    <message>
+        <source>Move what the zoomed lanes show to a later time</source>
+        <translation>Den Ausschnitt der Spuren zu einer späteren Zeit verschieben</translation>
+    </message>
+    <message>
+        <source>Move link left</source>
+        <translation>Glied nach links</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm to the left of the view</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach links rückt</translation>
+    </message>
+    <message>
+        <source>Move link right</source>
+        <translation>Glied nach rechts</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm to the right of the view</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach rechts rückt</translation>
+    </message>
+    <message>
+        <source>Move link up</source>
+        <translation>Glied nach oben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm up in the view</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach oben rückt</translation>
+    </message>
+    <message>
+        <source>Move link down</source>
+        <translation>Glied nach unten</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm down in the view</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach unten rückt</translation>
+    </message>
+    <message>
+        <source>Move link nearer</source>
+        <translation>Glied näher</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm towards the camera</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm zur Kamera hin rückt</translation>
+    </message>
+    <message>
+        <source>Move link farther</source>
+        <translation>Glied weiter weg</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm away from the camera</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm von der Kamera weg rückt</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -2446,6 +2550,70 @@ B, die gemerkten Sicherheitsabstände: %2
     <message>
         <source>The nearest pair of the scene in the longest cycle: %1</source>
         <translation>Das nächste Paar der Szene im längsten Zyklus: %1</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::DepthPanel</name>
+    <message>
+        <source>The recordings of this scene have no depth images</source>
+        <translation>Die Aufnahmen dieser Szene haben keine Tiefenbilder</translation>
+    </message>
+    <message>
+        <source>Image %1 of %2, %3</source>
+        <translation>Bild %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 (of a moment before)</source>
+        <translation>%1 (von einem früheren Augenblick)</translation>
+    </message>
+    <message>
+        <source>%1: the body was not found</source>
+        <translation>%1: Körper nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1
+Camera of %2 pixels; body found in %3 of %4 images</source>
+        <translation>%1
+Kamera mit %2 Bildpunkten; Körper in %3 von %4 Bildern gefunden</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each joint along its worst axis</source>
+        <translation>Standardabweichung jedes Gelenks entlang seiner ungünstigsten Achse</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>%1 tracked</source>
+        <translation>%1 verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 inferred</source>
+        <translation>%1 erschlossen</translation>
+    </message>
+    <message>
+        <source>%1 not known</source>
+        <translation>%1 nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Whose depth image</source>
+        <translation>Wessen Tiefenbild</translation>
+    </message>
+    <message>
+        <source>Image and camera</source>
+        <translation>Bild und Kamera</translation>
+    </message>
+    <message>
+        <source>States of the joints</source>
+        <translation>Zustände der Gelenke</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::DepthView</name>
+    <message>
+        <source>Depth image</source>
+        <translation>Tiefenbild</translation>
     </message>
 </context>
 <context>
@@ -2982,6 +3150,29 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Distance of each body part to the robots over time</source>
         <translation>Abstand jedes Körperteils zu den Robotern über der Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::LinkDrag</name>
+    <message>
+        <source>Only links of robots can be moved</source>
+        <translation>Nur Glieder von Robotern lassen sich bewegen</translation>
+    </message>
+    <message>
+        <source>No joint moves this link</source>
+        <translation>Kein Gelenk bewegt dieses Glied</translation>
+    </message>
+    <message>
+        <source>Select one link of a robot first</source>
+        <translation>Zuerst ein Glied eines Roboters auswählen</translation>
+    </message>
+    <message>
+        <source>move a link of %1</source>
+        <translation>Ein Glied von %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Out of reach by %1: a joint limit or the length of the arm</source>
+        <translation>Um %1 außer Reichweite: eine Gelenkgrenze oder die Länge des Arms</translation>
     </message>
 </context>
 <context>
@@ -4563,6 +4754,17 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     </message>
 </context>
 <context>
+    <name>abstand::ui::TimeMinimap</name>
+    <message>
+        <source>Whole recording</source>
+        <translation>Ganze Aufnahme</translation>
+    </message>
+    <message>
+        <source>The whole recording. Drag the frame to move what the lanes show (Alt+PgUp, Alt+PgDown), an end of it to show more or less</source>
+        <translation>Die ganze Aufnahme. Den Rahmen ziehen verschiebt den Ausschnitt der Spuren (Alt+Bild auf, Alt+Bild ab), ein Ende davon ändert seine Länge</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::TimeStrip</name>
     <message>
         <source>Time slider with the smallest distance</source>
@@ -4825,6 +5027,14 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     <message>
         <source>&lt;h3&gt;Abstand %1&lt;/h3&gt;&lt;p&gt;Distances and contact between people and robots: how close did they come, how hard would they have touched, and which safety margin would have been right.&lt;/p&gt;&lt;p&gt;&lt;b&gt;This is an analysis tool, not a safety function.&lt;/b&gt; Do not use it to stop a machine or to protect a person.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Abstand %1&lt;/h3&gt;&lt;p&gt;Abstände und Kontakt zwischen Personen und Robotern: Wie nahe kamen sie sich, wie stark hätten sie sich berührt, und welcher Sicherheitsabstand wäre richtig gewesen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Dies ist ein Analysewerkzeug, keine Sicherheitsfunktion.&lt;/b&gt; Verwenden Sie es nicht, um eine Maschine anzuhalten oder eine Person zu schützen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Ctrl and left button</source>
+        <translation>Strg und linke Taste</translation>
+    </message>
+    <message>
+        <source>Pull a link of a robot</source>
+        <translation>Ein Glied eines Roboters ziehen</translation>
     </message>
 </context>
 <context>

@@ -117,6 +117,18 @@ QPointF Camera::project(const Vector3d& p_W, double* depth) const {
   return {0.5 * (1.0 + clip.x() / w) * size_.width(), 0.5 * (1.0 - clip.y() / w) * size_.height()};
 }
 
+Vector3d Camera::atDepthOf(const Vector3d& p_W, const QPointF& on_screen) const {
+  const Eigen::Vector4d clip = clip_from_world_ * p_W.homogeneous();
+  // Equal depths of a perspective picture are equal depths before the camera.
+  const Eigen::Vector4d wanted(2.0 * on_screen.x() / size_.width() - 1.0,
+                               1.0 - 2.0 * on_screen.y() / size_.height(), clip.z() / clip.w(), 1.0);
+  return Eigen::Vector4d(clip_from_world_.inverse() * wanted).hnormalized();
+}
+
+Vector3d Camera::fromScreen(const Vector3d& direction) const {
+  return R_CW_.transpose() * Vector3d(direction.x(), -direction.y(), direction.z());
+}
+
 Vector3d Camera::onScreen(const Vector3d& direction_W) const {
   const Vector3d c = R_CW_ * direction_W;
   return {c.x(), -c.y(), c.z()};

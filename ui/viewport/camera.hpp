@@ -33,9 +33,13 @@ class Camera {
 
   /// Where a point is on the screen, from the upper left corner; depth > 0 before the camera.
   QPointF project(const Vector3d& p_W, double* depth = nullptr) const;
+  /// The point under a place of the screen that is as far before the camera as `p_W`.
+  Vector3d atDepthOf(const Vector3d& p_W, const QPointF& on_screen) const;
   /// World direction as seen on the screen (x right, y down, z towards the eye).
   Vector3d onScreen(const Vector3d& direction_W) const;
-  /// To be called before a number of project() and onScreen().
+  /// World direction of one on the screen (x right, y down, z towards the eye).
+  Vector3d fromScreen(const Vector3d& direction) const;
+  /// To be called before a number of the four functions above.
   void update();
 
  private:

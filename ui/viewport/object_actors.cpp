@@ -218,13 +218,14 @@ geometry::Bounds ObjectActors::bounds(const std::vector<int>& only) const {
   return box;
 }
 
-int ObjectActors::pick(double x, double y) const {
+int ObjectActors::pick(double x, double y, Vector3d* at) const {
   vtkNew<vtkCellPicker> picker;
   picker->SetTolerance(0.0);
   picker->PickFromListOn();
   for (const Item& item : items_)
     if (item.visible) picker->AddPickList(item.body);
   if (!picker->Pick(x, y, 0.0, renderer_)) return -1;
+  if (at) picker->GetPickPosition(at->data());
   for (std::size_t i = 0; i < items_.size(); ++i)
     if (items_[i].body == picker->GetActor()) return static_cast<int>(i);
   return -1;

@@ -43,7 +43,7 @@ class ObjectActors {
   geometry::Bounds bounds(const std::vector<int>& only = {}) const;
   /// Nearest visible object under a display position (physical pixels from the lower left corner), -1 for
   /// none.
-  int pick(double x, double y) const;
+  int pick(double x, double y, Vector3d* at = nullptr) const;
 
  private:
   struct Item {

@@ -214,6 +214,8 @@ void Viewport::close() {
   my.outline = nullptr;
   my.snapshot = {};
   my.inside.setSource({});
+  my.mouse.held.reset();
+  my.mouse.pull.reset();
   my.fillOverlay();
   if (!my.gl) return;
   my.objects.open({}, {}, themeOf(palette()));
@@ -337,6 +339,62 @@ QPointF Viewport::project(const Vector3d& p_W) const {
   return impl_->camera.project(p_W);
 }
 
+Vector3d Viewport::fromScreen(const Vector3d& direction) const {
+  impl_->camera.update();
+  return impl_->camera.fromScreen(direction);
+}
+
+void Viewport::showPull(const Vector3d& p_W, const Vector3d& target_W) {
+  impl_->mouse.pull = {p_W, target_W};
+  impl_->askForFrame();
+}
+
+void Viewport::hidePull() {
+  impl_->mouse.pull.reset();
+  impl_->askForFrame();
+}
+
+void Viewport::grabBody(const QPoint& at) {
+  Impl& my = *impl_;
+  const double scale = my.gl->devicePixelRatioF();
+  Vector3d p_W;
+  const int object = my.objects.pick(at.x() * scale, (my.gl->height() - 1 - at.y()) * scale, &p_W);
+  if (object < 0) return;
+  my.mouse.held = p_W;
+  Q_EMIT bodyGrabbed(object, p_W);
+}
+
+void Viewport::moveMouse(const QMouseEvent& mouse) {
+  Impl& my = *impl_;
+  const QPoint moved = mouse.pos() - my.mouse.last;
+  my.mouse.last = mouse.pos();
+  if (my.mouse.held) {
+    my.camera.update();
+    Q_EMIT bodyPulled(my.camera.atDepthOf(*my.mouse.held, mouse.pos()));
+  } else if (mouse.buttons() & Qt::LeftButton && !(mouse.modifiers() & Qt::ShiftModifier)) {
+    orbit(moved.x(), moved.y());
+  } else if (mouse.buttons() != Qt::NoButton) {
+    pan(moved.x(), moved.y());
+  }
+}
+
+void Viewport::releaseMouse(const QMouseEvent& mouse) {
+  Impl& my = *impl_;
+  if (mouse.button() != Qt::LeftButton) return;
+  if (my.mouse.held) {
+    my.mouse.held.reset();
+    Q_EMIT bodyReleased();
+    return;
+  }
+  if ((mouse.pos() - my.mouse.pressed).manhattanLength() > kClickSlack) return;
+  const double scale = my.gl->devicePixelRatioF();
+  const int object = my.objects.pick(mouse.x() * scale, (my.gl->height() - 1 - mouse.y()) * scale);
+  if (object < 0)
+    my.selection.clear();
+  else
+    my.selection.setObjects({object});
+}
+
 long Viewport::framesDrawn() const { return impl_->frames; }
 
 void Viewport::resizeEvent(QResizeEvent*) { impl_->resize(); }
@@ -350,32 +408,19 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
   Impl& my = *impl_;
   if (watched != my.gl) return QWidget::eventFilter(watched, event);
   switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      my.mouse.pressed = my.mouse.last = static_cast<QMouseEvent*>(event)->pos();
-      return true;
-    case QEvent::MouseMove: {
+    case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
-      const QPoint moved = mouse->pos() - my.mouse.last;
-      my.mouse.last = mouse->pos();
-      if (mouse->buttons() & Qt::LeftButton && !(mouse->modifiers() & Qt::ShiftModifier))
-        orbit(moved.x(), moved.y());
-      else if (mouse->buttons() != Qt::NoButton)
-        pan(moved.x(), moved.y());
+      my.mouse.pressed = my.mouse.last = mouse->pos();
+      if (mouse->button() == Qt::LeftButton && mouse->modifiers() == Qt::ControlModifier)
+        grabBody(mouse->pos());
       return true;
     }
-    case QEvent::MouseButtonRelease: {
-      const auto* mouse = static_cast<QMouseEvent*>(event);
-      if (mouse->button() != Qt::LeftButton ||
-          (mouse->pos() - my.mouse.pressed).manhattanLength() > kClickSlack)
-        return true;
-      const double scale = my.gl->devicePixelRatioF();
-      const int object = my.objects.pick(mouse->x() * scale, (my.gl->height() - 1 - mouse->y()) * scale);
-      if (object < 0)
-        my.selection.clear();
-      else
-        my.selection.setObjects({object});
+    case QEvent::MouseMove:
+      moveMouse(*static_cast<QMouseEvent*>(event));
       return true;
-    }
+    case QEvent::MouseButtonRelease:
+      releaseMouse(*static_cast<QMouseEvent*>(event));
+      return true;
     case QEvent::MouseButtonDblClick:
       fitSelection();
       return true;

@@ -17,7 +17,8 @@ class Overlay;
 class Selection;
 
 /// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or
-/// right: pan; wheel: zoom. Without OpenGL it says so and the rest of the window works. GUI thread only.
+/// right: pan; wheel: zoom; Ctrl and
+/// left: a body is pulled. Without OpenGL it says so and the rest of the window works. GUI thread only.
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -67,12 +68,22 @@ class Viewport : public QWidget {
   const Overlay& overlay() const;
   /// Where a point of the scene is in the picture, logical pixels from the upper left corner.
   QPointF project(const Vector3d& p_W) const;
+  /// World direction of one on the screen (x right, y down, z towards the eye).
+  Vector3d fromScreen(const Vector3d& direction) const;
+  /// A line from a point of the scene to where it shall be, until hidePull().
+  void showPull(const Vector3d& p_W, const Vector3d& target_W);
+  void hidePull();
   /// Number of frames drawn so far.
   long framesDrawn() const;
 
  Q_SIGNALS:
   /// The user has moved the camera.
   void cameraMoved();
+  /// The user has taken hold of a body at a point of its surface (world, m), pulls this point to another one
+  /// in the same depth, and lets go.
+  void bodyGrabbed(int object, const abstand::Vector3d& p_W);
+  void bodyPulled(const abstand::Vector3d& p_W);
+  void bodyReleased();
   /// A picture is drawn; it took so long (s) on this thread.
   void drawn(double seconds);
 
@@ -82,6 +93,10 @@ class Viewport : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void grabBody(const QPoint& at);
+  void moveMouse(const QMouseEvent& mouse);
+  void releaseMouse(const QMouseEvent& mouse);
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

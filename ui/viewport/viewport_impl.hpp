@@ -6,6 +6,8 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <optional>
+#include <utility>
 
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
@@ -69,6 +71,9 @@ struct Viewport::Impl {
   long shown_step{-1};
   struct {
     QPoint pressed, last;
+    std::optional<Vector3d> held;  ///< m, world: the point that the user pulls
+    /// m, world: a line from a point to where it shall be
+    std::optional<std::pair<Vector3d, Vector3d>> pull;
   } mouse;
 
  private:

@@ -42,6 +42,9 @@ void Viewport::Impl::fillOverlay() {
     if (options.labels) addRobotLabels();
     if (options.labels) addContactLabels();
   }
+  if (mouse.pull)
+    content.segments.push_back(
+        {camera.project(mouse.pull->first), camera.project(mouse.pull->second), QColor(kAccent), true});
   addLegend();
 }
 

@@ -156,10 +156,10 @@ TEST_F(RecordingReviewTest, DescribesMoment) {
   review.pull();
   EXPECT_EQ(
       momentText(review, 0, 2.0),
-      "2.000 s, torso – arm/link0: at least 50.0 mm (measured 60.0 mm, error 10.0 mm), inside the margin of "
+      "2.000 s, frame 101: torso – arm/link0: 60.0 mm ± 10.0 mm, so at least 50.0 mm; inside the margin of "
       "80.0 mm");
-  EXPECT_EQ(momentText(review, 1, 2.0), "2.000 s, head: not seen");
-  EXPECT_TRUE(nearestMomentText(review, 2.0).contains("head: not seen")) << "never shown as farther";
+  EXPECT_EQ(momentText(review, 1, 2.0), "2.000 s, frame 101: head not seen");
+  EXPECT_TRUE(nearestMomentText(review, 2.0).contains("head not seen")) << "never shown as farther";
 }
 
 }  // namespace recording_review_test

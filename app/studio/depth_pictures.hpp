@@ -1,0 +1,56 @@
+// Reads depth images and draws the fitted body over them, on a thread of its own.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "app/session/session.hpp"
+#include "tracking/tracker/fitted_clip.hpp"
+#include "ui/model/depth_port.hpp"
+
+namespace abstand::studio {
+
+/// One person of a depth recording.
+struct DepthPerson {
+  std::string name;
+  std::shared_ptr<const tracking::FittedClip> clip;
+  double speed{1.0};  ///< factor of the recorded speed
+};
+
+/// The people of a session whose fits were kept (SessionOptions::keep_fits).
+std::vector<DepthPerson> depthPeople(const session::Session& session);
+
+/// Image `image` of a person. `stream` is that of the clip. Throws ParseError.
+ui::DepthPicture depthPicture(const DepthPerson& person, tracking::DepthStream& stream, std::size_t image);
+
+/// Reads the image that was asked for last; what was asked for before and not begun is dropped.
+class DepthPictures final : public ui::DepthPort {
+ public:
+  explicit DepthPictures(std::vector<DepthPerson> people);
+  ~DepthPictures() override;
+
+  const std::vector<ui::DepthSummary>& people() const override { return summaries_; }
+  std::size_t imageAt(int person, double t) const override;
+  void ask(int person, std::size_t image) override;
+  bool take(ui::DepthPicture& out) override;
+
+ private:
+  struct Wanted {
+    int person;
+    std::size_t image;
+  };
+  void work(const std::stop_token& stop);
+
+  const std::vector<DepthPerson> people_;
+  std::vector<ui::DepthSummary> summaries_;
+  std::mutex mutex_;  // of what follows
+  std::condition_variable_any asked_;
+  std::optional<Wanted> wanted_;
+  std::optional<ui::DepthPicture> ready_;
+  std::jthread thread_;  // last member: joined before the others are destroyed
+};
+
+}  // namespace abstand::studio
