@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 #include <QTabBar>
 #include <algorithm>
@@ -99,6 +100,7 @@ QDockWidget* DockSet::add(const char* name, const QString& title, const QString&
 }
 
 void DockSet::arrange() const {
+  const QSize size = window_->size();
   for (QDockWidget* dock : all()) {
     dock->setFloating(false);
     dock->show();
@@ -136,6 +138,7 @@ void DockSet::arrange() const {
   window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window_->resizeDocks({timeline, pairs}, {kTimelineHeight, kTableHeight}, Qt::Vertical);
   window_->resizeDocks({plots, margins}, {kPlotHeight, kMarginHeight}, Qt::Vertical);
+  keepSize(size);
   fitHeight();
 }
 
@@ -153,7 +156,19 @@ void DockSet::fitHeight() const {
 }
 
 void DockSet::arrangeFor(Task task) const {
+  const QSize size = window_->size();
   arrange();
+  keepOnly(task);
+  keepSize(size);
+}
+
+/// Before docks share places, the window grows to hold all of them.
+void DockSet::keepSize(const QSize& size) const {
+  window_->layout()->activate();
+  if (!window_->isMaximized() && !window_->isFullScreen()) window_->resize(size);
+}
+
+void DockSet::keepOnly(Task task) const {
   const auto keep = [this](const std::vector<QDockWidget*>& wanted) {
     for (QDockWidget* dock : all())
       dock->setVisible(std::find(wanted.begin(), wanted.end(), dock) != wanted.end());

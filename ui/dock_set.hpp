@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QSize>
 #include <array>
 
 class QDockWidget;
@@ -45,6 +46,9 @@ class DockSet {
       *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history, *depth;
 
  private:
+  /// Hides the docks that a task does not need.
+  void keepOnly(Task task) const;
+  void keepSize(const QSize& size) const;
   QDockWidget* add(const char* name, const QString& title, const QString& tip, const QString& key,
                    QWidget* content);
 

@@ -128,6 +128,17 @@ TEST_F(DayWorkTest, AnglesAreShownInRadiansAndDataStay) {
   EXPECT_EQ(angleText(kPi / 2.0), QStringLiteral("90.0°"));
 }
 
+TEST_F(DayWorkTest, LayoutsKeepSizeOfWindow) {
+  window.resize(1024, 700);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.size() == QSize(1024, 700); }, kWaitMs));
+  for (const ActionId id :
+       {ActionId::kResetLayout, ActionId::kLayoutReplay, ActionId::kLayoutReview, ActionId::kLayoutTuning}) {
+    window.actions()[id]->trigger();
+    QTest::qWait(100);
+    EXPECT_EQ(window.size(), QSize(1024, 700)) << window.actions()[id]->text().toStdString();
+  }
+}
+
 TEST_F(DayWorkTest, MessagesCanBeReadAgain) {
   bring("log");
   window.showProblem("Cannot open", "first line\nsecond line");

@@ -140,12 +140,14 @@ void DepthPanel::showLegend() {
                          [look](const DepthJoint& joint) { return joint.look == look; });
   };
   const auto part = [&](JointLook look, QChar sign, const QString& text) {
-    const QString counted = text.arg(count(look));
-    return QStringLiteral("<nobr>%1&nbsp;%2</nobr>").arg(mark(look, sign), counted);
+    QString counted = text.arg(count(look));
+    // A mark and its words stay on one line.
+    counted.replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+    return mark(look, sign) + QChar(QChar::Nbsp) + counted;
   };
   legend_->setText(QStringList{part(JointLook::kTracked, QChar(0x25cf), tr("%1 tracked")),
                                part(JointLook::kInferred, QChar(0x25cb), tr("%1 inferred")),
-                               part(JointLook::kUnknown, QChar(0x2013), tr("%1 not known"))}
+                               part(JointLook::kUnknown, QChar(0x00d7), tr("%1 not known"))}
                        .join(QStringLiteral(" &nbsp;")));
   QStringList joints{tr("Standard deviation of each joint along its worst axis")};
   for (const DepthJoint& joint : shown.joints) joints << jointText(joint);
