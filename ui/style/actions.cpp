@@ -84,7 +84,7 @@ const Spec kSpecs[] = {
      Glyph::kForce},
     {Id::kTorques, In::kView, TEXT("&Torques"), TEXT("Show contact torques as curved arrows"), "Shift+C",
      Kind::kOn, Glyph::kTorque},
-    {Id::kJointTorques, In::kView, TEXT("&Joint torques"),
+    {Id::kJointTorques, In::kView, TEXT("Joint torques"),
      TEXT("Show what contacts cause at each joint, as arrows about or along its axis"), "Alt+C", Kind::kOff},
     {Id::kVelocities, In::kView, TEXT("&Velocities"), TEXT("Show velocities as thin arrows"), "V", Kind::kOff,
      Glyph::kVelocity},

@@ -2089,7 +2089,7 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>Ereignisse, Zweifel und was von den Aufnahmen gelesen wurde</translation>
     </message>
     <message>
-        <source>&amp;Joint torques</source>
+        <source>Joint torques</source>
         <translation>Gelenkmomente</translation>
     </message>
     <message>
