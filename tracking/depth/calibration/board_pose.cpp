@@ -4,11 +4,11 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/pose_spread.hpp"
+#include "tracking/depth/calibration/refuse.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -105,15 +105,6 @@ double angleBetween(const Transform& a, const Transform& b) {
   return Quaterniond(a.linear()).angularDistance(Quaterniond(b.linear()));
 }
 
-[[noreturn]] void twoPoses(double a, double b) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "--chessboard: found two poses that fit the corners equally well (%.2f and %.2f pixels), "
-                "expected a larger or nearer board, or a camera file with a rough T_WC",
-                a, b);
-  throw UsageError(text);
-}
-
 }  // namespace
 
 BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
@@ -157,21 +148,23 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
     if (angleBetween(s.X_WC, solutions.front().X_WC) < kSamePose ||
         rms(s) > kClearer * rms(solutions.front()))
       continue;
-    if (!has_start) twoPoses(rms(solutions.front()), rms(s));
+    if (!has_start)
+      refuse(
+          "--chessboard: found two poses that fit the corners equally well (%.2f and %.2f pixels), expected "
+          "a "
+          "larger or nearer board, or a camera file with a rough T_WC",
+          rms(solutions.front()), rms(s));
     if (angleBetween(s.X_WC, camera.X_WC) < angleBetween(best.X_WC, camera.X_WC)) best = s;
   }
   BoardFit fit;
   fit.X_WC = best.X_WC;
   fit.rms = rms(best);
-  if (!(fit.rms <= kMaxOff)) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "--chessboard: found a reprojection error of %.1f pixels, expected at most %.1f: the "
-                  "intrinsics or the "
-                  "placements of the boards are wrong",
-                  fit.rms, kMaxOff);
-    throw UsageError(text);
-  }
+  if (!(fit.rms <= kMaxOff))
+    refuse(
+        "--chessboard: found a reprojection error of %.1f pixels, expected at most %.1f: the intrinsics or "
+        "the "
+        "placements of the boards are wrong",
+        fit.rms, kMaxOff);
   const Transform X_CW = best.X_WC.inverse();
   std::size_t i = 0;
   for (std::size_t k = 0; k < placed.size(); ++k)

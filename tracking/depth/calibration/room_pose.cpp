@@ -1,14 +1,13 @@
 // Camera pose from the room that a camera with known pose sees, too.
 #include "tracking/depth/calibration/room_pose.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/cloud_registration.hpp"
-#include "tracking/depth/calibration/pose_spread.hpp"
+#include "tracking/depth/calibration/refuse.hpp"
+#include "tracking/depth/calibration/surface_rows.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -22,7 +21,6 @@ constexpr double kRoomFirstGate = 0.15, kRoomLastGate = 0.05;  // m
 constexpr double kRoomAgree = 0.8;  // smallest cosine between the normals of both cameras
 constexpr int kRoomSteps = 40;
 constexpr double kSmallRoomStep = 1e-6;
-constexpr double kRoomSmallest = 5e-4;  // m, smallest scale of the weights
 constexpr std::size_t kRoomMinPoints = 1000;
 constexpr double kRoomMinAgreeing = 0.85;
 constexpr double kRoomMaxRms = 0.02;  // m
@@ -33,12 +31,6 @@ constexpr double kRoomMinConstraint = 0.015;
 /// m, standard deviation of a Kinect's depth (kinect_noise.hpp), for weights.
 double roomNoiseAt(double z) { return 0.002 + 0.002 * z * z; }
 
-struct RoomRow {
-  double distance;  ///< m, along n_W
-  double weight;    ///< of the noise of both points, at most 1
-  Vector3d p_W, n_W;
-};
-
 /// Comparison of a point with the surface of the other camera at its pixel.
 enum class Seen { kNot, kAgrees, kHidden, kThrough };
 
@@ -46,10 +38,10 @@ class RoomRows {
  public:
   RoomRows(const RoomView& known, const RoomView& camera) : known_{known}, camera_{camera} {}
 
-  /// Compares point `p` of `from`, at X_WF, with the surface of `to`, at X_WT. RoomRow: moves of `from`
+  /// Compares point `p` of `from`, at X_WF, with the surface of `to`, at X_WT. The row: moves of `from`
   /// against `to`.
   static Seen compare(const RoomPoint& p, const Transform& X_WF, const RoomView& to, const Transform& X_WT,
-                      double gate, RoomRow& row) {
+                      double gate, SurfaceRow& row) {
     row.p_W = X_WF * p.p_C;
     const RoomPoint* q = to.at(X_WT.inverse() * row.p_W);
     if (!q || !q->smooth()) return Seen::kNot;
@@ -63,53 +55,22 @@ class RoomRows {
     return row.distance > 0.0 ? Seen::kThrough : Seen::kHidden;
   }
 
-  struct Sum {
-    double weights{0.0}, squares{0.0};
-    std::size_t rows{0};
-    Vector3d middle{Vector3d::Zero()};
-    Matrix6d JTJ{Matrix6d::Zero()};
-    Vector6d JTr{Vector6d::Zero()};
-  };
-
-  Sum at(const Transform& X_WC, double gate, std::size_t points) const {
-    std::vector<RoomRow> rows;
+  SurfaceSum at(const Transform& X_WC, double gate, std::size_t points) const {
+    std::vector<SurfaceRow> rows;
     collect(camera_, X_WC, known_, known_.camera().X_WC, gate, points, 1.0, rows);
     collect(known_, known_.camera().X_WC, camera_, X_WC, gate, points, -1.0, rows);
-    Sum sum;
-    if (rows.empty()) return sum;
-    std::vector<double> sizes;
-    for (const RoomRow& row : rows) {
-      sum.middle += row.p_W / static_cast<double>(rows.size());
-      sizes.push_back(std::abs(row.distance));
-    }
-    const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), median, sizes.end());
-    const double width = 3.0 * std::max(kRoomSmallest, 1.4826 * *median);
-    for (const RoomRow& row : rows) {
-      Vector6d J;
-      J << row.n_W, (row.p_W - sum.middle).cross(row.n_W);
-      const double part = row.distance / width;
-      const double weight = row.weight / ((1.0 + part * part) * (1.0 + part * part));
-      sum.weights += weight;
-      sum.squares += weight * row.distance * row.distance;
-      sum.JTJ += weight * J * J.transpose();
-      sum.JTr += weight * row.distance * J;
-      ++sum.rows;
-    }
-    return sum;
+    return sumOf(rows);
   }
 
   Transform from(Transform X_WC, double gate, std::size_t points) const {
     for (int i = 0; i < kRoomSteps; ++i) {
       const double part = std::min(1.0, static_cast<double>(i) / (0.5 * kRoomSteps));
-      const Sum sum = at(X_WC, gate * std::pow(kRoomLastGate / gate, part), points);
+      const SurfaceSum sum = at(X_WC, gate * std::pow(kRoomLastGate / gate, part), points);
       if (sum.rows <= 6) return X_WC;
-      Matrix6d held = sum.JTJ;
-      held.diagonal().array() += 1e-6 * sum.weights;
-      const Vector6d step = -held.ldlt().solve(sum.JTr);
-      if (!step.allFinite()) return X_WC;
-      X_WC = movedAbout(sum.middle, X_WC, step);
-      if (part == 1.0 && step.norm() < kSmallRoomStep) break;
+      const std::optional<Vector6d> step = stepOf(sum);
+      if (!step) return X_WC;
+      X_WC = movedAbout(sum.middle, X_WC, *step);
+      if (part == 1.0 && step->norm() < kSmallRoomStep) break;
     }
     return X_WC;
   }
@@ -121,7 +82,7 @@ class RoomRows {
     const auto add = [&](const RoomView& from, const Transform& X_WF, const RoomView& to,
                          const Transform& X_WT) {
       const std::size_t stride = std::max<std::size_t>(1, from.points().size() / kRoomCostPoints);
-      RoomRow row;
+      SurfaceRow row;
       for (std::size_t i = 0; i < from.points().size(); i += stride) {
         const Seen how = compare(from.points()[i], X_WF, to, X_WT, kRoomCostTolerance, row);
         if (how == Seen::kNot) continue;
@@ -141,7 +102,7 @@ class RoomRows {
     double agree = 0.0, through = 0.0, all = 0.0, own = 0.0;
     const auto add = [&](const RoomView& from, const Transform& X_WF, const RoomView& to,
                          const Transform& X_WT, bool is_own) {
-      RoomRow row;
+      SurfaceRow row;
       for (const RoomPoint& p : from.points()) {
         const Seen how = compare(p, X_WF, to, X_WT, kRoomLastGate, row);
         agree += how == Seen::kAgrees;
@@ -157,9 +118,9 @@ class RoomRows {
 
  private:
   static void collect(const RoomView& from, const Transform& X_WF, const RoomView& to, const Transform& X_WT,
-                      double gate, std::size_t points, double side, std::vector<RoomRow>& rows) {
+                      double gate, std::size_t points, double side, std::vector<SurfaceRow>& rows) {
     const std::size_t stride = std::max<std::size_t>(1, from.points().size() / points);
-    RoomRow row;
+    SurfaceRow row;
     for (std::size_t i = 0; i < from.points().size(); i += stride) {
       if (compare(from.points()[i], X_WF, to, X_WT, gate, row) != Seen::kAgrees) continue;
       // A step of the camera moves its surface, not the points of the known one.
@@ -188,11 +149,6 @@ std::vector<Transform> startsAround(const Transform& X_WC) {
 
 /// Throws UsageError if the pose is not certain.
 void refuseDoubtful(const RoomFit& fit) {
-  const auto refuse = [](const char* pattern, auto... values) {
-    char text[300];
-    std::snprintf(text, sizeof text, pattern, values...);
-    throw UsageError(text);
-  };
   if (fit.points < kRoomMinPoints)
     refuse(
         "--room: found %zu points that both cameras see, expected %zu or more: their views do not overlap, "
@@ -235,7 +191,7 @@ RoomFit fitPoseToRoom(const RoomView& known, const RoomView& camera) {
     best.X_WC = end;
   }
   best.X_WC = rows.from(best.X_WC, kRoomLastGate, kRoomAllPoints);
-  const RoomRows::Sum sum = rows.at(best.X_WC, kRoomLastGate, kRoomAllPoints);
+  const SurfaceSum sum = rows.at(best.X_WC, kRoomLastGate, kRoomAllPoints);
   rows.compareAll(best);
   best.points = sum.rows;
   best.weakest = sum.rows > 0 ? weakestConstraint(sum.JTJ / sum.weights) : 0.0;

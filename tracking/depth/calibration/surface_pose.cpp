@@ -1,13 +1,12 @@
 // Camera pose from depth images of bodies with known surfaces and poses.
 #include "tracking/depth/calibration/surface_pose.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/error.hpp"
-#include "tracking/depth/calibration/pose_spread.hpp"
+#include "tracking/depth/calibration/refuse.hpp"
+#include "tracking/depth/calibration/surface_rows.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -22,8 +21,7 @@ constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfac
 constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
 constexpr int kSteps = 25;
 constexpr double kSmallSurfaceStep = 1e-6;
-constexpr double kSmallest = 5e-4;  // m, smallest scale of the weights
-constexpr double kTouch = 1e-4;     // m; nearer than this the direction to the surface is not its normal
+constexpr double kTouch = 1e-4;  // m; nearer than this the direction to the surface is not its normal
 constexpr std::size_t kStarts = 4;
 constexpr double kLastTolerance = 0.02;  // m, of the cost that selects among the results of the starts
 
@@ -65,11 +63,6 @@ double distanceToBox(const geometry::Bounds& box, const Vector3d& p) {
   return (box.lower - p).cwiseMax(p - box.upper).cwiseMax(0.0).norm();
 }
 
-struct Row {
-  double distance;  ///< m, signed
-  Vector3d n_W;     ///< its gradient
-};
-
 class Fit {
  public:
   Fit(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
@@ -78,65 +71,36 @@ class Fit {
     for (const geometry::Surface* body : bodies) boxes_.push_back(body->bounds());
   }
 
-  /// Residuals and normal equations at a pose.
-  struct Sum {
-    double weights{0.0}, squares{0.0};
-    Vector3d middle{Vector3d::Zero()};
-    Matrix6d JTJ{Matrix6d::Zero()};
-    Vector6d JTr{Vector6d::Zero()};
-  };
-
-  /// Sum over every `stride`-th point.
-  Sum at(const Transform& X_WC, double gate, std::size_t stride) const {
-    std::vector<std::pair<Row, Vector3d>> rows;
-    std::vector<double> sizes;
-    Sum sum;
+  /// Over every `stride`-th point.
+  SurfaceSum at(const Transform& X_WC, double gate, std::size_t stride) const {
+    std::vector<SurfaceRow> rows;
     for (std::size_t i = 0; i < points_.size(); i += stride) {
       const Measured& m = points_[i];
-      const Vector3d p_W = X_WC * m.p_C;
-      Row row;
-      if (!nearest(p_W, X_WC.linear() * m.n_C, m.view, gate, row)) continue;
-      rows.emplace_back(row, p_W);
-      sizes.push_back(std::abs(row.distance));
-      sum.middle += p_W;
+      SurfaceRow row;
+      row.p_W = X_WC * m.p_C;
+      if (nearest(X_WC.linear() * m.n_C, m.view, gate, row)) rows.push_back(row);
     }
-    if (rows.empty()) return sum;
-    sum.middle /= static_cast<double>(rows.size());
-    const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), median, sizes.end());
-    const double width = 3.0 * std::max(kSmallest, 1.4826 * *median);
-    for (const auto& [row, p_W] : rows) {
-      Vector6d J;
-      J << row.n_W, (p_W - sum.middle).cross(row.n_W);
-      const double part = row.distance / width, weight = 1.0 / ((1.0 + part * part) * (1.0 + part * part));
-      sum.weights += weight;
-      sum.squares += weight * row.distance * row.distance;
-      sum.JTJ += weight * J * J.transpose();
-      sum.JTr += weight * row.distance * J;
-    }
-    return sum;
+    return sumOf(rows);
   }
 
   /// Gauss-Newton result; from a `rough` start with a gate that shrinks.
   Transform from(Transform X_WC, bool rough) const {
     for (int i = rough ? 0 : kSteps / 2; i < kSteps; ++i) {
       const double part = std::min(1.0, static_cast<double>(i) / (0.5 * kSteps));
-      const Sum sum = at(X_WC, kFirstGate + part * (kLastGate - kFirstGate), rough ? kEvery : 1);
+      const SurfaceSum sum = at(X_WC, kFirstGate + part * (kLastGate - kFirstGate), rough ? kEvery : 1);
       if (!(sum.weights > 6.0)) return X_WC;
-      // Damping, so that an undetermined dof does not diverge.
-      Matrix6d held = sum.JTJ;
-      held.diagonal().array() += 1e-6 * sum.weights;
-      const Vector6d step = -held.ldlt().solve(sum.JTr);
-      if (!step.allFinite()) return X_WC;
-      X_WC = movedAbout(sum.middle, X_WC, step);
-      if (part == 1.0 && step.norm() < kSmallSurfaceStep) break;
+      const std::optional<Vector6d> step = stepOf(sum);
+      if (!step) return X_WC;
+      X_WC = movedAbout(sum.middle, X_WC, *step);
+      if (part == 1.0 && step->norm() < kSmallSurfaceStep) break;
     }
     return X_WC;
   }
 
  private:
-  /// The surface within `gate` of a point with a consistent normal.
-  bool nearest(const Vector3d& p_W, const Vector3d& n_image, std::size_t view, double gate, Row& row) const {
+  /// Completes the row by the surface within `gate` of its point with a consistent normal.
+  bool nearest(const Vector3d& n_image, std::size_t view, double gate, SurfaceRow& row) const {
+    const Vector3d& p_W = row.p_W;
     double best = gate;
     std::size_t body = bodies_.size();
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -173,13 +137,6 @@ class Fit {
   std::vector<geometry::Bounds> boxes_;
 };
 
-template <class... Values>
-[[noreturn]] void refuse(const char* pattern, Values... values) {
-  char text[300];
-  std::snprintf(text, sizeof text, pattern, values...);
-  throw UsageError(text);
-}
-
 }  // namespace
 
 SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
@@ -197,7 +154,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
     best.X_WC = end;
   }
   best.X_WC = fit.from(best.X_WC, false);
-  const Fit::Sum sum = fit.at(best.X_WC, kLastGate, 1);
+  const SurfaceSum sum = fit.at(best.X_WC, kLastGate, 1);
   best.points = static_cast<std::size_t>(sum.weights);
   if (!(sum.weights >= kMinPoints))
     refuse(

@@ -10,6 +10,7 @@
 #include "core/math/random.hpp"
 #include "tests/support/random_pose.hpp"
 #include "tests/tracking/depth/calibration/board_picture.hpp"
+#include "tests/tracking/depth/calibration/pose_errors.hpp"
 #include "tracking/depth/calibration/pose_spread.hpp"
 
 namespace abstand::testing {
@@ -20,10 +21,6 @@ constexpr double kCornerOff = 0.2;
 
 const tracking::Chessboard kBoard{8, 5, 0.03};
 const tracking::Chessboard kSameTurned{8, 6, 0.03};
-
-double angleBetween(const Transform& a, const Transform& b) {
-  return Quaterniond(a.linear()).angularDistance(Quaterniond(b.linear()));
-}
 
 Transform boardOnTable() { return fromXyzRpy({0.4, -0.2, 0.75}, {0.0, 0.0, 0.6}); }
 

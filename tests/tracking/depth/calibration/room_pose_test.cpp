@@ -9,6 +9,7 @@
 #include "core/base/error.hpp"
 #include "core/geometry/shape.hpp"
 #include "core/math/random.hpp"
+#include "tests/tracking/depth/calibration/pose_errors.hpp"
 #include "tracking/depth/calibration/cloud_registration.hpp"
 #include "tracking/depth/calibration/still_image.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
@@ -82,16 +83,6 @@ tracking::DepthImage seen(const tracking::DepthCamera& camera, const std::vector
   return tracking::stillImage(noisy);
 }
 
-/// Wrong by exactly so much, to a side that the seed says.
-Transform wrong(const Transform& X_WC, double move, double turn, std::uint64_t seed) {
-  Random random(seed, 0);
-  const Vector3d to = random.direction(), about = random.direction();
-  Transform X = X_WC;
-  X.translation() += move * to;
-  X.linear() = X_WC.linear() * Eigen::AngleAxisd(turn, about).toRotationMatrix();
-  return X;
-}
-
 constexpr double kMove = 0.1, kTurn = unit::deg(10.0);
 
 struct Case {
@@ -108,10 +99,6 @@ Case caseOf(const RoomPlan& plan, std::uint64_t seed, int width, int images, dou
   const Transform truth = camera.X_WC;
   camera.X_WC = wrong(truth, move, turn, seed);
   return {tracking::RoomView(known, of_known), tracking::RoomView(camera, of_camera), truth};
-}
-
-double angleBetween(const Transform& a, const Transform& b) {
-  return Quaterniond(a.linear()).angularDistance(Quaterniond(b.linear()));
 }
 
 /// What a fit says that refuses.

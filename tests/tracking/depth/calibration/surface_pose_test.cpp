@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
-#include "core/math/random.hpp"
+#include "tests/tracking/depth/calibration/pose_errors.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
@@ -59,20 +59,6 @@ tracking::SurfaceView seen(const tracking::DepthCamera& camera,
   draw(geometry::Cuboid{{0.8, 0.6, 0.04}}, {0.1, -0.6, 0.7});
   draw(geometry::Sphere{0.1}, {0.5, 0.35, 0.55});
   return {tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), seed, 0), X_WB};
-}
-
-double angleBetween(const Transform& a, const Transform& b) {
-  return Quaterniond(a.linear()).angularDistance(Quaterniond(b.linear()));
-}
-
-/// Wrong by exactly so much, to a side that the seed says.
-Transform wrong(const Transform& X_WC, double move, double turn, std::uint64_t seed) {
-  Random random(seed, 0);
-  const Vector3d to = random.direction(), about = random.direction();
-  Transform X = X_WC;
-  X.translation() += move * to;
-  X.linear() = X_WC.linear() * Eigen::AngleAxisd(turn, about).toRotationMatrix();
-  return X;
 }
 
 TEST(SurfacePose, RecoversPoseFromWrongStarts) {
