@@ -132,12 +132,9 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args) {
     document["worst_image"] = args.images[fit.worst_view].string();
     document["depth"] = fit.depth;
     document["spread"] = fit.spread;
-    const Vector3d p = fit.X_WC.translation();
-    text += format(
-        "RMS reprojection error %.3f pixels at %.2f m, maximum %.3f in %s\n"
-        "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
-        fit.rms, fit.depth, fit.worst, args.images[fit.worst_view].filename().string().c_str(), p.x(), p.y(),
-        p.z(), 1e3 * fit.spread);
+    text += format("RMS reprojection error %.3f pixels at %.2f m, maximum %.3f in %s\n", fit.rms, fit.depth,
+                   fit.worst, args.images[fit.worst_view].filename().string().c_str()) +
+            placedText(fit.X_WC, fit.spread);
   }
   if (!args.out.empty()) writeFile(args.out, tracking::describeDepthCamera(camera));
   line.print(document, text);

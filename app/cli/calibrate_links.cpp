@@ -2,7 +2,6 @@
 #include "app/cli/calibrate_modes.hpp"
 #include "app/depth/calibration_links.hpp"
 #include "core/base/error.hpp"
-#include "core/base/output_file.hpp"
 #include "tracking/depth/calibration/surface_pose.hpp"
 #include "tracking/depth/formats/depth_stream.hpp"
 
@@ -45,13 +44,7 @@ int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
   if (views.empty()) throw ParseError({args.links.string()}, "found no image, expected one or more");
   const tracking::SurfaceFit fit =
       tracking::fitPoseToSurfaces(stream->camera(), links.surfaces(), views, args.seed);
-  if (!args.out.empty()) {
-    tracking::DepthCamera camera =
-        args.camera.empty() ? stream->camera() : tracking::loadDepthCamera(args.camera);
-    camera.X_WC = fit.X_WC;
-    camera.spread = fit.spread;
-    writeFile(args.out, tracking::describeDepthCamera(camera));
-  }
+  writePlaced(args, stream->camera(), fit.X_WC, fit.spread);
   const nlohmann::ordered_json document{{"robot", links.robot()},
                                         {"links", links.surfaces().size()},
                                         {"images", views.size()},
@@ -62,18 +55,16 @@ int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args) {
                                         {"moved", fit.moved},
                                         {"turned", fit.turned},
                                         {"spread", fit.spread}};
-  const Vector3d p = fit.X_WC.translation();
   line.print(
       document,
       format("%s: %zu points on %zu links in %zu images, RMS error %.2f mm; %.0f %% of the robot surface "
              "that should "
              "be visible "
              "was found\n"
-             "moved by %.1f mm and turned by %.2f degrees from the start\n"
-             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+             "moved by %.1f mm and turned by %.2f degrees from the start\n",
              links.robot().c_str(), fit.points, links.surfaces().size(), views.size(), 1e3 * fit.rms,
-             100.0 * fit.explained, 1e3 * fit.moved, fit.turned / unit::deg(1.0), p.x(), p.y(), p.z(),
-             1e3 * fit.spread));
+             100.0 * fit.explained, 1e3 * fit.moved, fit.turned / unit::deg(1.0)) +
+          placedText(fit.X_WC, fit.spread));
   return kDone;
 }
 

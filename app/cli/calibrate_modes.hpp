@@ -30,10 +30,15 @@ int calibrateByBoard(const CommandLine& line, const CalibrateArguments& args);
 int calibrateByLinks(const CommandLine& line, const CalibrateArguments& args);
 /// From depth images of a person who is known in the world.
 int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args);
-
 /// From depth images of the room that a camera with known pose sees, too.
 int calibrateByRoom(const CommandLine& line, const CalibrateArguments& args);
 
+/// Writes the camera of --camera, or without it that of the recording, with its new pose and spread (m) to
+/// --out, if requested. Throws ParseError.
+void writePlaced(const CalibrateArguments& args, const tracking::DepthCamera& recorded, const Transform& X_WC,
+                 double spread);
+/// One line for people; `spread`: m.
+std::string placedText(const Transform& X_WC, double spread);
 /// The twelve numbers of `T_WC` in JSON.
 std::vector<double> rowsOf(const Transform& X_WC);
 

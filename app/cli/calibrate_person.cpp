@@ -2,7 +2,6 @@
 #include "app/cli/calibrate_modes.hpp"
 #include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
-#include "core/base/output_file.hpp"
 #include "tracking/tracker/pose_from_person.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
@@ -32,13 +31,7 @@ int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
   const tracking::Recording world = tracking::openAnyRecording(args.person, {}, std::nullopt);
   const tracking::PersonPoseFit fit =
       tracking::fitPoseToPerson(world.frames, track.people.front().frames, track.camera.X_WC);
-  if (!args.out.empty()) {
-    tracking::DepthCamera camera =
-        args.camera.empty() ? stream->camera() : tracking::loadDepthCamera(args.camera);
-    camera.X_WC = fit.X_WC;
-    camera.spread = fit.spread;
-    writeFile(args.out, tracking::describeDepthCamera(camera));
-  }
+  writePlaced(args, stream->camera(), fit.X_WC, fit.spread);
   std::vector<std::string> warnings;
   if (!fit.clock_known)
     warnings.push_back("the motion does not determine the clock offset: record faster motion");
@@ -55,12 +48,9 @@ int calibrateByPerson(const CommandLine& line, const CalibrateArguments& args) {
                                         {"person_moved", fit.moved},
                                         {"spread", fit.spread},
                                         {"warnings", warnings}};
-  const Vector3d p = fit.X_WC.translation();
-  line.print(
-      document,
-      format("%zu joints, %zu of them used, RMS error %.1f mm; clock offset %+.3f s\n"
-             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
-             fit.joints, fit.used, 1e3 * fit.rms, fit.clock, p.x(), p.y(), p.z(), 1e3 * fit.spread));
+  line.print(document, format("%zu joints, %zu of them used, RMS error %.1f mm; clock offset %+.3f s\n",
+                              fit.joints, fit.used, 1e3 * fit.rms, fit.clock) +
+                           placedText(fit.X_WC, fit.spread));
   return kDone;
 }
 

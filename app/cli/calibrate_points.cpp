@@ -18,13 +18,9 @@ int calibrateByPoints(const CommandLine& line, const CalibrateArguments& args) {
   const nlohmann::ordered_json document{
       {"points", points.size()}, {"T_WC", rowsOf(fit.X_WC)},          {"rms", fit.rms},
       {"worst", fit.worst},      {"worst_line", fit.worst_point + 2}, {"spread", fit.spread}};
-  const Vector3d p = fit.X_WC.translation();
-  line.print(
-      document,
-      format("%zu points: RMS error %.2f mm, maximum in line %zu with %.2f mm\n"
-             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
-             points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst, p.x(), p.y(), p.z(),
-             1e3 * fit.spread));
+  line.print(document, format("%zu points: RMS error %.2f mm, maximum in line %zu with %.2f mm\n",
+                              points.size(), 1e3 * fit.rms, fit.worst_point + 2, 1e3 * fit.worst) +
+                           placedText(fit.X_WC, fit.spread));
   return kDone;
 }
 

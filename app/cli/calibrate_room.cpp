@@ -1,7 +1,6 @@
 // abstand calibrate CLIP --room: pose of a camera from the room that another camera sees, too.
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/error.hpp"
-#include "core/base/output_file.hpp"
 #include "tracking/depth/calibration/room_pose.hpp"
 #include "tracking/depth/calibration/still_image.hpp"
 
@@ -29,26 +28,19 @@ int calibrateByRoom(const CommandLine& line, const CalibrateArguments& args) {
         "(--camera)");
   const tracking::RoomFit fit =
       tracking::fitPoseToRoom(viewOf(*known, args.room), viewOf(*stream, args.input));
-  if (!args.out.empty()) {
-    tracking::DepthCamera camera =
-        args.camera.empty() ? stream->camera() : tracking::loadDepthCamera(args.camera);
-    camera.X_WC = fit.X_WC;
-    camera.spread = fit.spread;
-    writeFile(args.out, tracking::describeDepthCamera(camera));
-  }
+  writePlaced(args, stream->camera(), fit.X_WC, fit.spread);
   const nlohmann::ordered_json document{
       {"points", fit.points}, {"shared", fit.shared}, {"agreeing", fit.agreeing}, {"T_WC", rowsOf(fit.X_WC)},
       {"rms", fit.rms},       {"moved", fit.moved},   {"turned", fit.turned},     {"spread", fit.spread}};
-  const Vector3d p = fit.X_WC.translation();
   line.print(
       document,
       format("%zu points, RMS error %.2f mm; the other camera sees %.0f %% of the surfaces of this one, and "
              "both "
              "agree on %.0f %% of their common view\n"
-             "moved by %.1f mm and turned by %.2f degrees from the start\n"
-             "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+             "moved by %.1f mm and turned by %.2f degrees from the start\n",
              fit.points, 1e3 * fit.rms, 100.0 * fit.shared, 100.0 * fit.agreeing, 1e3 * fit.moved,
-             fit.turned / unit::deg(1.0), p.x(), p.y(), p.z(), 1e3 * fit.spread));
+             fit.turned / unit::deg(1.0)) +
+          placedText(fit.X_WC, fit.spread));
   return kDone;
 }
 

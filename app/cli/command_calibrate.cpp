@@ -1,6 +1,7 @@
 // abstand calibrate: pose of a depth camera.
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_file.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -34,6 +35,21 @@ int runCalibrate(const CommandLine& line, const CalibrateArguments& args) {
 }
 
 }  // namespace
+
+void writePlaced(const CalibrateArguments& args, const tracking::DepthCamera& recorded, const Transform& X_WC,
+                 double spread) {
+  if (args.out.empty()) return;
+  tracking::DepthCamera camera = args.camera.empty() ? recorded : tracking::loadDepthCamera(args.camera);
+  camera.X_WC = X_WC;
+  camera.spread = spread;
+  writeFile(args.out, tracking::describeDepthCamera(camera));
+}
+
+std::string placedText(const Transform& X_WC, double spread) {
+  const Vector3d p = X_WC.translation();
+  return format("camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
+                p.x(), p.y(), p.z(), 1e3 * spread);
+}
 
 std::vector<double> rowsOf(const Transform& X_WC) {
   const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> T = X_WC.matrix().topRows<3>();
