@@ -36,18 +36,23 @@ std::vector<PairId> idsOf(const std::vector<WatchedPair>& pairs) {
   return ids;
 }
 
+/// Visits the lists with one entry per frame.
+template <class Visit>
+void eachList(PartClearance& part, const Visit& visit) {
+  for (auto* list :
+       {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
+        &part.bound, &part.uncertainty, &part.age_uncertainty, &part.latency_uncertainty, &part.robot_speed,
+        &part.person_speed, &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
+    visit(*list);
+  for (auto* list : {&part.link, &part.tool}) visit(*list);
+}
+
 double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedStep; }
 
 }  // namespace
 
 void reserveFrames(std::size_t frames, PartClearance& part) {
-  for (auto* list :
-       {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking, &part.distance,
-        &part.bound, &part.uncertainty, &part.age_uncertainty, &part.latency_uncertainty, &part.robot_speed,
-        &part.person_speed, &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
-    list->reserve(frames);
-  part.link.reserve(frames);
-  part.tool.reserve(frames);
+  eachList(part, [frames](auto& list) { list.reserve(frames); });
 }
 
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
@@ -65,8 +70,7 @@ DistancePass::DistancePass(const session::Session& session, const PassOptions& o
   std::set<humanmodel::BodyPart> there;
   for (const WatchedPair& pair : window_.pairs()) there.insert(pair.body_part);
   for (const humanmodel::BodyPart part : there)
-    result_.parts.push_back(
-        {std::string(humanmodel::partName(part)), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, false});
+    result_.parts.emplace_back().part = std::string(humanmodel::partName(part));
   for (PartClearance& part : result_.parts) {
     part.contact_excluded = judge_.excluded(part.part);
     if (options.keep_frames) reserveFrames(options.frames, part);
@@ -148,15 +152,7 @@ void DistancePass::settle() {
 
 void DistancePass::addFrame(double t) {
   for (PartClearance& part : result_.parts) {
-    if (!options_.keep_frames) {
-      for (auto* list : {&part.track.t, &part.track.clearance, &part.track.between, &part.track.braking,
-                         &part.distance, &part.bound, &part.uncertainty, &part.age_uncertainty,
-                         &part.latency_uncertainty, &part.robot_speed, &part.person_speed,
-                         &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
-        list->clear();
-      part.link.clear();
-      part.tool.clear();
-    }
+    if (!options_.keep_frames) eachList(part, [](auto& list) { list.clear(); });
     part.track.t.push_back(t);
     part.track.clearance.push_back(kInfinity);
     part.track.between.push_back(kInfinity);
