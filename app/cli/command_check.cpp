@@ -110,7 +110,7 @@ void judge(const CommandLine& line, const CheckArguments& args, const scene_file
   run.on_cycle = [&](double t, const std::vector<query::PairResult>& results) { check.frame(t, results); };
   const run::RunSummary summary = run::runScene(session, run);
   check.finish(summary, judged.all);
-  judged.warm_start = warmStartJson(summary);
+  judged.warm_start = warmStartJson(summary.warm_start);
   if (summary.cycles > 0) {
     judged.reactions.push_back({{"recording", recording}, {"robots", robotsJson(summary.robots)}});
     judged.robots_text += (args.recordings.size() > 1 ? recording + ":\n" : "") + robotsText(summary.robots);

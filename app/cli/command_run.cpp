@@ -72,7 +72,7 @@ nlohmann::ordered_json summaryJson(const run::RunSummary& s, const session::Sess
                        {"empty", timesJson(s.profile->empty())},
                        {"empty_processor", timesJson(s.profile->emptyWork())}};
   j["skipping"] = skippingJson(s);
-  j["warm_start"] = warmStartJson(s);
+  j["warm_start"] = warmStartJson(s.warm_start);
   if (s.cycles > 0) {
     j["cycles"] = s.cycles;
     j["robots"] = robotsJson(s.robots);
@@ -103,7 +103,7 @@ std::string summaryText(const run::RunSummary& s, const session::Session& sessio
     text += timesText("  processor time", s.profile->work()) +
             timesText("  empty loop of the same length", s.profile->empty()) +
             timesText("  processor time", s.profile->emptyWork());
-  text += warmStartText(s);
+  text += warmStartText(s.warm_start);
   text += closestText(s.min_distance_by_class);
   if (s.min_distance)
     text += format("minimum distance: %.1f mm, %s to %s at %.3f s\n", 1e3 * s.min_distance->value,

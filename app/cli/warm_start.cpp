@@ -10,7 +10,7 @@ void WarmStartArguments::apply(session::SessionOptions& session) const {
   if (cold) session.remember = false;
   if (warm) session.remember = true;
   if (!tolerance.empty())
-    session.far_tolerance = numberWithin(tolerance, "--tolerance", 0.0, scene::kMaxFarTolerance, "");
+    session.far_tolerance = numberWithin(tolerance, "--tolerance", 0.0, query::kMaxFarTolerance, "");
 }
 
 void addWarmStart(CLI::App& command, WarmStartArguments& args) {
@@ -22,20 +22,20 @@ void addWarmStart(CLI::App& command, WarmStartArguments& args) {
                      "start warm (default: the scene's, else 0.002)");
 }
 
-nlohmann::ordered_json warmStartJson(const run::RunSummary& s) {
-  if (!s.warm_start) return nullptr;
+nlohmann::ordered_json warmStartJson(const std::optional<run::RunSummary::WarmStart>& warm_start) {
+  if (!warm_start) return nullptr;
   nlohmann::ordered_json j{{"block_frames", nullptr}, {"far_from_m", query::kRelativeFrom}};
-  if (s.warm_start->block > 0) j["block_frames"] = s.warm_start->block;
-  j["far_tolerance"] = s.warm_start->far_tolerance;
+  if (warm_start->block > 0) j["block_frames"] = warm_start->block;
+  j["far_tolerance"] = warm_start->far_tolerance;
   return j;
 }
 
-std::string warmStartText(const run::RunSummary& s) {
-  if (!s.warm_start) return {};
+std::string warmStartText(const std::optional<run::RunSummary::WarmStart>& warm_start) {
+  if (!warm_start) return {};
   return format(
       "warm start: distances beyond %.1f m are at most %.3g %% above the minimum%s\n", query::kRelativeFrom,
-      100.0 * s.warm_start->far_tolerance,
-      s.warm_start->block > 0 ? format("; every %zu frames start cold", s.warm_start->block).c_str() : "");
+      100.0 * warm_start->far_tolerance,
+      warm_start->block > 0 ? format("; every %zu frames start cold", warm_start->block).c_str() : "");
 }
 
 }  // namespace abstand::cli

@@ -17,8 +17,8 @@ struct WarmStartArguments {
 void addWarmStart(CLI::App& command, WarmStartArguments& args);
 
 /// null: every frame started cold.
-nlohmann::ordered_json warmStartJson(const run::RunSummary& summary);
+nlohmann::ordered_json warmStartJson(const std::optional<run::RunSummary::WarmStart>& warm_start);
 /// One line, or empty.
-std::string warmStartText(const run::RunSummary& summary);
+std::string warmStartText(const std::optional<run::RunSummary::WarmStart>& warm_start);
 
 }  // namespace abstand::cli

@@ -15,6 +15,8 @@ session::SessionOptions sessionOptions(const SceneOptions& options) {
   session::SessionOptions o;
   o.threads = options.threads;
   o.cache = options.cache;
+  if (options.cold) o.remember = false;
+  o.far_tolerance = options.far_tolerance;
   return o;
 }
 

@@ -18,8 +18,17 @@ namespace {
 constexpr std::size_t kBlock = 128;
 constexpr int kMaxThreads = 256;
 
-query::PairOptions contactOptions(double margin, double stiffness, const std::string& law) {
+/// Options of a query that starts warm or cold.
+query::PairOptions distanceOptions(double tolerance, bool warm) {
+  if (!(tolerance >= 0.0 && tolerance <= query::kMaxFarTolerance))
+    throw UsageError("tolerance: expected a share from 0 to 0.1");
   query::PairOptions options;
+  if (warm) options.far_share = query::farShareOf(tolerance);
+  return options;
+}
+
+query::PairOptions contactOptions(double margin, double stiffness, const std::string& law,
+                                  query::PairOptions options) {
   if (!(margin >= 0.0 && std::isfinite(margin))) throw UsageError("margin: expected metres, 0 or more");
   if (!(stiffness >= 0.0 && std::isfinite(stiffness)))
     throw UsageError("stiffness: expected a number, 0 or more");
@@ -31,12 +40,19 @@ query::PairOptions contactOptions(double margin, double stiffness, const std::st
   return options;
 }
 
-void ask(const Structure& a, const Structure& b, py::handle X_a, py::handle X_b,
-         const query::PairOptions& options, Memory* memory, query::PairResult& result) {
+/// Two structures, their poses and the options of their queries.
+struct PairArguments {
+  const Structure &a, &b;
+  const py::object &X_a, &X_b;
+  query::PairOptions options;
+};
+
+void ask(const PairArguments& pair, Memory* memory, query::PairResult& result) {
   thread_local kernels::PairScratch scratch;
-  const Transform X_WA = PoseRows(X_a, "X_a").only(), X_WB = PoseRows(X_b, "X_b").only();
+  const Structure &a = pair.a, &b = pair.b;
+  const Transform X_WA = PoseRows(pair.X_a, "X_a").only(), X_WB = PoseRows(pair.X_b, "X_b").only();
   if (memory == nullptr) {
-    query::queryPair({*a.haptic, X_WA}, {*b.haptic, X_WB}, options, scratch, result);
+    query::queryPair({*a.haptic, X_WA}, {*b.haptic, X_WB}, pair.options, scratch, result);
     return;
   }
   if (!memory->a) {
@@ -45,25 +61,33 @@ void ask(const Structure& a, const Structure& b, py::handle X_a, py::handle X_b,
   }
   if (memory->a != a.haptic || memory->b != b.haptic)
     throw UsageError("memory: found that of another pair of structures, expected one of its own for a pair");
-  query::queryPair({*a.haptic, X_WA}, {*b.haptic, X_WB}, options, {memory->memory, scratch}, result);
+  query::queryPair({*a.haptic, X_WA}, {*b.haptic, X_WB}, pair.options, {memory->memory, scratch}, result);
 }
 
+struct BatchArguments {
+  int threads;
+  bool warm;
+  py::object out;  ///< arrays to write to, or None
+};
+
 /// Queries all poses, in blocks that are distributed over threads.
-void askAll(const structure::HapticStructure& a, const structure::HapticStructure& b, const PoseRows& X_a,
-            const PoseRows& X_b, std::size_t n, const query::PairOptions& options, int threads, bool warm,
+void askAll(const PairArguments& pair, const PoseRows& X_a, const PoseRows& X_b, const BatchArguments& args,
             const ResultColumns& out) {
+  const structure::HapticStructure &a = *pair.a.haptic, &b = *pair.b.haptic;
+  const std::size_t n = commonSize(X_a, X_b);
+  const query::PairOptions& options = pair.options;
   const py::gil_scoped_release release;
   X_a.check();
   X_b.check();
   InterruptCheck interrupt;
-  parallelFor(threads, (n + kBlock - 1) / kBlock, [&](std::size_t block) {
+  parallelFor(args.threads, (n + kBlock - 1) / kBlock, [&](std::size_t block) {
     interrupt.poll();
     kernels::PairScratch scratch;
     query::PairMemory memory;
     query::PairResult result;
     const std::size_t end = std::min(n, (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) {
-      if (warm)
+      if (args.warm)
         query::queryPair({a, X_a[i]}, {b, X_b[i]}, options, {memory, scratch}, result);
       else
         query::queryPair({a, X_a[i]}, {b, X_b[i]}, options, scratch, result);
@@ -83,15 +107,17 @@ double loopSeconds(const Structure& a, const Structure& b, const py::object& X_a
     poses_b.push_back(rows_b[i]);
   }
   std::vector<query::PairResult> results(poses_a.size());
+  const query::PairOptions options = distanceOptions(query::kFarTolerance, warm);
   kernels::PairScratch scratch;
   query::PairMemory memory;
   const auto begin = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (i % kBlock == 0) memory = {};
     if (warm)
-      query::queryPair({*a.haptic, poses_a[i]}, {*b.haptic, poses_b[i]}, {}, {memory, scratch}, results[i]);
+      query::queryPair({*a.haptic, poses_a[i]}, {*b.haptic, poses_b[i]}, options, {memory, scratch},
+                       results[i]);
     else
-      query::queryPair({*a.haptic, poses_a[i]}, {*b.haptic, poses_b[i]}, {}, scratch, results[i]);
+      query::queryPair({*a.haptic, poses_a[i]}, {*b.haptic, poses_b[i]}, options, scratch, results[i]);
   }
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -107,24 +133,21 @@ py::object resultsFor(std::size_t n, py::object given) {
 }
 
 template <class Results>
-py::object batch(const Structure& a, const Structure& b, py::handle X_a, py::handle X_b,
-                 const query::PairOptions& options, int threads, bool warm, py::object given) {
-  if (threads < 0 || threads > kMaxThreads)
-    throw UsageError("threads: found " + std::to_string(threads) + ", expected 0 to " +
+py::object batch(const PairArguments& pair, const BatchArguments& args) {
+  if (args.threads < 0 || args.threads > kMaxThreads)
+    throw UsageError("threads: found " + std::to_string(args.threads) + ", expected 0 to " +
                      std::to_string(kMaxThreads));
-  const PoseRows rows_a(X_a, "X_a"), rows_b(X_b, "X_b");
-  const std::size_t n = commonSize(rows_a, rows_b);
-  py::object out = resultsFor<Results>(n, std::move(given));
-  askAll(*a.haptic, *b.haptic, rows_a, rows_b, n, options, threads, warm,
-         ResultColumns(py::cast<Results&>(out)));
+  const PoseRows rows_a(pair.X_a, "X_a"), rows_b(pair.X_b, "X_b");
+  py::object out = resultsFor<Results>(commonSize(rows_a, rows_b), args.out);
+  askAll(pair, rows_a, rows_b, args, ResultColumns(py::cast<Results&>(out)));
   return out;
 }
 
 constexpr const char* kDistanceDoc = R"doc(Distance of the structures a and b at the poses X_a and X_b.
 
 X_a, X_b: (4, 4), X_WB takes points of the body B into the world W, metres; None: the identity. memory: a Memory of this pair,
-which makes the next query nearby quicker and never weakens `bound`; beyond 0.1 m the distance may then exceed the smallest by
-1 %. Without one the answer depends on nothing but the arguments.
+for a warm start, which is faster and never weakens `bound`. tolerance: 0 to 0.1; with a warm start, a distance beyond 0.1 m may
+exceed the smallest one by this share, which `bound` includes. Without a memory, the result depends only on the arguments.
 
 UsageError (a ValueError) for a matrix that is no rigid transform. Takes microseconds and keeps the GIL.)doc";
 
@@ -136,9 +159,9 @@ margin: m, the sum of both bodies' safety margins. law 'volume': force = stiffne
 constexpr const char* kDistancesDoc = R"doc(Distances of the structures a and b at n poses, as arrays.
 
 X_a, X_b: (n, 4, 4), or (4, 4) for a body that stays where it is; None: the identity. Arrays of float64 are read where they are,
-whatever their strides; they must not change meanwhile. threads: 0 is all cores; the bits do not depend on it. warm: each pose
-starts from the answer before it, in blocks of 128 that begin cold, for poses that follow each other closely. out: Distances(n) to
-be written into, and returned.
+whatever their strides; they must not change meanwhile. threads: 0 is all cores; the bits do not depend on it. warm: each query
+starts from the result before it, in blocks of 128 that begin cold, for poses that follow each other closely; tolerance: of warm
+starts, as in distance(). out: Distances(n) to be written into, and returned.
 
 UsageError (a ValueError) names the first row that is no rigid transform, before anything is computed. Releases the GIL; Ctrl-C
 ends it.)doc";
@@ -160,39 +183,45 @@ It belongs to the first pair that it is used with. One thread at a time.)doc")
   using namespace py::literals;
   module.def(
       "distance",
-      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b,
-         Memory* memory) {
+      [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, Memory* memory,
+         double tolerance) {
         Distance d;
-        ask(a, b, X_a, X_b, {}, memory, d.result);
+        ask({a, b, X_a, X_b, distanceOptions(tolerance, memory != nullptr)}, memory, d.result);
         return d;
       },
-      "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "memory"_a = py::none(), kDistanceDoc);
+      "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "memory"_a = py::none(),
+      "tolerance"_a = query::kFarTolerance, kDistanceDoc);
   module.def(
       "contact",
       [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, double margin,
-         double stiffness, const std::string& law, Memory* memory) {
+         double stiffness, const std::string& law, Memory* memory, double tolerance) {
+        const query::PairOptions options = distanceOptions(tolerance, memory != nullptr);
         Contact c;
-        ask(a, b, X_a, X_b, contactOptions(margin, stiffness, law), memory, c.result);
+        ask({a, b, X_a, X_b, contactOptions(margin, stiffness, law, options)}, memory, c.result);
         return c;
       },
       "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "margin"_a = 0.0, "stiffness"_a = 1.0e6,
-      "law"_a = "volume", "memory"_a = py::none(), kContactDoc);
+      "law"_a = "volume", "memory"_a = py::none(), "tolerance"_a = query::kFarTolerance, kContactDoc);
   module.def(
       "distances",
       [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, int threads,
-         bool warm,
-         py::object out) { return batch<Distances>(a, b, X_a, X_b, {}, threads, warm, std::move(out)); },
+         bool warm, py::object out, double tolerance) {
+        return batch<Distances>({a, b, X_a, X_b, distanceOptions(tolerance, warm)},
+                                {threads, warm, std::move(out)});
+      },
       "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "threads"_a = 1, "warm"_a = false,
-      "out"_a = py::none(), kDistancesDoc);
+      "out"_a = py::none(), "tolerance"_a = query::kFarTolerance, kDistancesDoc);
   module.def(
       "contacts",
       [](const Structure& a, const Structure& b, const py::object& X_a, const py::object& X_b, double margin,
-         double stiffness, const std::string& law, int threads, bool warm, py::object out) {
-        return batch<Contacts>(a, b, X_a, X_b, contactOptions(margin, stiffness, law), threads, warm,
-                               std::move(out));
+         double stiffness, const std::string& law, int threads, bool warm, py::object out, double tolerance) {
+        const query::PairOptions options = distanceOptions(tolerance, warm);
+        return batch<Contacts>({a, b, X_a, X_b, contactOptions(margin, stiffness, law, options)},
+                               {threads, warm, std::move(out)});
       },
       "a"_a, "b"_a, "X_a"_a = py::none(), "X_b"_a = py::none(), "margin"_a = 0.0, "stiffness"_a = 1.0e6,
-      "law"_a = "volume", "threads"_a = 1, "warm"_a = false, "out"_a = py::none(), kContactsDoc);
+      "law"_a = "volume", "threads"_a = 1, "warm"_a = false, "out"_a = py::none(),
+      "tolerance"_a = query::kFarTolerance, kContactsDoc);
 }
 
 }  // namespace abstand::python

@@ -50,6 +50,7 @@ struct OpenArguments {
   bool cache, cold;
   double person_speed;
   std::vector<std::filesystem::path> package_paths;
+  std::optional<double> tolerance;
 };
 
 std::unique_ptr<SceneHandle> openScene(const std::filesystem::path& path, const OpenArguments& args) {
@@ -65,6 +66,7 @@ std::unique_ptr<SceneHandle> openScene(const std::filesystem::path& path, const 
   options.cache = args.cache;
   options.person_speed = args.person_speed;
   if (args.cold) options.remember = false;
+  options.far_tolerance = args.tolerance;
   const py::gil_scoped_release release;
   auto handle = std::make_unique<SceneHandle>();
   buildInterruptibly([&](const structure::BuildMonitor& monitor) {
@@ -248,12 +250,13 @@ A list of dicts: kind, text, t0, t1, share, fails ('always', 'strict', 'never').
 
 constexpr const char* kSceneDoc = R"doc(A scene file with its robots, people and things, ready to step.
 
-Scene(path, recording=None, poses=None, threads=0, cache=True, cold=False, person_speed=1.0, package_paths=())
+Scene(path, recording=None, poses=None, threads=0, cache=True, cold=False, person_speed=1.0, package_paths=(),
+      tolerance=None)
 
 recording: replaces that of every person. poses: a CSV that named bodies follow. threads: 0 is all cores; the bits do not depend on
-it. cache: keep structures in the user's cache folder. cold: every step from nothing but its poses, slower; else pairs start from
-their last answer, and distances beyond 0.1 m may exceed the smallest by 0.2 %, which `bound` covers. Robots with a `reaction`
-follow their motion.
+it. cache: keep structures in the user's cache folder. cold: cold starts, each step depends on its poses alone (slower). tolerance:
+0 to 0.1; with warm starts, a distance beyond 0.1 m may exceed the smallest one by this share, which `bound` includes; None: that of
+the scene file, else 0.002. Robots with a `reaction` follow their motion.
 
 One thread at a time; another one gets a RuntimeError. ParseError, UsageError.)doc";
 
@@ -287,13 +290,15 @@ Scene.reservations; those whose `fails` is 'always' say that something was not k
   py::class_<SceneHandle> type(module, "Scene", kSceneDoc);
   type.def(py::init([](const std::filesystem::path& path, std::optional<std::filesystem::path> recording,
                        std::optional<std::filesystem::path> poses, int threads, bool cache, bool cold,
-                       double person_speed, std::vector<std::filesystem::path> package_paths) {
+                       double person_speed, std::vector<std::filesystem::path> package_paths,
+                       std::optional<double> tolerance) {
              return openScene(path, {std::move(recording), std::move(poses), threads, cache, cold,
-                                     person_speed, std::move(package_paths)});
+                                     person_speed, std::move(package_paths), tolerance});
            }),
            py::arg("path"), py::arg("recording") = py::none(), py::arg("poses") = py::none(),
            py::arg("threads") = 0, py::arg("cache") = true, py::arg("cold") = false,
-           py::arg("person_speed") = 1.0, py::arg("package_paths") = std::vector<std::filesystem::path>())
+           py::arg("person_speed") = 1.0, py::arg("package_paths") = std::vector<std::filesystem::path>(),
+           py::arg("tolerance") = py::none())
       .def("step", &step, py::arg("t"), py::arg("cold") = false,
            R"doc(Moves everything to time t (s) and gives a StepResult. Releases the GIL.
 

@@ -18,17 +18,18 @@ struct BuildArguments {
   bool cache;
 };
 
-BuildArguments argumentsOf(double voxel, std::optional<double> spacing, int outer_layers,
-                           const std::string& field, std::string name, int threads, bool cache) {
+structure::HapticOptions optionsOf(double voxel, std::optional<double> spacing, int outer_layers,
+                                   const std::string& field) {
   const auto kind = structure::parseFieldKind(field);
   if (!kind) throw UsageError("field: found '" + field + "', expected mixed, float or layered");
-  if (threads < 0) throw UsageError("threads: found " + std::to_string(threads) + ", expected 0 or more");
   structure::HapticOptions options{voxel, spacing.value_or(voxel), outer_layers, *kind};
   options.validate();
-  return {options, std::move(name), threads, cache};
+  return options;
 }
 
 Structure build(const std::shared_ptr<const geometry::Surface>& surface, const BuildArguments& args) {
+  if (args.threads < 0)
+    throw UsageError("threads: found " + std::to_string(args.threads) + ", expected 0 or more");
   store::StructureCache cache(args.cache ? store::userCacheFolder() : std::filesystem::path());
   std::shared_ptr<const structure::HapticStructure> made;
   buildInterruptibly([&](const structure::BuildMonitor& monitor) {
@@ -124,14 +125,16 @@ void bindStructures(py::module_& module) {
   py::class_<Structure> type(module, "Structure", kStructureDoc);
   const auto of_mesh = [](const Mesh& mesh, double voxel, std::optional<double> spacing, int outer_layers,
                           const std::string& field, std::string name, int threads, bool cache) {
-    const auto args = argumentsOf(voxel, spacing, outer_layers, field, std::move(name), threads, cache);
+    const BuildArguments args{optionsOf(voxel, spacing, outer_layers, field), std::move(name), threads,
+                              cache};
     const py::gil_scoped_release release;
     return build(geometry::makeSurface(mesh.mesh), args);
   };
   const auto of_shape = [](const ShapeBody& shape, double voxel, std::optional<double> spacing,
                            int outer_layers, const std::string& field, std::string name, int threads,
                            bool cache) {
-    const auto args = argumentsOf(voxel, spacing, outer_layers, field, std::move(name), threads, cache);
+    const BuildArguments args{optionsOf(voxel, spacing, outer_layers, field), std::move(name), threads,
+                              cache};
     const py::gil_scoped_release release;
     return build(geometry::makeSurface(shape.shape), args);
   };

@@ -31,6 +31,9 @@ SessionLog::SessionLog(const std::filesystem::path& file, const session::Session
                     joints = session.jointEfforts().size();
   out_.attribute("abstand", kFormat);
   out_.attribute("version", program);
+  const scene::QueryCulling& culling = session.description().culling;
+  out_.attribute("warm_start", culling.remember ? 1LL : 0LL);
+  out_.attribute("far_tolerance", culling.remember ? culling.far_tolerance : 0.0);
   std::vector<std::string> names;
   for (const scene::Object& o : scene.objects()) names.push_back(o.spec.name);
   out_.texts("objects", names);

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr config::YamlRange kStiffnessRange{0.0, 1e15, "N/m^3", true};
 constexpr config::YamlRange kShareRange{0.0, 1.0};
-constexpr config::YamlRange kToleranceRange{0.0, scene::kMaxFarTolerance};
+constexpr config::YamlRange kToleranceRange{0.0, query::kMaxFarTolerance};
 constexpr config::YamlRange kHorizonRange{0.0, 1e4, "m"};
 constexpr config::YamlRange kBudgetRange{0.0, 1e3, "s"};
 

@@ -62,14 +62,14 @@ void PairSet::distances(std::span<const Pose> X_WB, const QueryOptions& options,
   if (results.size() != size())
     throw UsageError("found room for " + std::to_string(results.size()) + " results, expected " +
                      std::to_string(size()));
-  const query::PairOptions pair_options = facade::pairOptions(options);
+  const query::PairOptions pair_options = facade::warmOptions(options);
   impl_->results.resize(size());
   impl_->set.distances(impl_->place(X_WB), pair_options, impl_->results);
   for (std::size_t i = 0; i < results.size(); ++i) results[i] = facade::resultOf(impl_->results[i]);
 }
 
 std::span<const PairSet::Contact> PairSet::contacts(std::span<const Pose> X_WB, const QueryOptions& options) {
-  const query::PairOptions pair_options = facade::pairOptions(options);
+  const query::PairOptions pair_options = facade::warmOptions(options);
   impl_->contacts.clear();
   for (const auto& [pair, penalty] : impl_->set.contacts(impl_->place(X_WB), pair_options))
     impl_->contacts.push_back(
@@ -78,7 +78,7 @@ std::span<const PairSet::Contact> PairSet::contacts(std::span<const Pose> X_WB, 
 }
 
 PairSet::Nearest PairSet::nearest(std::span<const Pose> X_WB, const QueryOptions& options) {
-  const query::PairOptions pair_options = facade::pairOptions(options);
+  const query::PairOptions pair_options = facade::warmOptions(options);
   const query::PairSet::Nearest& nearest = impl_->set.nearest(impl_->place(X_WB), pair_options);
   return {nearest.pair, facade::resultOf(nearest.result)};
 }

@@ -52,7 +52,7 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
   kernels::PairScratch scratch;
   query::PairResult result;
   query::queryPair({*a.impl().made, facade::checkedPose(X_WA)}, {*b.impl().made, facade::checkedPose(X_WB)},
-                   facade::pairOptions(options), scratch, result);
+                   facade::coldOptions(options), scratch, result);
   return facade::resultOf(result);
 }
 
@@ -61,7 +61,7 @@ PairResult queryPair(const Structure& a, const Pose& X_WA, const Structure& b, c
   kernels::PairScratch scratch;
   query::PairResult result;
   query::queryPair({*a.impl().made, facade::checkedPose(X_WA)}, {*b.impl().made, facade::checkedPose(X_WB)},
-                   facade::pairOptions(options), {state.impl().memory, scratch}, result);
+                   facade::warmOptions(options), {state.impl().memory, scratch}, result);
   return facade::resultOf(result);
 }
 
@@ -74,7 +74,8 @@ void queryPoses(const Structure& a, std::span<const Pose> X_WA, const Structure&
   if (options.threads < 0) throw UsageError("found a negative number of threads, expected 0 or more");
   checkPoses(X_WA);
   checkPoses(X_WB);
-  const query::PairOptions pair_options = facade::pairOptions(options.query);
+  const query::PairOptions pair_options =
+      options.sequence ? facade::warmOptions(options.query) : facade::coldOptions(options.query);
   const SequentialQuery sequence{*a.impl().made, *b.impl().made, X_WA, X_WB, pair_options, results};
   const auto runBlock = [&](std::size_t block) {
     kernels::PairScratch scratch;
@@ -97,13 +98,21 @@ std::vector<PairResult> queryPoses(const Structure& a, std::span<const Pose> X_W
 
 namespace abstand::facade {
 
-query::PairOptions pairOptions(const QueryOptions& options) {
+query::PairOptions coldOptions(const QueryOptions& options) {
   if (!(options.margin >= 0.0) || !std::isfinite(options.margin))
     throw UsageError("found a margin that is negative or not finite, expected 0 m or more");
   if (!(options.stiffness >= 0.0) || !std::isfinite(options.stiffness))
     throw UsageError("found a stiffness that is negative or not finite, expected 0 or more");
+  if (!(options.far_tolerance >= 0.0 && options.far_tolerance <= query::kMaxFarTolerance))
+    throw UsageError("found a tolerance out of range, expected a share from 0 to 0.1");
   query::PairOptions o{.margin = options.margin, .stiffness = options.stiffness};
   o.law = options.law == QueryOptions::Law::kThesis ? query::ForceLaw::kThesis : query::ForceLaw::kVolume;
+  return o;
+}
+
+query::PairOptions warmOptions(const QueryOptions& options) {
+  query::PairOptions o = coldOptions(options);
+  o.far_share = query::farShareOf(options.far_tolerance);
   return o;
 }
 

@@ -27,8 +27,10 @@ Shape shapeOf(const geometry::Shape& shape);
 Mesh meshOf(geometry::TriangleMesh mesh);
 /// Internal result to public result.
 PairResult resultOf(const query::PairResult& result);
-/// Throws UsageError for a margin or stiffness that is negative or not finite.
-query::PairOptions pairOptions(const QueryOptions& options);
+/// For cold starts, and for warm ones. Throw UsageError for a margin or stiffness that is negative or not
+/// finite, and for a tolerance out of range.
+query::PairOptions coldOptions(const QueryOptions& options);
+query::PairOptions warmOptions(const QueryOptions& options);
 /// Throws UsageError if it is not a valid pose.
 Transform checkedPose(const Pose& pose);
 

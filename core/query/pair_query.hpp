@@ -14,6 +14,11 @@ enum class ForceLaw { kVolume, kThesis };
 inline constexpr double kRelativeFrom = 0.1;
 /// Default of PairOptions::far_share: within one percent of the smallest distance.
 inline constexpr double kColdFarShare = 0.0099;
+/// Largest tolerance of distances beyond kRelativeFrom with a warm start, and its default: shares of the
+/// smallest distance.
+inline constexpr double kMaxFarTolerance = 0.1, kFarTolerance = 0.002;
+/// A tolerance as a share of the reported distance, for PairOptions::far_share.
+constexpr double farShareOf(double far_tolerance) { return far_tolerance / (1.0 + far_tolerance); }
 
 struct PairOptions {
   double margin{0.0};       ///< m, sum of both objects' safety margins

@@ -12,9 +12,9 @@ void QueryCulling::validate() const {
     throw UsageError("horizon " + formatDouble(horizon) + ": expected a distance in m, 0 or more");
   if (!(budget >= 0.0))
     throw UsageError("budget " + formatDouble(budget) + ": expected a time in s, 0 or more");
-  if (!(far_tolerance >= 0.0 && far_tolerance <= kMaxFarTolerance))
+  if (!(far_tolerance >= 0.0 && far_tolerance <= query::kMaxFarTolerance))
     throw UsageError("tolerance " + formatDouble(far_tolerance) + ": expected a share from 0 to " +
-                     formatDouble(kMaxFarTolerance));
+                     formatDouble(query::kMaxFarTolerance));
 }
 
 }  // namespace abstand::scene

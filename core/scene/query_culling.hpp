@@ -5,8 +5,6 @@
 
 namespace abstand::scene {
 
-inline constexpr double kMaxFarTolerance = 0.1;
-
 /// Default: all off, every pair with a moved body is queried. With culling the true distance is still never
 /// below distance - bound; only the bound grows.
 struct QueryCulling {
@@ -27,9 +25,9 @@ struct QueryCulling {
   /// `bound`), and within these limits results depend on the steps since the last cold start
   /// (Scene::startCold). They never depend on the number of threads.
   bool remember{false};
-  double far_tolerance{0.002};
+  double far_tolerance{query::kFarTolerance};
   /// far_tolerance as a share of the reported distance, for PairOptions.
-  double farShare() const { return remember ? far_tolerance / (1.0 + far_tolerance) : query::kColdFarShare; }
+  double farShare() const { return remember ? query::farShareOf(far_tolerance) : query::kColdFarShare; }
 
   bool any() const { return rest > 0.0 || horizon < kInfinity || limited(); }
   bool limited() const { return budget < kInfinity; }

@@ -19,6 +19,9 @@ struct QueryOptions {
   double margin{0.0};       ///< m, 0 or more: contacts begin at this distance
   double stiffness{1.0e6};  ///< k, N/m^3 (kVolume) or N/m (kThesis), 0 or more
   Law law{Law::kVolume};    ///< force law
+  /// 0 to 0.1. With a warm start, a distance beyond 0.1 m may exceed the smallest one by this share; `bound`
+  /// includes the excess. No effect on a cold start.
+  double far_tolerance{0.002};
 };
 
 /// Result of a query of a pair A, B. World frame, SI.
@@ -37,8 +40,8 @@ struct PairResult {
 };
 
 /// Data of a pair from one query to the next, for a warm start. A warm start is faster and never weakens the
-/// bound. For one pair of structures, and one thread at a time; a new state gives a cold start. With a warm
-/// start, a distance beyond 0.1 m may exceed the smallest one by up to 1 %; `bound` includes the excess.
+/// bound; see QueryOptions::far_tolerance. For one pair of structures, and one thread at a time; a new state
+/// gives a cold start.
 class PairState {
  public:
   PairState();

@@ -67,6 +67,9 @@ class SceneBuilder {
 struct SceneOptions {
   int threads{1};    ///< for the pairs of a step, 1 to 256; 0: all cores; does not affect the bits
   bool cache{true};  ///< structure cache, as in StructureOptions
+  bool cold{false};  ///< cold starts: each step depends on its poses alone (slower)
+  /// QueryOptions::far_tolerance of warm starts; empty: as in the scene file, else 0.002.
+  std::optional<double> far_tolerance{};
 };
 
 /// State of the pose of an object; only kFresh can count as safe.
@@ -100,8 +103,8 @@ class Scene {
   /// Remarks about the files that were read, one sentence each.
   const std::vector<std::string>& remarks() const;
 
-  /// Moves all bodies as recorded at time t (s), then queries all pairs, with warm starts: a distance beyond
-  /// 0.1 m may exceed the smallest one by 0.2 %, included in its bound. No allocation after the first call.
+  /// Moves all bodies as recorded at time t (s), then queries all pairs, with warm starts (SceneOptions). No
+  /// allocation after the first call.
   void step(double t);
   /// Makes the next step() or query() a cold start for all pairs; `abstand run` does so every 128 frames.
   void startCold();

@@ -168,6 +168,7 @@ def distance(
     X_a: Optional[ArrayLike] = ...,
     X_b: Optional[ArrayLike] = ...,
     memory: Optional[Memory] = ...,
+    tolerance: float = ...,
 ) -> Distance: ...
 def contact(
     a: Structure,
@@ -178,6 +179,7 @@ def contact(
     stiffness: float = ...,
     law: _Law = ...,
     memory: Optional[Memory] = ...,
+    tolerance: float = ...,
 ) -> Contact: ...
 def distances(
     a: Structure,
@@ -187,6 +189,7 @@ def distances(
     threads: int = ...,
     warm: bool = ...,
     out: Optional[Distances] = ...,
+    tolerance: float = ...,
 ) -> Distances: ...
 def contacts(
     a: Structure,
@@ -199,6 +202,7 @@ def contacts(
     threads: int = ...,
     warm: bool = ...,
     out: Optional[Contacts] = ...,
+    tolerance: float = ...,
 ) -> Contacts: ...
 
 # Robots
@@ -405,6 +409,7 @@ class Scene:
         cold: bool = ...,
         person_speed: float = ...,
         package_paths: Sequence[_Path] = ...,
+        tolerance: Optional[float] = ...,
     ) -> None: ...
     def step(self, t: float, cold: bool = ...) -> StepResult: ...
     def run(

@@ -96,6 +96,18 @@ class Memories(unittest.TestCase):
             self.assertLessEqual(r.at_least, x - 0.15 + ROUNDING)
             self.assertGreaterEqual(r.distance, x - 0.15 - ROUNDING)
 
+    def test_distances_are_within_the_tolerance(self):
+        for tolerance in (0.0, 0.002, 0.1):
+            memory = abstand.Memory()
+            for x in np.linspace(0.26, 1.5, 100):
+                r = abstand.distance(LARGE, BALL, None, at(x), memory=memory, tolerance=tolerance)
+                self.assertLessEqual(r.distance, (x - 0.15) * (1 + tolerance + 1e-4) + 1e-5)
+        for invalid in (-0.1, 0.2, np.nan):
+            with self.assertRaisesRegex(ValueError, "tolerance"):
+                abstand.distance(LARGE, BALL, None, at(1), memory=memory, tolerance=invalid)
+            with self.assertRaisesRegex(ValueError, "tolerance"):
+                abstand.distances(LARGE, BALL, None, at(1)[None], warm=True, tolerance=invalid)
+
     def test_it_belongs_to_one_pair(self):
         memory = abstand.Memory()
         abstand.distance(LARGE, BALL, None, at(1), memory=memory)

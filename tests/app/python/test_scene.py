@@ -75,6 +75,11 @@ class SameNumbers(unittest.TestCase):
             path = write_person(folder)
             self.compare(abstand.Scene(path), path)
 
+    def test_a_tolerance(self):
+        self.compare(abstand.Scene(SPHERES, tolerance=0.05), SPHERES, "--tolerance", "0.05", "--end", "0.5", end=0.5)
+        with self.assertRaisesRegex(ValueError, "tolerance"):
+            abstand.Scene(SPHERES, tolerance=0.2)
+
     def test_the_middle_of_the_square(self):
         # At 0.5 s two of the spheres are in the middle, at one place: the depth is a diameter at most.
         step = abstand.Scene(SPHERES).step(0.5, cold=True)

@@ -125,6 +125,41 @@ TEST(Library, SequenceIsBitIdenticalToStatefulPair) {
   }
 }
 
+/// m: of the centre of a sphere of radius r from an axis-parallel cuboid with half edges h about the origin.
+double sphereToCuboid(const Vector3d& p, double r, const Vector3d& h) {
+  return (p.cwiseAbs() - h).cwiseMax(0.0).norm() - r;
+}
+
+TEST(Library, WarmDistancesAreWithinTheTolerance) {
+  // m: tolerance of distances up to 0.1 m; and the share by which the far field is coarser.
+  constexpr double kAbsolute = 1e-5, kField = 1e-4;
+  const Vector3d half(0.1, 0.05, 0.15);
+  const Structure ball = Structure::build(Shape::sphere(0.05), kCoarse);
+  const Structure box = Structure::build(Shape::cuboid(2.0 * half), kCoarse);
+  double largest = 0.0;
+  for (const double tolerance : {0.0, 0.002, 0.1}) {
+    PairState state;
+    for (int i = 0; i < 400; ++i) {
+      const double turn = 0.05 * i, away = 0.3 + 0.001 * i;
+      const Vector3d p(away * std::cos(turn), away * std::sin(turn), 0.3 * std::sin(3.0 * turn));
+      const double exact = sphereToCuboid(p, 0.05, half);
+      const PairResult r = queryPair(ball, at(p.x(), p.y(), p.z()), box, Pose::Identity(),
+                                     {.far_tolerance = tolerance}, state);
+      EXPECT_GE(r.distance, exact - kExact);
+      EXPECT_LE(r.distance, exact * (1.0 + tolerance + kField) + kAbsolute) << tolerance;
+      EXPECT_LE(r.distance - r.bound, exact);
+      largest = std::max(largest, r.distance / exact - 1.0);
+    }
+  }
+  EXPECT_GT(largest, 0.002) << "the largest tolerance had no effect";
+  PairState state;
+  for (const double invalid : {-0.001, 0.2, std::nan("")})
+    EXPECT_NE(errorOf([&] {
+                queryPair(ball, at(1, 0, 0), box, Pose::Identity(), {.far_tolerance = invalid}, state);
+              }).find("tolerance"),
+              std::string::npos);
+}
+
 TEST(Library, RejectsInvalidArguments) {
   const Structure ball = Structure::build(Shape::sphere(0.05), kCoarse);
   Pose stretched = Pose::Identity();
