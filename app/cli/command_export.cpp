@@ -4,6 +4,7 @@
 #include "app/cli/pair_csv.hpp"
 #include "app/cli/version.hpp"
 #include "app/results/mcap_results.hpp"
+#include "app/tune/part_frames.hpp"
 #include "app/tune/tune_answer.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -22,9 +23,10 @@ std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesyste
   OutputFile out(file);
   out.stream() << "recording,t,part,link,distance,bound,uncertainty,clearance,robot_speed,person_speed\n";
   std::size_t rows = 0;
-  for (const tune::TunedRecording& r : answer.recordings)
+  for (const tune::TunedRecording& r : answer.recordings) {
+    const tune::PartFrames frames(r);
     for (std::size_t i = 0; i < r.frames; ++i)
-      for (const tune::PartClearance& p : r.pass.parts) {
+      for (const tune::PartClearance& p : frames.parts()) {
         out.stream() << csvField(r.recording) << ',' << formatDouble(p.track.t[i]) << ',' << p.part << ','
                      << csvField(r.pass.links[p.link[i]]);
         for (const double v : {p.distance[i], p.bound[i], p.uncertainty[i], p.track.clearance[i],
@@ -33,6 +35,7 @@ std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesyste
         out.stream() << '\n';
         ++rows;
       }
+  }
   out.commit();
   return rows;
 }

@@ -91,6 +91,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
       const std::filesystem::path file = folder / (std::to_string(i) + ".h5");
       tune::ResultWriter writer(file, {}, hdf5::Compression::kNone);
       tune::TuneOptions tune = options;
+      tune.pass.keep_frames = false;
       tune.pass.on_frame = [&](const tune::SettledFrame& frame, const tune::PassResult& names) {
         writer.frame(frame, names);
       };
@@ -257,13 +258,14 @@ tune::ReplayRuns replayItems(const CommandLine& line, const TuneArguments& args,
   TuneArguments plain = args;
   plain.worst_phase = false;
   tune::TuneAnswer answer;
-  const TemporaryFolder results;
+  const auto results = std::make_shared<const TemporaryFolder>();
   try {
-    answer = args.jobs > 1 ? tuneInto(results.path(), line, plain, items, options, {})
-                           : tuneHere(results.path(), line, plain, items, options);
+    answer = args.jobs > 1 ? tuneInto(results->path(), line, plain, items, options, {})
+                           : tuneHere(results->path(), line, plain, items, options);
   } catch (const ParseError& e) {
     answer.failed.push_back({items.front().name, e.what()});
   }
+  for (tune::TunedRecording& r : answer.recordings) r.file_owner = results;
   return {std::move(answer.recordings), std::move(answer.failed), answer.interrupted};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/cli/csv_field.hpp"
+#include "app/tune/part_frames.hpp"
 #include "app/tune/stored_pairs.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -56,7 +57,8 @@ std::size_t writePairTable(const std::vector<tune::TunedRecording>& recordings,
     for (const auto& pair : r.pass.pairs)
       names.push_back("," + r.pass.parts[pair.part].part + "," + csvField(r.pass.links[pair.link]));
     for (const auto& pair : r.pass.pairs) tools.push_back(csvField(r.pass.toolName(pair.tool)));
-    const std::vector<double>& t = r.pass.parts.front().track.t;
+    const tune::PartFrames frames(r);
+    const std::vector<double>& t = frames.times();
     for (std::size_t first = 0; first < r.frames; first += kFramesAtOnce) {
       const std::size_t count = std::min(kFramesAtOnce, r.frames - first);
       const tune::StoredPairs rows = reader.rows(first, count);

@@ -8,6 +8,7 @@
 #include "app/cli/margin_texts.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/speed_texts.hpp"
+#include "app/cli/warm_start.hpp"
 #include "app/tune/separation_table.hpp"
 
 namespace abstand::cli {
@@ -231,6 +232,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                   {"restart_time", o.restart_time},
                   {"calibration_error", o.pass.calibration_error},
                   {"latency", o.pass.latency}};
+  j["warm_start"] = warmStartJson(tune::warmStartOf(answer.recordings));
   j["inputs"] = Json::array();
   for (const auto& r : answer.recordings)
     j["inputs"].push_back({{"recording", r.recording},
@@ -278,9 +280,11 @@ std::string tuneText(const tune::TuneAnswer& answer) {
   const tune::TuneOptions& o = answer.options;
   std::string text = format(
       "%zu recordings, %zu frames, %.1f s; reaction time %.0f ms, deceleration %.3g rad/s^2 "
-      "or m/s^2, limit %.1f mm\n\n",
+      "or m/s^2, limit %.1f mm\n",
       answer.recordings.size(), framesOf(answer), secondsOf(answer), 1e3 * o.pass.braking.reaction_time,
       o.pass.braking.deceleration, 1e3 * o.pass.limit);
+  text += warmStartText(tune::warmStartOf(answer.recordings));
+  text += "\n";
   for (const auto& r : answer.recordings)
     if (r.unjudged > 0.0)
       text +=

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/page.hpp"
+#include "app/tune/part_frames.hpp"
 #include "core/base/number.hpp"
 #include "core/text/escaped_xml.hpp"
 #include "core/text/message_text.hpp"
@@ -31,14 +32,25 @@ double largestStated(const std::vector<tune::TunedRecording>& recordings, double
   // Files round the sum and its shares apart.
   constexpr double kRounding = 1e-6;
   double largest = 0.0;
-  for (const tune::TunedRecording& r : recordings)
-    for (const tune::PartClearance& part : r.pass.parts)
+  for (const tune::TunedRecording& r : recordings) {
+    const tune::PartFrames frames(r);
+    for (const tune::PartClearance& part : frames.parts())
       for (std::size_t i = 0; i < part.track.frames(); ++i) {
         const double stated =
             part.uncertainty[i] - part.age_uncertainty[i] - part.latency_uncertainty[i] - calibration;
         if (std::isfinite(stated) && stated > kRounding) largest = std::max(largest, stated);
       }
+  }
   return largest;
+}
+
+/// Tolerance of distances beyond 0.1 m when pairs start warm.
+AssumptionRows::value_type toleranceRow(const tune::TuneAnswer& answer) {
+  const auto warm = tune::warmStartOf(answer.recordings);
+  return {"tolerance of distances beyond 0.1 m",
+          warm ? text::rounded(100.0 * warm->far_tolerance, 3) + " %" : "cold starts: not used",
+          saidBy(!warm || warm->far_tolerance == query::kFarTolerance),
+          "distances beyond 0.1 m may be larger than the smallest one by it; the bound includes it"};
 }
 
 AssumptionRows marginRows(const tune::TuneAnswer& answer) {
@@ -69,7 +81,8 @@ AssumptionRows marginRows(const tune::TuneAnswer& answer) {
       {"near", tenthMm(o.pass.near), saidBy(o.pass.near == usual.pass.near),
        "approaches and contacts of pairs farther apart are not judged: larger finds more of them"},
       {"restart time", timeWithUnit(o.restart_time), saidBy(o.restart_time == usual.restart_time),
-       "adds to the time stopped, not to margins"}};
+       "adds to the time stopped, not to margins"},
+      toleranceRow(answer)};
 }
 
 AssumptionRows separationRows(const safety::SeparationOptions& o) {

@@ -11,6 +11,7 @@
 #include "app/report/speed_section.hpp"
 #include "app/report/summary_section.hpp"
 #include "app/report/svg_plot.hpp"
+#include "app/tune/part_frames.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
 #include "core/text/escaped_xml.hpp"
@@ -218,8 +219,9 @@ std::string timeSection(const tune::TuneAnswer& answer) {
   if (all.empty()) return {};
   const tune::TunedRecording& r = *all.front().recording;
   verify::Plot plot{r.recording, "time [s]", "clearance [m]", false, false, {}};
+  const tune::PartFrames frames(r);
   std::vector<std::pair<double, const tune::PartClearance*>> parts;
-  for (const tune::PartClearance& p : r.pass.parts)
+  for (const tune::PartClearance& p : frames.parts())
     parts.emplace_back(*std::min_element(p.track.clearance.begin(), p.track.clearance.end()), &p);
   std::stable_sort(parts.begin(), parts.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -75,18 +75,18 @@ class MessageText {
 
 }  // namespace
 
-std::string clearanceMessage(const tune::TunedRecording& recording, std::size_t part, std::size_t frame) {
-  const tune::PartClearance& p = recording.pass.parts[part];
+std::string clearanceMessage(const tune::TunedRecording& recording, const tune::PartClearance& part,
+                             std::size_t frame) {
   return MessageText()
-      .number("t", p.track.t[frame])
-      .flag("seen", std::isfinite(p.track.clearance[frame]))
-      .number("clearance", p.track.clearance[frame])
-      .number("distance", p.distance[frame])
-      .number("bound", p.bound[frame])
-      .number("uncertainty", p.uncertainty[frame])
-      .number("robot_speed", p.robot_speed[frame])
-      .number("person_speed", p.person_speed[frame])
-      .text("link", recording.pass.links[p.link[frame]])
+      .number("t", part.track.t[frame])
+      .flag("seen", std::isfinite(part.track.clearance[frame]))
+      .number("clearance", part.track.clearance[frame])
+      .number("distance", part.distance[frame])
+      .number("bound", part.bound[frame])
+      .number("uncertainty", part.uncertainty[frame])
+      .number("robot_speed", part.robot_speed[frame])
+      .number("person_speed", part.person_speed[frame])
+      .text("link", recording.pass.links[part.link[frame]])
       .done();
 }
 

@@ -14,8 +14,9 @@ extern const char* const kClearanceSchema;
 extern const char* const kApproachSchema;
 extern const char* const kEventSchema;
 
-/// Clearance of a part in a frame. `seen`: false if nothing is certified about it.
-std::string clearanceMessage(const tune::TunedRecording& recording, std::size_t part, std::size_t frame);
+/// Clearance of a part of the recording in a frame. `seen`: false if nothing is certified about it.
+std::string clearanceMessage(const tune::TunedRecording& recording, const tune::PartClearance& part,
+                             std::size_t frame);
 std::string approachMessage(const tune::RankedApproach& ranked);
 std::string eventMessage(const tune::MarginEvent& event);
 

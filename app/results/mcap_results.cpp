@@ -7,6 +7,7 @@
 
 #include "app/results/mcap_messages.hpp"
 #include "app/results/mcap_writer.hpp"
+#include "app/tune/part_frames.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/utf8.hpp"
@@ -55,6 +56,8 @@ class ResultsMcap {
     // MCAP times are not negative.
     for (const tune::TunedRecording& r : answer.recordings) origin_ = std::min(origin_, std::floor(r.t0));
     approaches_ = tune::rankedApproaches(answer);
+    // The messages of all recordings are in order of time.
+    for (const tune::TunedRecording& r : answer.recordings) frames_.emplace_back(r);
     if (!options.margin) return;
     for (const tune::TunedRecording& r : answer.recordings) {
       const auto some = tune::marginEvents(r, *options.margin, answer.options.margins());
@@ -118,7 +121,7 @@ class ResultsMcap {
   std::vector<Moment> moments() const {
     std::vector<Moment> all;
     for (std::size_t r = 0; r < answer_.recordings.size(); ++r) {
-      const std::vector<double>& t = answer_.recordings[r].pass.parts.front().track.t;
+      const std::vector<double>& t = frames_[r].times();
       for (std::size_t i = 0; i < t.size(); ++i)
         all.push_back({nanoseconds(t[i]), Moment::Kind::kFrame, r, i});
     }
@@ -132,7 +135,8 @@ class ResultsMcap {
   std::size_t writeFrame(const Moment& m) {
     const std::vector<std::uint16_t>& channels = part_channels_[m.recording];
     for (std::size_t p = 0; p < channels.size(); ++p)
-      out_.add(channels[p], m.log_time, clearanceMessage(answer_.recordings[m.recording], p, m.index));
+      out_.add(channels[p], m.log_time,
+               clearanceMessage(answer_.recordings[m.recording], frames_[m.recording].parts()[p], m.index));
     return channels.size();
   }
 
@@ -140,7 +144,8 @@ class ResultsMcap {
   const McapOptions& options_;
   const std::filesystem::path& file_;
   McapWriter out_;
-  double origin_{0.0};  ///< s: time 0 of the file
+  double origin_{0.0};                    ///< s: time 0 of the file
+  std::vector<tune::PartFrames> frames_;  ///< of each recording
   std::vector<tune::RankedApproach> approaches_;
   std::vector<tune::MarginEvent> events_;
   std::vector<std::vector<std::uint16_t>> part_channels_;  ///< for each recording and part

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/tune/part_frames.hpp"
+
 namespace abstand::tune {
 namespace {
 
@@ -68,8 +70,9 @@ const char* verdictName(ClosestApproach::Verdict verdict) {
 std::vector<ClosestApproach> closestApproaches(const std::vector<TunedRecording>& recordings,
                                                double calibration) {
   std::vector<ClosestApproach> all;
-  for (std::size_t r = 0; r < recordings.size(); ++r)
-    for (const PartClearance& part : recordings[r].pass.parts) {
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const PartFrames frames(recordings[r]);
+    for (const PartClearance& part : frames.parts()) {
       auto found =
           std::find_if(all.begin(), all.end(), [&](const ClosestApproach& c) { return c.part == part.part; });
       if (found == all.end()) {
@@ -78,6 +81,7 @@ std::vector<ClosestApproach> closestApproaches(const std::vector<TunedRecording>
       }
       takeFrames(recordings[r], r, part, calibration, *found);
     }
+  }
   return all;
 }
 

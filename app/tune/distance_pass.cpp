@@ -55,6 +55,10 @@ void reserveFrames(std::size_t frames, PartClearance& part) {
   eachList(part, [frames](auto& list) { list.reserve(frames); });
 }
 
+void dropFrames(PartClearance& part) {
+  eachList(part, [](auto& list) { std::remove_reference_t<decltype(list)>().swap(list); });
+}
+
 DistancePass::DistancePass(const session::Session& session, const PassOptions& options)
     : session_(session),
       options_(options),
@@ -152,6 +156,8 @@ void DistancePass::settle() {
 
 void DistancePass::addFrame(double t) {
   for (PartClearance& part : result_.parts) {
+    if (!part.track.t.empty() && part.separation.missing.back() > 0.0)
+      part.separation.broken += t - part.track.t.back();
     if (!options_.keep_frames) eachList(part, [](auto& list) { list.clear(); });
     part.track.t.push_back(t);
     part.track.clearance.push_back(kInfinity);

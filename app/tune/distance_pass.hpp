@@ -71,6 +71,8 @@ struct PartClearance {
 
 /// Reserves the lists for so many frames, so that they do not grow by copies.
 void reserveFrames(std::size_t frames, PartClearance& part);
+/// Empties the lists and releases their memory; what holds for the whole recording stays.
+void dropFrames(PartClearance& part);
 
 /// m/s. A power of two, so that files store it exactly.
 inline constexpr double kSpeedStep = 1.0 / 16384.0;

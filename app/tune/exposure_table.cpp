@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "app/tune/part_frames.hpp"
+
 namespace abstand::tune {
 namespace {
 
@@ -53,14 +55,14 @@ std::vector<ExposureRow> stretches(const std::vector<TunedRecording>& recordings
 }
 
 /// Adds one frame of a recording to the segment it lies in.
-void addFrame(ExposureRow& row, const TunedRecording& recording, std::size_t frame, double near) {
-  const PassResult& pass = recording.pass;
-  const std::vector<double>& t = pass.parts.front().track.t;
+void addFrame(ExposureRow& row, const TunedRecording& recording, const PartFrames& frames, std::size_t frame,
+              double near) {
+  const std::vector<double>& t = frames.times();
   Exposure exposure;
   double least = kInfinity;
   bool seen = true;
-  for (std::size_t p = 0; p < pass.parts.size(); ++p) {
-    const PartClearance& part = pass.parts[p];
+  for (std::size_t p = 0; p < frames.parts().size(); ++p) {
+    const PartClearance& part = frames.parts()[p];
     const double clearance = part.track.clearance[frame];
     if (!margin::isExposureKnown(clearance, part.uncertainty[frame])) {
       seen = false;
@@ -86,8 +88,9 @@ std::vector<ExposureRow> phasesOf(const std::vector<TunedRecording>& recordings,
     return rows[std::min(rows.size() - 1, static_cast<std::size_t>(std::max(0.0, index)))];
   };
   for (const TunedRecording& r : recordings) {
-    const std::vector<double>& t = r.pass.parts.front().track.t;
-    for (std::size_t i = 0; i < t.size(); ++i) addFrame(at(t[i]), r, i, near);
+    const PartFrames frames(r);
+    const std::vector<double>& t = frames.times();
+    for (std::size_t i = 0; i < t.size(); ++i) addFrame(at(t[i]), r, frames, i, near);
     for (const Approach& a : r.pass.approaches) ++at(a.t).approaches;
   }
   return rows;

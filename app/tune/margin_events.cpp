@@ -5,9 +5,9 @@
 namespace abstand::tune {
 namespace {
 
-MarginEvent eventOf(const TunedRecording& recording, std::size_t part, double margin,
-                    const margin::Intrusion& in) {
-  const PartClearance& p = recording.pass.parts[part];
+MarginEvent eventOf(const TunedRecording& recording, const PartFrames& frames, std::size_t part,
+                    double margin, const margin::Intrusion& in) {
+  const PartClearance& p = frames.parts()[part];
   const auto first = p.track.clearance.begin() + static_cast<std::ptrdiff_t>(in.begin);
   const auto nearest = static_cast<std::size_t>(
       std::min_element(first, p.track.clearance.begin() + static_cast<std::ptrdiff_t>(in.end)) -
@@ -29,19 +29,20 @@ MarginEvent eventOf(const TunedRecording& recording, std::size_t part, double ma
           margin};
 }
 
-void addBetweenFrames(const TunedRecording& recording, std::size_t part, double margin,
-                      const margin::MarginOptions& options, std::vector<MarginEvent>& events) {
-  const PartClearance& p = recording.pass.parts[part];
+void addBetweenFrames(const TunedRecording& recording, const PartFrames& frames, std::size_t part,
+                      double margin, const margin::MarginOptions& options, std::vector<MarginEvent>& events) {
+  const PartClearance& p = frames.parts()[part];
   for (std::size_t i = 0; i + 1 < p.track.frames(); ++i) {
     if (p.track.clearance[i] < margin || !(p.track.between[i] <= options.limit)) continue;
-    events.push_back(betweenFramesEvent(recording, part, i));
+    events.push_back(betweenFramesEvent(recording, frames, part, i));
   }
 }
 
 }  // namespace
 
-MarginEvent betweenFramesEvent(const TunedRecording& recording, std::size_t part, std::size_t index) {
-  const PartClearance& p = recording.pass.parts[part];
+MarginEvent betweenFramesEvent(const TunedRecording& recording, const PartFrames& frames, std::size_t part,
+                               std::size_t index) {
+  const PartClearance& p = frames.parts()[part];
   MarginEvent event;
   event.kind = MarginEvent::Kind::kBetweenFrames;
   event.recording = &recording;
@@ -57,12 +58,13 @@ MarginEvent betweenFramesEvent(const TunedRecording& recording, std::size_t part
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part) {
   std::vector<MarginEvent> events;
-  for (std::size_t i = 0; i < recording.pass.parts.size(); ++i) {
-    const PartClearance& p = recording.pass.parts[i];
+  const PartFrames frames(recording);
+  for (std::size_t i = 0; i < frames.parts().size(); ++i) {
+    const PartClearance& p = frames.parts()[i];
     if (!part.empty() && p.part != part) continue;
     for (const margin::Intrusion& in : margin::intrusions(p.track, margin, options))
-      events.push_back(eventOf(recording, i, margin, in));
-    addBetweenFrames(recording, i, margin, options, events);
+      events.push_back(eventOf(recording, frames, i, margin, in));
+    addBetweenFrames(recording, frames, i, margin, options, events);
   }
   std::stable_sort(events.begin(), events.end(),
                    [](const MarginEvent& a, const MarginEvent& b) { return a.t0 < b.t0; });

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tune/recording_tune.hpp"
+#include "app/tune/part_frames.hpp"
 
 namespace abstand::tune {
 
@@ -34,6 +34,7 @@ std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double ma
                                       const margin::MarginOptions& options, const std::string& part = {});
 
 /// At the limit between frame `index` of the part and the next one.
-MarginEvent betweenFramesEvent(const TunedRecording& recording, std::size_t part, std::size_t index);
+MarginEvent betweenFramesEvent(const TunedRecording& recording, const PartFrames& frames, std::size_t part,
+                               std::size_t index);
 
 }  // namespace abstand::tune

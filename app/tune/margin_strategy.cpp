@@ -124,13 +124,14 @@ std::vector<StrategyOutcome> strategyOutcomes(const std::vector<TunedRecording>&
   }
   if (sets.empty()) return outcomes;
   for (const TunedRecording& recording : recordings) {
-    const std::size_t first = firstJudgedFrame(recording, options);
+    const PartFrames frames(recording);
+    const std::size_t first = firstJudgedFrame(frames, options);
     if (first >= recording.frames) continue;
     std::vector<std::vector<margin::PairMargin>> margins;
     for (const MarginRules& rules : sets) margins.push_back(marginsOf(recording, rules));
     const bool grow = growWithSpeed(margins);
     margin::PairMarginSets judged(std::move(margins), options);
-    PairRows rows(recording, grow);
+    PairRows rows(recording, frames, grow);
     while (rows.next())
       if (rows.index() >= first) judged.add(rows.frame());
     const std::vector<margin::MarginOutcome> of_recording = judged.finish();

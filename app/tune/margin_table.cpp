@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/tune/part_frames.hpp"
 #include "core/margin/margin_outcome.hpp"
 
 namespace abstand::tune {
@@ -15,91 +16,87 @@ std::vector<std::string> partsOf(const std::vector<TunedRecording>& recordings) 
   return parts;
 }
 
-/// A part from the first frame from which a margin can be judged.
-struct JudgedPart {
-  const TunedRecording* recording;
-  std::size_t index;  ///< of the recording
-  const PartClearance* part;
-  std::size_t first;
-  margin::ClearanceTrack track;
+/// Rows of one part, and the proposed margin, recording by recording.
+class PartRows {
+ public:
+  PartRows(const std::string& part, const std::vector<double>& margins, const margin::MarginOptions& options)
+      : margins_(margins), options_(options) {
+    proposed_.part = part;
+    for (const double m : margins) rows_.push_back({part, m, {}});
+  }
+
+  /// `track`: from the frame on from which a margin can be judged.
+  void add(const margin::ClearanceTrack& track) {
+    const std::vector<margin::MarginOutcome> outcomes = margin::outcomes(track, margins_, options_);
+    for (std::size_t k = 0; k < outcomes.size(); ++k) rows_[k].outcome.add(outcomes[k]);
+  }
+  void propose(const TunedRecording& recording, std::size_t index, const PartClearance& part) {
+    const std::size_t first = margin::firstJudgedFrame(part.track, options_);
+    if (first >= part.track.frames()) return;
+    const margin::ClearanceTrack track = margin::from(part.track, first);
+    add(track);
+    const margin::SafeMargin safe = margin::smallestSafeMargin(track, options_);
+    proposed_.needed.push_back(safe.margin);
+    if (!safe.decided || (proposed_.decided_by && !(safe.margin > largest_))) return;
+    largest_ = safe.margin;
+    const std::size_t told = first + safe.frame, before = told > first ? told - 1 : told;
+    proposed_.decided_by = {index,
+                            part.track.t[told],
+                            recording.pass.links[part.link[told]],
+                            recording.pass.toolName(part.tool[told]),
+                            part.track.clearance[before],
+                            part.bound[before],
+                            part.uncertainty[before],
+                            safe.sampling};
+  }
+
+  const std::vector<MarginRow>& rows() const { return rows_; }
+  ProposedMargin proposed() {
+    proposed_.margin = proposed_.decided_by ? roundedUpMargin(largest_) : 0.0;
+    proposed_.unseen_share = margin::unseenShare(proposed_.needed.size());
+    proposed_.fit = margin::fitGumbel(proposed_.needed);
+    return std::move(proposed_);
+  }
+
+ private:
+  const std::vector<double>& margins_;
+  margin::MarginOptions options_;
+  std::vector<MarginRow> rows_;
+  ProposedMargin proposed_;
+  double largest_{0.0};  ///< m
 };
 
-std::vector<JudgedPart> judgedParts(const std::vector<TunedRecording>& recordings, const std::string& name,
-                                    const margin::MarginOptions& options) {
-  std::vector<JudgedPart> judged;
-  for (std::size_t i = 0; i < recordings.size(); ++i)
-    for (const PartClearance& p : recordings[i].pass.parts) {
-      if (p.part != name) continue;
-      const std::size_t first = margin::firstJudgedFrame(p.track, options);
-      if (first < p.track.frames())
-        judged.push_back({&recordings[i], i, &p, first, margin::from(p.track, first)});
-    }
-  return judged;
-}
-
-ProposedMargin propose(const std::vector<JudgedPart>& judged, const std::string& part,
-                       const margin::MarginOptions& options) {
-  ProposedMargin proposed;
-  proposed.part = part;
-  double most = 0.0;
-  for (const JudgedPart& j : judged) {
-    const margin::SafeMargin safe = margin::smallestSafeMargin(j.track, options);
-    proposed.needed.push_back(safe.margin);
-    if (!safe.decided || (proposed.decided_by && !(safe.margin > most))) continue;
-    most = safe.margin;
-    const std::size_t told = j.first + safe.frame, before = told > j.first ? told - 1 : told;
-    proposed.decided_by = {j.index,
-                           j.part->track.t[told],
-                           j.recording->pass.links[j.part->link[told]],
-                           j.recording->pass.toolName(j.part->tool[told]),
-                           j.part->track.clearance[before],
-                           j.part->bound[before],
-                           j.part->uncertainty[before],
-                           safe.sampling};
-  }
-  proposed.margin = proposed.decided_by ? roundedUpMargin(most) : 0.0;
-  proposed.unseen_share = margin::unseenShare(proposed.needed.size());
-  proposed.fit = margin::fitGumbel(proposed.needed);
-  return proposed;
-}
-
-void addRows(const std::string& part, const std::vector<const margin::ClearanceTrack*>& tracks,
-             const std::vector<double>& margins, const margin::MarginOptions& options,
-             std::vector<MarginRow>& rows) {
-  const std::size_t first = rows.size();
-  for (const double m : margins) rows.push_back({part, m, {}});
-  for (const margin::ClearanceTrack* track : tracks) {
-    const std::vector<margin::MarginOutcome> outcomes = margin::outcomes(*track, margins, options);
-    for (std::size_t k = 0; k < outcomes.size(); ++k) rows[first + k].outcome.add(outcomes[k]);
-  }
-}
-
 /// Frame-wise minimum over all parts, from the frame on from which each can be judged.
-margin::ClearanceTrack wholeBody(const TunedRecording& recording, const margin::MarginOptions& options) {
+margin::ClearanceTrack wholeBody(const PartFrames& frames, const margin::MarginOptions& options) {
   std::vector<const margin::ClearanceTrack*> tracks;
-  for (const PartClearance& p : recording.pass.parts) tracks.push_back(&p.track);
-  return margin::from(margin::leastOf(tracks), firstJudgedFrame(recording, options));
+  for (const PartClearance& p : frames.parts()) tracks.push_back(&p.track);
+  return margin::from(margin::leastOf(tracks), firstJudgedFrame(frames, options));
 }
 
 }  // namespace
 
 MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std::vector<double>& margins,
                         const TuneOptions& options) {
-  MarginTable table;
   const margin::MarginOptions judged = options.margins();
-  for (const std::string& part : partsOf(recordings)) {
-    const std::vector<JudgedPart> parts = judgedParts(recordings, part, judged);
-    std::vector<const margin::ClearanceTrack*> tracks;
-    for (const JudgedPart& p : parts) tracks.push_back(&p.track);
-    addRows(part, tracks, margins, judged, table.rows);
-    table.proposed.push_back(propose(parts, part, judged));
+  std::vector<PartRows> parts;
+  const std::vector<std::string> names = partsOf(recordings);
+  for (const std::string& part : names) parts.emplace_back(part, margins, judged);
+  PartRows body(kWholeBody, margins, judged);
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    const PartFrames frames(recordings[i]);
+    for (const PartClearance& p : frames.parts()) {
+      const auto index = std::distance(names.begin(), std::find(names.begin(), names.end(), p.part));
+      parts[static_cast<std::size_t>(index)].propose(recordings[i], i, p);
+    }
+    const margin::ClearanceTrack whole = wholeBody(frames, judged);
+    if (whole.frames() > 0) body.add(whole);
   }
-  std::vector<margin::ClearanceTrack> bodies;
-  for (const TunedRecording& r : recordings) bodies.push_back(wholeBody(r, judged));
-  std::vector<const margin::ClearanceTrack*> tracks;
-  for (const margin::ClearanceTrack& body : bodies)
-    if (body.frames() > 0) tracks.push_back(&body);
-  addRows(kWholeBody, tracks, margins, judged, table.rows);
+  MarginTable table;
+  for (PartRows& part : parts) {
+    table.rows.insert(table.rows.end(), part.rows().begin(), part.rows().end());
+    table.proposed.push_back(part.proposed());
+  }
+  table.rows.insert(table.rows.end(), body.rows().begin(), body.rows().end());
   return table;
 }
 

@@ -10,8 +10,8 @@ constexpr std::size_t kBlockRows = 2048;
 
 }  // namespace
 
-PairRows::PairRows(const TunedRecording& recording, bool speeds)
-    : recording_(recording), file_(recording.file), speeds_(speeds) {}
+PairRows::PairRows(const TunedRecording& recording, const PartFrames& frames, bool speeds)
+    : recording_(recording), frames_(frames), file_(recording.file), speeds_(speeds) {}
 
 bool PairRows::next() {
   const std::size_t at = begun_ ? index_ + 1 : 0;
@@ -45,13 +45,13 @@ void PairRows::readBlock() {
 
 margin::PairFrame PairRows::frame() const {
   const std::size_t at = (index_ - first_) * pairs();
-  margin::PairFrame frame{recording_.pass.parts.front().track.t[index_],
+  margin::PairFrame frame{frames_.times()[index_],
                           {clearance_.data() + at, pairs()},
                           {robot_speed_.data() + at, pairs()},
                           {person_speed_.data() + at, pairs()},
                           kInfinity,
                           kInfinity};
-  for (const PartClearance& part : recording_.pass.parts) {
+  for (const PartClearance& part : frames_.parts()) {
     frame.between = std::min(frame.between, part.track.between[index_]);
     frame.braking = std::min(frame.braking, part.track.braking[index_]);
   }

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "app/hdf5/table_reader.hpp"
-#include "app/tune/recording_tune.hpp"
+#include "app/tune/part_frames.hpp"
 #include "core/margin/pair_margins.hpp"
 
 namespace abstand::tune {
 
-/// Reads the values of all pairs of a recording from its result file in blocks of some thousand frames, so
-/// that memory does not grow with the recording. One thread.
+/// Reads the values of all pairs of a recording from its result file in blocks of some thousand frames. One
+/// thread.
 class PairRows {
  public:
-  /// The recording was read from a result file (TunedRecording::file) and outlives this object. `speeds`
+  /// The recording has a result file (TunedRecording::file); both arguments outlive this object. `speeds`
   /// false: the speeds of pairs are not read, and 0. Throws ParseError.
-  explicit PairRows(const TunedRecording& recording, bool speeds = true);
+  explicit PairRows(const TunedRecording& recording, const PartFrames& frames, bool speeds = true);
 
   std::size_t pairs() const { return recording_.pass.pairs.size(); }
   /// Advances to the next frame; false after the last one. Throws ParseError.
@@ -29,6 +29,7 @@ class PairRows {
   void readBlock();
 
   const TunedRecording& recording_;
+  const PartFrames& frames_;
   hdf5::TableReader file_;
   std::size_t index_{0}, first_{0}, rows_{0};  ///< of the frame; of the block in memory
   bool begun_{false}, speeds_;

@@ -15,8 +15,9 @@ constexpr std::size_t kPartColumnCount = std::size(kPartColumns);
 /// m: stands for an infinite missing distance of an unseen part; files contain no infinity.
 constexpr double kAllMissing = 1e4;
 constexpr double kNoLink = 65535.0;  // above the largest number of names
-/// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed.
-constexpr std::size_t kSeparationColumns = 10;
+/// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed, time
+/// broken.
+constexpr std::size_t kSeparationColumns = 11;
 /// Frames that are read at once.
 constexpr std::size_t kFramesInBlock = 4096;
 
@@ -145,7 +146,7 @@ void writeWorstSeparation(const std::vector<PartClearance>& all, hdf5::TableWrit
     const SeparationMoment m = p.separation.worst.value_or(none);
     for (const double v :
          {m.t, static_cast<double>(m.link), m.clearance, m.robot_speed, m.person_speed, m.needed.person,
-          m.needed.reaction, m.needed.stopping, m.needed.constant, m.permitted_speed})
+          m.needed.reaction, m.needed.stopping, m.needed.constant, m.permitted_speed, p.separation.broken})
       out.add(worst, v);
     out.endRow();
   }
@@ -165,6 +166,9 @@ std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const Par
     part.track.t = t;
     part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
     part.separation.worst = worstMoment(worst.data() + p * kSeparationColumns);
+    part.separation.broken = worst[p * kSeparationColumns + kSeparationColumns - 1];
+    if (!(part.separation.broken >= 0.0 && std::isfinite(part.separation.broken)))
+      throw ParseError({file}, "found an invalid time of a broken protective distance, expected seconds");
     if (part.separation.worst && part.separation.worst->link >= names.links)
       throw ParseError({file}, "found the number of a link that is not among the links");
   }

@@ -6,7 +6,6 @@
 #include "app/session/input_content.hpp"
 #include "app/tune/person_notes.hpp"
 #include "app/tune/result_key.hpp"
-#include "core/margin/safe_margin.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
@@ -72,13 +71,6 @@ std::vector<std::string> clampedWith(const std::vector<std::string>& more, const
 
 }  // namespace
 
-std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options) {
-  std::size_t first = 0;
-  for (const PartClearance& p : recording.pass.parts)
-    first = std::max(first, margin::firstJudgedFrame(p.track, options));
-  return first;
-}
-
 TunedRecording tuneRecording(session::Session& session, const TuneOptions& options,
                              const run::RunOptions& run, const std::string& name) {
   margin::validate(options.margins());
@@ -106,6 +98,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.interrupted = summary.interrupted;
   tuned.clamped = pass_options.clamped;
   tuned.reservations = summary.reservations;
+  tuned.warm_start = summary.warm_start;
   tuned.people = peopleOf(session);
   tuned.files = filesOf(session);
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();

@@ -29,12 +29,14 @@ struct InputFile {
 
 /// Data of one recording for all later questions.
 struct TunedRecording {
-  std::string recording;       ///< file, or the scene's name if people follow its recordings
-  std::filesystem::path file;  ///< its result file; empty if none was written
-  std::string content;         ///< content hash of the recording's file; empty if there is none
+  std::string recording;                   ///< file, or the scene's name if people follow its recordings
+  std::filesystem::path file;              ///< its result file; empty if none was written
+  std::shared_ptr<const void> file_owner;  ///< removes a temporary `file` at the end; null for others
+  std::string content;                     ///< content hash of the recording's file; empty if there is none
   std::size_t frames{0};
   double t0{0.0}, t1{0.0};  ///< s, first and last frame
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
+  /// Without the lists of the parts' frames if `file` has them: PartFrames reads them.
   PassResult pass;
   std::string contact_limits;        ///< ContactLimits::stamp(); empty: contacts were not judged
   std::vector<std::string> clamped;  ///< PassOptions::clamped, with the parts that the scene names
@@ -44,13 +46,12 @@ struct TunedRecording {
   /// scene the smallest.
   std::vector<humanmodel::EnclosedShare> enclosed;
   std::vector<run::Reservation> reservations;
+  /// Warm starts of the pass; empty: every frame was a cold start.
+  std::optional<run::RunSummary::WarmStart> warm_start;
   bool interrupted{false};
 
   double seconds() const { return t1 - t0; }
 };
-
-/// First frame from which every part can be judged (margin::firstJudgedFrame); `frames` if there is none.
-std::size_t firstJudgedFrame(const TunedRecording& recording, const margin::MarginOptions& options);
 
 /// Runs the session over its frames in lock step, without reactions. `run`: provides progress and interrupt
 /// callbacks. Throws UsageError.

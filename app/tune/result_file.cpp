@@ -29,6 +29,18 @@ constexpr std::size_t kApproachColumns = 18;
 /// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
 constexpr std::size_t kNeedColumns = 7;
 
+/// Attribute `cold_start_every`, frames, of a pass without warm starts; 0: one cold start at the beginning.
+constexpr long long kColdStarts = 1;
+
+std::optional<run::RunSummary::WarmStart> warmStartOf(const hdf5::TableReader& in, const std::string& file) {
+  const long long block = in.integer("cold_start_every");
+  const double tolerance = in.number("far_tolerance");
+  if (block < 0 || !(tolerance >= 0.0 && tolerance <= query::kMaxFarTolerance))
+    throw ParseError({file}, "found warm starts with impossible numbers, expected frames and a share to 0.1");
+  if (block == kColdStarts) return std::nullopt;
+  return run::RunSummary::WarmStart{static_cast<std::size_t>(block), tolerance};
+}
+
 /// One line of tab-separated fields; times and shares that do not apply are empty.
 std::string reservationLine(const run::Reservation& r) {
   const auto number = [](const std::optional<double>& v) { return v ? formatDouble(*v) : std::string(); };
@@ -213,6 +225,9 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
                                         });
   out_.attribute("contact_limits", tuned.contact_limits);
   out_.attribute("content", tuned.content);
+  const auto& warm = tuned.warm_start;
+  out_.attribute("cold_start_every", warm ? static_cast<long long>(warm->block) : kColdStarts);
+  out_.attribute("far_tolerance", warm ? warm->far_tolerance : 0.0);
   std::vector<std::string> reservations;
   for (const run::Reservation& r : tuned.reservations) reservations.push_back(reservationLine(r));
   out_.texts("reservations", reservations);
@@ -298,6 +313,18 @@ bool isResult(const std::filesystem::path& file, const ContentKey& key) {
   }
 }
 
+std::vector<PartClearance> readFrames(const TunedRecording& recording) {
+  const PassResult& pass = recording.pass;
+  const std::string file = recording.file.string();
+  const hdf5::TableReader in(recording.file);
+  std::vector<std::string> parts;
+  for (const PartClearance& p : pass.parts) parts.push_back(p.part);
+  if (in.integer("abstand_result") != kResultFormat || in.text("recording") != recording.recording ||
+      in.texts("parts") != parts || in.extents("t").rows != recording.frames)
+    throw ParseError({file}, "found another result than before, expected that it stays while it is used");
+  return readPartTables(in, {parts, pass.links.size(), pass.tools.size(), recording.frames}, file);
+}
+
 StoredResult readResult(const std::filesystem::path& file) {
   const hdf5::TableReader in(file);
   const auto fail = [&](const std::string& what) { throw ParseError({file.string()}, what); };
@@ -318,6 +345,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.latency = in.number("latency");
   tuned.contact_limits = in.text("contact_limits");
   tuned.content = in.text("content");
+  tuned.warm_start = warmStartOf(in, file.string());
   safety::SeparationOptions::eachNumber(stored.options.pass.separation,
                                         [&](const char* key, double& value, const config::NumberRule&) {
                                           value = in.number(std::string("separation_") + key);
@@ -342,10 +370,9 @@ StoredResult readResult(const std::filesystem::path& file) {
     fail("found no parts or no links, expected some");
   readPairs(in, parts.size(), tuned.pass, file.string());
   tuned.file = file;
-  const std::size_t frames = in.extents("t").rows;
-  tuned.frames = frames;
-  tuned.pass.parts =
-      readPartTables(in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), frames}, file.string());
+  tuned.frames = in.extents("t").rows;
+  tuned.pass.parts = readPartTables(
+      in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), tuned.frames}, file.string());
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass, file.string());
   tuned.enclosed = enclosedOf(in, parts.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());

@@ -51,5 +51,8 @@ bool isResult(const std::filesystem::path& file, const ContentKey& key);
 
 /// Throws ParseError if it is not such a file, or damaged.
 StoredResult readResult(const std::filesystem::path& file);
+/// The parts of a recording that was read from a result file, with the lists of their frames. Throws
+/// ParseError if the file is damaged or holds another result by now.
+std::vector<PartClearance> readFrames(const TunedRecording& recording);
 
 }  // namespace abstand::tune

@@ -27,6 +27,7 @@ struct PartSeparation {
   /// 0 to 1: share of the recorded speed at which it would have been kept.
   std::vector<double> speed_scale;
   std::optional<SeparationMoment> worst;  ///< empty if it was always kept
+  double broken{0.0};                     ///< s, from each frame with `missing` above 0 to the next one
 };
 
 /// Updates the last entries of `part`, which exist, with one pair in one frame. `clearance` includes the

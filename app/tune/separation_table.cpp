@@ -17,8 +17,7 @@ SeparationRow separationRow(const std::vector<TunedRecording>& recordings, const
   for (const TunedRecording& r : recordings)
     for (const PartClearance& part : r.pass.parts) {
       if (part.part != name) continue;
-      for (std::size_t i = 0; i + 1 < part.track.frames(); ++i)
-        if (part.separation.missing[i] > 0.0) row.broken += part.track.t[i + 1] - part.track.t[i];
+      row.broken += part.separation.broken;
       const auto& worst = part.separation.worst;
       if (worst && (!row.worst || missingAt(*worst) > missingAt(*row.worst)))
         row.worst = &*worst, row.worst_in = &r;

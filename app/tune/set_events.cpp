@@ -11,8 +11,10 @@ namespace {
 /// Follows one recording and collects its events.
 class SetWatch {
  public:
-  SetWatch(const TunedRecording& recording, const MarginRules& rules, const margin::MarginOptions& options)
+  SetWatch(const TunedRecording& recording, const PartFrames& frames, const MarginRules& rules,
+           const margin::MarginOptions& options)
       : recording_(recording),
+        frames_(frames),
         margins_(marginsOf(recording, rules)),
         limit_(options.limit),
         stream_(options) {
@@ -82,15 +84,16 @@ class SetWatch {
   }
 
   void addBetweenFrames(std::size_t index) {
-    const auto& parts = recording_.pass.parts;
+    const auto& parts = frames_.parts();
     const auto touched = std::min_element(parts.begin(), parts.end(), [&](const auto& a, const auto& b) {
       return a.track.between[index] < b.track.between[index];
     });
     const auto part = static_cast<std::size_t>(std::distance(parts.begin(), touched));
-    events_.push_back(betweenFramesEvent(recording_, part, index));
+    events_.push_back(betweenFramesEvent(recording_, frames_, part, index));
   }
 
   const TunedRecording& recording_;
+  const PartFrames& frames_;
   std::vector<margin::PairMargin> margins_;
   double limit_;
   margin::OutcomeStream stream_;
@@ -104,9 +107,10 @@ class SetWatch {
 
 std::vector<MarginEvent> setEvents(const TunedRecording& recording, const MarginRules& rules,
                                    const margin::MarginOptions& options) {
-  SetWatch watch(recording, rules, options);
-  const std::size_t first = firstJudgedFrame(recording, options);
-  PairRows rows(recording);
+  const PartFrames frames(recording);
+  SetWatch watch(recording, frames, rules, options);
+  const std::size_t first = firstJudgedFrame(frames, options);
+  PairRows rows(recording, frames);
   while (rows.next())
     if (rows.index() >= first) watch.add(rows.index(), rows.frame());
   return watch.finish();

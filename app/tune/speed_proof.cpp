@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/tune/margin_table.hpp"
+#include "app/tune/part_frames.hpp"
 
 namespace abstand::tune {
 namespace {
@@ -33,11 +34,11 @@ class ReplayJudge {
       : rule_(rule), pace_(pace), lowered_(std::move(scales)), proof_(proof) {}
 
   void take(const ReplayedRecording& replay) {
-    const PassResult& pass = replay.tuned.pass;
-    const std::vector<double>& t = pass.parts.front().track.t;
+    const PartFrames frames(replay.tuned);
+    const std::vector<double>& t = frames.times();
     for (std::size_t i = 0; i < t.size(); ++i) {
       bool separation_broken = false;
-      for (const PartClearance& part : pass.parts) {
+      for (const PartClearance& part : frames.parts()) {
         separation_broken = separation_broken || part.separation.missing[i] > 0.0;
         const bool contact = part.contact_scale[i] < 1.0;
         proof_.broken_contacts += contact && (i == 0 || !(part.contact_scale[i - 1] < 1.0));

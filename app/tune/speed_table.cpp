@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/tune/part_frames.hpp"
+
 namespace abstand::tune {
 
 double permittedScale(SpeedRule rule, double by_separation, double by_contact) {
@@ -24,8 +26,9 @@ std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordin
                         {},
                         1.0,
                         1.0});
-  for (std::size_t r = 0; r < recordings.size(); ++r)
-    for (const PartClearance& part : recordings[r].pass.parts)
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    const PartFrames frames(recordings[r]);
+    for (const PartClearance& part : frames.parts())
       for (std::size_t i = 0; i < part.track.frames(); ++i) {
         const double t = part.track.t[i];
         const auto at = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, (t - begin) / length)));
@@ -42,6 +45,7 @@ std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordin
             r, t, part.part,
             by_contact && !part.contact_excluded ? SpeedLimit::kContact : SpeedLimit::kSeparation};
       }
+  }
   return segments;
 }
 

@@ -102,7 +102,7 @@ StudyReport runStudy(const std::vector<PlanItem>& items, const StudyOptions& opt
   return report;
 }
 
-MergedResults mergeResults(const std::vector<fs::path>& folders) {
+MergedResults mergeResults(const std::vector<fs::path>& folders, std::size_t held_frames) {
   std::vector<fs::path> files;
   for (const fs::path& folder : folders) {
     std::error_code ec;
@@ -118,6 +118,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
     fs::path file;
   };
   std::vector<Kept> kept;
+  std::size_t held = 0;
   for (const fs::path& file : files) {
     StoredResult stored = readResult(file);
     // The same result of two shards counts once.
@@ -131,6 +132,9 @@ MergedResults mergeResults(const std::vector<fs::path>& folders) {
     if (!kept.empty() && kept.front().stored.version != stored.version)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");
+    held += stored.tuned.frames * stored.tuned.pass.parts.size();
+    if (held > held_frames)
+      for (PartClearance& part : stored.tuned.pass.parts) dropFrames(part);
     kept.push_back({std::move(stored), file});
   }
   std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {

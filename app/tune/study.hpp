@@ -52,6 +52,10 @@ struct MergedResults {
   std::vector<TunedRecording> recordings;
   TuneOptions options;
 };
-MergedResults mergeResults(const std::vector<std::filesystem::path>& folders);
+/// Frames of parts that mergeResults() holds in memory, about 140 bytes each. Those of further recordings
+/// stay in their files (PartFrames), so that memory does not grow with the number of recordings.
+inline constexpr std::size_t kHeldFrames = 2'000'000;
+MergedResults mergeResults(const std::vector<std::filesystem::path>& folders,
+                           std::size_t held_frames = kHeldFrames);
 
 }  // namespace abstand::tune

@@ -34,6 +34,14 @@ std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordi
   return {parts.begin(), parts.end()};
 }
 
+std::optional<run::RunSummary::WarmStart> warmStartOf(const std::vector<TunedRecording>& recordings) {
+  std::optional<run::RunSummary::WarmStart> largest;
+  for (const TunedRecording& r : recordings)
+    if (r.warm_start && !(largest && largest->far_tolerance >= r.warm_start->far_tolerance))
+      largest = r.warm_start;
+  return largest;
+}
+
 std::vector<InputFile> inputFiles(const std::vector<TunedRecording>& recordings) {
   std::vector<InputFile> files;
   std::set<std::pair<std::string, std::string>> known;

@@ -63,6 +63,9 @@ TuneAnswer mergedAnswer(const std::vector<std::filesystem::path>& folders);
 /// Parts that may be clamped in any of the recordings, sorted.
 std::vector<std::string> clampedParts(const std::vector<TunedRecording>& recordings);
 
+/// Warm starts of the recording with the largest tolerance; empty: all frames were cold starts.
+std::optional<run::RunSummary::WarmStart> warmStartOf(const std::vector<TunedRecording>& recordings);
+
 /// Files of all recordings, each once.
 std::vector<InputFile> inputFiles(const std::vector<TunedRecording>& recordings);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/tune/part_frames.hpp"
 #include "core/margin/safe_margin.hpp"
 
 namespace abstand::tune {
@@ -37,13 +38,15 @@ std::vector<VariantBand> variantBands(const std::vector<TunedRecording>& recordi
     for (std::size_t r = first; r < recordings.size(); ++r)
       if (recordings[r].content == recordings[first].content) runs.push_back(r), taken[r] = true;
     if (runs.size() < 2) continue;
-    for (const PartClearance& part : recordings[first].pass.parts) {
-      VariantBand band{part.part, {}, {}, {}};
-      for (const std::size_t r : runs)
-        for (const PartClearance& of_run : recordings[r].pass.parts)
-          if (of_run.part == part.part) takeRun(of_run, r, options, band);
-      all.push_back(std::move(band));
+    std::vector<VariantBand> bands;
+    for (const PartClearance& part : recordings[first].pass.parts) bands.push_back({part.part, {}, {}, {}});
+    for (const std::size_t r : runs) {
+      const PartFrames frames(recordings[r]);
+      for (VariantBand& band : bands)
+        for (const PartClearance& part : frames.parts())
+          if (part.part == band.part) takeRun(part, r, options, band);
     }
+    std::move(bands.begin(), bands.end(), std::back_inserter(all));
   }
   return all;
 }

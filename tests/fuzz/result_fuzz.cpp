@@ -100,6 +100,8 @@ class OddResult {
       if (!in_.rarely()) out_.attribute(name, in_.text(name));
     out_.attribute("calibration_error", 0.0);
     out_.attribute("latency", 0.0);
+    if (!in_.rarely()) out_.attribute("cold_start_every", in_.rarely() ? -1LL : 128LL);
+    out_.attribute("far_tolerance", in_.number(0.002));
     out_.attribute("abstand_result", tune::kResultFormat + static_cast<long long>(in_.rarely()));
   }
   void lists() {

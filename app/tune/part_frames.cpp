@@ -1,0 +1,25 @@
+#include "app/tune/part_frames.hpp"
+
+#include <algorithm>
+
+#include "app/tune/result_file.hpp"
+#include "core/margin/safe_margin.hpp"
+
+namespace abstand::tune {
+
+PartFrames::PartFrames(const TunedRecording& recording) {
+  const std::vector<PartClearance>& parts = recording.pass.parts;
+  if (recording.file.empty() || parts.empty() || parts.front().track.frames() == recording.frames)
+    parts_ = {std::shared_ptr<void>(), &parts};
+  else
+    parts_ = std::make_shared<const std::vector<PartClearance>>(readFrames(recording));
+}
+
+std::size_t firstJudgedFrame(const PartFrames& frames, const margin::MarginOptions& options) {
+  std::size_t first = 0;
+  for (const PartClearance& p : frames.parts())
+    first = std::max(first, margin::firstJudgedFrame(p.track, options));
+  return first;
+}
+
+}  // namespace abstand::tune
