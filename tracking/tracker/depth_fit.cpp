@@ -146,19 +146,19 @@ void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::u
 }
 
 double DepthFit::robustMean(const float* score, std::size_t count) {
-  constexpr float c2 = kCostReach * kCostReach;
+  constexpr float kC2 = kCostReach * kCostReach;
   double sum = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const float s2 = score[i] * score[i];
-    sum += c2 * s2 / (c2 + s2);
+    sum += kC2 * s2 / (kC2 + s2);
   }
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 double DepthFit::placeCost(const BodyObservation& seen, const RigPlacement& X_WS,
                            std::uint32_t segments) const {
-  constexpr double c2 = kCostReach * kCostReach;
-  const auto robust = [](double v) { return c2 * v * v / (c2 + v * v); };
+  constexpr double kC2 = kCostReach * kCostReach;
+  const auto robust = [](double v) { return kC2 * v * v / (kC2 + v * v); };
   double sum = 0.0;
   for (const Sample& sample : samples_) {
     if ((segments & bit(sample.segment)) == 0) continue;

@@ -57,8 +57,9 @@ class RoomRows {
 
   SurfaceSum at(const Transform& X_WC, double gate, std::size_t points) const {
     std::vector<SurfaceRow> rows;
-    collect(camera_, X_WC, known_, known_.camera().X_WC, gate, points, 1.0, rows);
-    collect(known_, known_.camera().X_WC, camera_, X_WC, gate, points, -1.0, rows);
+    const PlacedView camera{camera_, X_WC}, known{known_, known_.camera().X_WC};
+    collect(camera, known, gate, points, 1.0, rows);
+    collect(known, camera, gate, points, -1.0, rows);
     return sumOf(rows);
   }
 
@@ -117,12 +118,17 @@ class RoomRows {
   }
 
  private:
-  static void collect(const RoomView& from, const Transform& X_WF, const RoomView& to, const Transform& X_WT,
-                      double gate, std::size_t points, double side, std::vector<SurfaceRow>& rows) {
-    const std::size_t stride = std::max<std::size_t>(1, from.points().size() / points);
+  struct PlacedView {
+    const RoomView& view;
+    const Transform& X_WC;
+  };
+  static void collect(const PlacedView& from, const PlacedView& to, double gate, std::size_t points,
+                      double side, std::vector<SurfaceRow>& rows) {
+    const std::vector<RoomPoint>& all = from.view.points();
+    const std::size_t stride = std::max<std::size_t>(1, all.size() / points);
     SurfaceRow row;
-    for (std::size_t i = 0; i < from.points().size(); i += stride) {
-      if (compare(from.points()[i], X_WF, to, X_WT, gate, row) != Seen::kAgrees) continue;
+    for (std::size_t i = 0; i < all.size(); i += stride) {
+      if (compare(all[i], from.X_WC, to.view, to.X_WC, gate, row) != Seen::kAgrees) continue;
       // A step of the camera moves its surface, not the points of the known one.
       row.n_W *= side;
       rows.push_back(row);
