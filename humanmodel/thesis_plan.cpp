@@ -34,7 +34,7 @@ constexpr double kShoulderHalf = .115;
 // touch the torso.
 constexpr double kThesisShoulderReach = .010;
 constexpr double kThesisHeelBehindAnkle = .04;
-constexpr double kToeHeight = .010;
+constexpr double kThesisToeHeight = .010;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ BodyPlan thesisPlan(double height) {
   const double torso = plan[PartKind::kTorso].length,
                torso_bottom = height - plan[PartKind::kHead].length - torso;
   plan.ankle_height = height * kAnkleHeight;
-  plan.toe_height = height * kToeHeight;
+  plan.toe_height = height * kThesisToeHeight;
   plan.heel_share = height * kThesisHeelBehindAnkle / plan[PartKind::kFoot].length;
   const double hip_height = plan.ankle_height + plan[PartKind::kCalf].length + plan[PartKind::kThigh].length;
   plan.hip_share = (hip_height - torso_bottom) / torso;

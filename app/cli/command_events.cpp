@@ -19,7 +19,7 @@ struct EventArguments {
 };
 
 /// One margin for each part by itself, or a set for all pairs together.
-struct Asked {
+struct AskedEvents {
   std::optional<double> margin;  ///< m
   std::optional<tune::MarginRules> rules;
 
@@ -37,7 +37,7 @@ struct Asked {
   }
 };
 
-Asked askedFor(const EventArguments& args) {
+AskedEvents askedFor(const EventArguments& args) {
   if (args.margin.empty() == args.margin_set.empty())
     throw UsageError(std::string("found ") + (args.margin.empty() ? "neither" : "both") +
                      " --margin and --margin-set, expected one of them");
@@ -98,7 +98,7 @@ std::string eventText(const tune::MarginEvent& e, bool by_pair) {
 }
 
 int runEvents(const CommandLine& line, const EventArguments& args) {
-  const Asked asked = askedFor(args);
+  const AskedEvents asked = askedFor(args);
   if (!args.part.empty()) bodyPart(args.part, "--part");
   const tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
   if (asked.rules) tune::checkNames(answer.recordings, *asked.rules);

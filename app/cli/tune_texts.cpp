@@ -165,7 +165,7 @@ std::string worstPhasesText(const tune::TuneAnswer& answer) {
   return text;
 }
 
-Json peopleJson(const tune::TunedRecording& r) {
+Json bodiesJson(const tune::TunedRecording& r) {
   Json people = Json::array();
   for (const tune::PersonNote& person : r.people)
     people.push_back({{"name", person.name}, {"body", person.text}});
@@ -240,7 +240,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                            {"seconds", r.seconds()},
                            {"not_judged", r.unjudged},
                            {"clamped", r.clamped},
-                           {"people", peopleJson(r)},
+                           {"people", bodiesJson(r)},
                            {"reservations", reservationsJson(r.reservations)}});
   j["files"] = filesJson(answer);
   j["failed"] = Json::array();

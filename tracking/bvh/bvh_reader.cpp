@@ -8,8 +8,8 @@
 namespace abstand::tracking {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-bool isSpace(char c) { return isBlank(c) || c == '\n'; }
+bool isBlankInBvh(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool isSpaceInBvh(char c) { return isBlankInBvh(c) || c == '\n'; }
 
 }  // namespace
 
@@ -33,14 +33,14 @@ void BvhReader::nextLine() {
 }
 
 bool BvhReader::lineHasMore() {
-  while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
+  while (at_ < text_.size() && isBlankInBvh(text_[at_])) ++at_;
   return at_ < text_.size() && text_[at_] != '\n';
 }
 
 std::size_t BvhReader::wordsIn(std::size_t from, std::size_t to) const {
   std::size_t words = 0;
   for (std::size_t i = from; i < to; ++i)
-    if (!isSpace(text_[i]) && (i == from || isSpace(text_[i - 1]))) ++words;
+    if (!isSpaceInBvh(text_[i]) && (i == from || isSpaceInBvh(text_[i - 1]))) ++words;
   return words;
 }
 
@@ -62,13 +62,13 @@ bool BvhReader::readNumber(double& value) {
   const char* first = text_.data() + at_;
   if (*first == '+' && first + 1 < end && first[1] != '-' && first[1] != '+') ++first;
   const auto r = std::from_chars(first, end, value);
-  const bool whole = r.ptr == end || isSpace(*r.ptr);
+  const bool whole = r.ptr == end || isSpaceInBvh(*r.ptr);
   if (r.ec == std::errc{} && whole && std::abs(value) <= kLargestBvhValue) {
     at_ = static_cast<std::size_t>(r.ptr - text_.data());
     return true;
   }
   std::size_t stop = at_;
-  while (stop < text_.size() && !isSpace(text_[stop])) ++stop;
+  while (stop < text_.size() && !isSpaceInBvh(text_[stop])) ++stop;
   const std::string_view word(text_.data() + at_, stop - at_);
   if (stop == text_.size() && frames_ > 0 &&
       word.find_first_not_of("+-.0123456789eE") == std::string_view::npos) {
@@ -130,7 +130,7 @@ bool BvhReader::readFrame() {
     } else if (frame_a_line_ && n > 0) {
       // A short line: harmless at the end, otherwise the frame is invalid.
       const SourcePos end_of_line = here();
-      while (at_ < text_.size() && isSpace(text_[at_])) text_[at_] == '\n' ? nextLine() : void(++at_);
+      while (at_ < text_.size() && isSpaceInBvh(text_[at_])) text_[at_] == '\n' ? nextLine() : void(++at_);
       if (at_ < text_.size())
         throw ParseError(end_of_line, "found " + std::to_string(n) + " numbers on the line, expected " +
                                           std::to_string(values_.size()));
@@ -143,7 +143,7 @@ bool BvhReader::readFrame() {
   if (whole && frame_a_line_ && lineHasMore())
     throw ParseError(here(), "found more numbers on the line, expected " + std::to_string(values_.size()));
   // A text that ends right after a digit, before the stated number of frames, may have a truncated number.
-  if (whole && frames_ > 0 && at_ >= text_.size() && !isSpace(text_.back()) &&
+  if (whole && frames_ > 0 && at_ >= text_.size() && !isSpaceInBvh(text_.back()) &&
       static_cast<unsigned long long>(head_.frames) > frames_ + 1)
     cut_ = true;
   if (!whole || cut_) return finish(n);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 200;
 constexpr int kMaxNumber = 100000;
-constexpr std::string_view kEnd = "/end";
+constexpr std::string_view kEndMark = "/end";
 
 using enum NameWord;
 constexpr std::pair<std::string_view, NameWord> kWords[]{
@@ -104,9 +104,9 @@ class NameReader {
  public:
   NameReading read(std::string_view name) {
     if (name.size() > kLongestName) return {};
-    if (name.ends_with(kEnd)) {
+    if (name.ends_with(kEndMark)) {
       reading_.is_end = true;
-      name.remove_suffix(kEnd.size());
+      name.remove_suffix(kEndMark.size());
     }
     const std::vector<std::string> words = splitName(name.substr(name.find_last_of(":|") + 1));
     for (std::size_t i = 0; i < words.size(); ++i) {

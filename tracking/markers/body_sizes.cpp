@@ -11,7 +11,7 @@ constexpr std::array<BodySize, 3> along(BodySize size) {
 }
 
 // In the order of RigSegment.
-constexpr auto kAxes = [] {
+constexpr auto kAxisSizes = [] {
   using enum BodySize;
   return std::array<std::array<BodySize, 3>, kRigSegments>{{{kStature, kHips, kTrunk},
                                                             {kStature, kShoulders, kTrunk},
@@ -36,7 +36,7 @@ std::string_view sizeName(BodySize size) { return kNames[index(size)]; }
 
 SizeVector sameSizes() { return SizeVector::Unit(0); }
 
-const std::array<BodySize, 3>& axisSizes(RigSegment s) { return kAxes[index(s)]; }
+const std::array<BodySize, 3>& axisSizes(RigSegment s) { return kAxisSizes[index(s)]; }
 
 Vector3d growth(RigSegment s, const SizeVector& sizes) {
   Vector3d by = Vector3d::Constant(sizes[0]);

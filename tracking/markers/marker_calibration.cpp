@@ -27,7 +27,7 @@ constexpr int kMaxRounds = 40;
 constexpr double kMaxSizeStep = 0.08, kMaxShiftStep = 0.04;  // shares, m
 
 using Dense = Eigen::MatrixXd;
-constexpr int kSizes = static_cast<int>(kBodySizes);
+constexpr int kSizeCount = static_cast<int>(kBodySizes);
 
 /// Position of the base's marker, scaled with its segment.
 Vector3d grown(const FoundMarker& m, const SizeVector& sizes) {
@@ -66,7 +66,7 @@ class Calibration {
   /// One round; returns the largest change.
   double improve(double reach) {
     const PoseHold hold = restHold();
-    const int all = kSizes + 3 * static_cast<int>(found_.size());
+    const int all = kSizeCount + 3 * static_cast<int>(found_.size());
     Dense H = Dense::Zero(all, all);
     Eigen::VectorXd g = Eigen::VectorXd::Zero(all);
     MarkerSolver solver(body_.rig);
@@ -88,14 +88,14 @@ class Calibration {
         const double w = share * markerWeight(off.norm(), reach);
         const auto J_size = sizeJacobian(base_, X_WS, s, found_[k].p_S);
         const auto J_pose = solver.problem().jacobian(s, p_W);
-        const int at = kSizes + 3 * static_cast<int>(k);
-        H.topLeftCorner<kSizes, kSizes>() += w * J_size.transpose() * J_size;
-        H.block<kSizes, 3>(0, at) += w * J_size.transpose() * R_WS;
-        H.block<3, kSizes>(at, 0) += w * R_WS.transpose() * J_size;
+        const int at = kSizeCount + 3 * static_cast<int>(k);
+        H.topLeftCorner<kSizeCount, kSizeCount>() += w * J_size.transpose() * J_size;
+        H.block<kSizeCount, 3>(0, at) += w * J_size.transpose() * R_WS;
+        H.block<3, kSizeCount>(at, 0) += w * R_WS.transpose() * J_size;
         H.block<3, 3>(at, at) += w * Matrix3d::Identity();
-        g.head<kSizes>() += w * J_size.transpose() * off;
+        g.head<kSizeCount>() += w * J_size.transpose() * off;
         g.segment<3>(at) += w * R_WS.transpose() * off;
-        across.topRows<kSizes>() += w * J_size.transpose() * J_pose;
+        across.topRows<kSizeCount>() += w * J_size.transpose() * J_pose;
         across.middleRows<3>(at) += w * R_WS.transpose() * J_pose;
         slope += w * J_pose.transpose() * off;
       }
@@ -111,8 +111,8 @@ class Calibration {
     addPriors(H, g);
     Eigen::VectorXd d = -H.ldlt().solve(g);
     if (!d.allFinite()) return 0.0;
-    const double size_step = d.head<kSizes>().cwiseAbs().maxCoeff();
-    const double shift_step = d.tail(all - kSizes).cwiseAbs().maxCoeff();
+    const double size_step = d.head<kSizeCount>().cwiseAbs().maxCoeff();
+    const double shift_step = d.tail(all - kSizeCount).cwiseAbs().maxCoeff();
     d *= std::min({1.0, kMaxSizeStep / size_step, kMaxShiftStep / shift_step});
     apply(d);
     return d.cwiseAbs().maxCoeff();
@@ -128,7 +128,7 @@ class Calibration {
   }
 
   void addPriors(Dense& H, Eigen::VectorXd& g) const {
-    for (int i = 0; i < kSizes; ++i) {
+    for (int i = 0; i < kSizeCount; ++i) {
       const auto size = static_cast<BodySize>(i);
       const bool is_breadth = size == BodySize::kHips || size == BodySize::kShoulders;
       const double spread = size == BodySize::kStature ? stature_spread_
@@ -140,19 +140,19 @@ class Calibration {
     }
     for (std::size_t k = 0; k < found_.size(); ++k) {
       const double w = 1.0 / (found_[k].spread * found_[k].spread);
-      const int at = kSizes + 3 * static_cast<int>(k);
+      const int at = kSizeCount + 3 * static_cast<int>(k);
       H.diagonal().segment<3>(at).array() += w;
       g.segment<3>(at) += w * shift_[k];
     }
   }
 
   void apply(const Eigen::VectorXd& d) {
-    body_.sizes += d.head<kSizes>();
+    body_.sizes += d.head<kSizeCount>();
     body_.sizes[0] = std::clamp(body_.sizes[0], kMinSize, kMaxSize);
-    for (int i = 1; i < kSizes; ++i)
+    for (int i = 1; i < kSizeCount; ++i)
       body_.sizes[i] = std::clamp(body_.sizes[i], kMinSize - body_.sizes[0], kMaxSize - body_.sizes[0]);
     for (std::size_t k = 0; k < found_.size(); ++k)
-      shift_[k] += d.segment<3>(kSizes + 3 * static_cast<int>(k));
+      shift_[k] += d.segment<3>(kSizeCount + 3 * static_cast<int>(k));
     remake();
   }
 

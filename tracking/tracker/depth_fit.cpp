@@ -15,12 +15,12 @@ constexpr double kRows = 1000.0;        // total weight of all points
 constexpr double kSampleWeight = 0.6;   // a sample in free space has the weight of this many points
 constexpr double kBefore = 0.04;        // m, allowed distance of a sample in front of the measured surface
 constexpr double kMaxViolation = 0.3;   // m
-constexpr double kLimitWeight = 20.0;   // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3 cm
-                                        // off
+constexpr double kJointLimitWeight = 20.0;  // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3
+                                            // cm off
 constexpr double kPlantedWeight = 3.0;  // a hidden foot on the floor has the weight of this many points
-constexpr double kDamping = 1e-3;
-constexpr double kMaxTurn = 0.35;     // rad, m, for each step
-constexpr double kSeenWithin = 0.08;  // m
+constexpr double kStepDamping = 1e-3;
+constexpr double kMaxStepTurn = 0.35;  // rad, m, for each step
+constexpr double kSeenWithin = 0.08;   // m
 // Share of its own radius by which a limb's axis sample must stay outside of the trunk; the rest is soft
 // tissue.
 constexpr double kKeepOut = 0.5;
@@ -231,8 +231,8 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
       solver_.addPlane(foot, p_W, Vector3d::UnitZ(), p_W.z() - ankle, kPlantedWeight);
     }
     solver_.addPrior(expected, weights.prior);
-    solver_.addLimits(kLimitWeight);
-    solver_.step(kDamping, kMaxTurn);
+    solver_.addLimits(kJointLimitWeight);
+    solver_.step(kStepDamping, kMaxStepTurn);
     pose = solver_.pose();
   }
 }

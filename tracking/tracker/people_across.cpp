@@ -5,10 +5,10 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kSame = 0.5;        // m; what two cameras see of one person has its middle within this
-constexpr double kApart = 0.9;       // m; farther apart they are two people
-constexpr double kDoubted = 0.5;     // s
-constexpr double kRemembered = 1.0;  // s; a place on the floor is that of the person for this long
+constexpr double kSame = 0.5;         // m; what two cameras see of one person has its middle within this
+constexpr double kApartPeople = 0.9;  // m; farther apart they are two people
+constexpr double kDoubted = 0.5;      // s
+constexpr double kRemembered = 1.0;   // s; a place on the floor is that of the person for this long
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void PeopleAcross::doubt(double t, std::span<const SeenPlace> seen, std::size_t 
   // The younger number of two goes.
   const int other = count == 0.0 ? nearest(t, seen, i) : 0;
   const bool is_doubted =
-      count > 0.0 ? (seen[i].place - others / count).norm() > kApart : other != 0 && other < ids_[i];
+      count > 0.0 ? (seen[i].place - others / count).norm() > kApartPeople : other != 0 && other < ids_[i];
   if (!is_doubted) {
     member.doubted_since = kInfinity;
     return;

@@ -10,7 +10,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr int kTries = 1500;               // most of them are not level and cost nothing
+constexpr int kPlaneTries = 1500;          // most of them are not level and cost nothing
 constexpr double kCertainty = 1.0 - 1e-9;  // with less, different seeds give floors of one image that differ
                                            // by 4 cm
 constexpr std::size_t kPoints = 2000;
@@ -71,7 +71,7 @@ std::optional<FloorPlane> FloorFinder::find(const DepthImage& image, const Depth
     return count.on <= min_count || static_cast<double>(count.below) > kMaxBelow * total ? 0 : count.on;
   };
   std::optional<FloorPlane> best =
-      consensusPlane(grid_, {unit::deg(kTilt), kCertainty, kTries, seed}, count_floor);
+      consensusPlane(grid_, {unit::deg(kTilt), kCertainty, kPlaneTries, seed}, count_floor);
   if (!best) return std::nullopt;
   for (int round = 0; round < 3; ++round) {
     Vector3d mean = Vector3d::Zero();
