@@ -83,7 +83,7 @@ abstand_pkg_config(abstand-tracking "Recordings of people" "facade_tracking;trac
   REQUIRES abstand-human abstand-mechanism PRIVATE zlib SYSTEM -lyaml-cpp)
 # The Debian packages of single OpenCV modules contain no file for pkg-config.
 abstand_pkg_config(abstand-scene "Scenes of people and robots, frame by frame" "facade_scene;app;tracker;depth;verify;physics"
-  REQUIRES abstand-tracking PRIVATE ode pcl_registration pcl_filters pcl_search pcl_sample_consensus pcl_common hdf5-serial libdeflate sqlite3 libzstd
+  REQUIRES abstand-tracking PRIVATE ode pcl_registration pcl_filters pcl_search pcl_sample_consensus pcl_common hdf5-serial libdeflate
   SYSTEM -lopencv_calib3d -lopencv_imgcodecs -lopencv_imgproc -lopencv_core -ldl)
 
 # Programs, data and documents.
@@ -100,6 +100,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DAT
 if(ABSTAND_BUILD_UI)
   install(TARGETS abstand-studio RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT studio)
   install(FILES ${PROJECT_SOURCE_DIR}/scripts/debian/abstand.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications
+    COMPONENT studio)
+  install(FILES ${PROJECT_SOURCE_DIR}/scripts/debian/abstand-studio.svg
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT studio)
+  install(FILES ${PROJECT_SOURCE_DIR}/scripts/debian/abstand-studio.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
     COMPONENT studio)
 endif()
 
