@@ -102,7 +102,7 @@ nlohmann::ordered_json bandsJson(const tune::TuneAnswer& answer) {
   const auto band = [&](const tune::Band& b) {
     return nlohmann::ordered_json{{"min", b.least},
                                   {"max", b.largest},
-                                  {"min_of", answer.recordings[b.of_least].recording},
+                                  {"min_of", answer.recordings[b.of_smallest].recording},
                                   {"max_of", answer.recordings[b.of_largest].recording}};
   };
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();

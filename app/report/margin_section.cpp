@@ -117,7 +117,7 @@ std::string bandSection(const tune::TuneAnswer& answer) {
     rows.push_back({b.part, millimetresText(b.margin.least) + " to " + millimetresText(b.margin.largest),
                     answer.recordings[b.margin.of_largest].recording,
                     millimetresText(b.clearance.least) + " to " + millimetresText(b.clearance.largest),
-                    answer.recordings[b.clearance.of_least].recording});
+                    answer.recordings[b.clearance.of_smallest].recording});
   return "<h2>Variants of one recording</h2>\n<p>Runs of one recording with other "
          "people, positions "
          "or speeds: the smallest and the largest value of each part.</p>\n" +

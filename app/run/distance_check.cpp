@@ -7,7 +7,7 @@
 namespace abstand::run {
 namespace {
 
-void takeLeast(std::optional<RunSummary::Extreme>& least, const std::optional<RunSummary::Extreme>& e) {
+void takeSmaller(std::optional<RunSummary::Extreme>& least, const std::optional<RunSummary::Extreme>& e) {
   if (e && (!least || e->value < least->value)) least = e;
 }
 
@@ -94,9 +94,9 @@ void DistanceCheck::finish(const RunSummary& summary, CheckResult& all) {
   close(broken_, closed_broken_, all.violations);
   close(unproven_, closed_unproven_, all.unproven);
   all.frames += summary.frames;
-  takeLeast(all.min_distance, summary.min_distance);
+  takeSmaller(all.min_distance, summary.min_distance);
   for (std::size_t i = 0; i < all.min_distance_by_class.size(); ++i)
-    takeLeast(all.min_distance_by_class[i], summary.min_distance_by_class[i]);
+    takeSmaller(all.min_distance_by_class[i], summary.min_distance_by_class[i]);
   if (swept_) all.swept_queries += swept_->queries();
   std::vector<Reservation> reservations = summary.reservations;
   for (Reservation& r : reservations) r.recording = recording_;

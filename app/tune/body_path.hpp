@@ -28,10 +28,10 @@ class BodyPath {
  private:
   std::size_t indexAt(double t) const;
   /// m, path length of the body's farthest point from begin() to t.
-  double way(double t) const;
+  double travelled(double t) const;
 
   geometry::EnclosingSphere sphere_B_;
-  std::vector<double> t_, uncertainty_, way_;
+  std::vector<double> t_, uncertainty_, travelled_;
   std::vector<Transform> X_WB_;
   std::vector<safety::PoseSegment> motion_;
 };

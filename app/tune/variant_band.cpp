@@ -24,7 +24,7 @@ void takeRun(const PartClearance& part, std::size_t run, const margin::MarginOpt
 }  // namespace
 
 void Band::take(double value, std::size_t run) {
-  if (value < least) least = value, of_least = run;
+  if (value < least) least = value, of_smallest = run;
   if (value > largest) largest = value, of_largest = run;
 }
 

@@ -11,7 +11,7 @@ namespace abstand::tune {
 /// Smallest and largest value over some runs.
 struct Band {
   double least{kInfinity}, largest{-kInfinity};
-  std::size_t of_least{0}, of_largest{0};  ///< indices of the runs
+  std::size_t of_smallest{0}, of_largest{0};  ///< indices of the runs
 
   void take(double value, std::size_t run);
 };

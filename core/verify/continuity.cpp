@@ -100,7 +100,7 @@ std::vector<CheckResult> checkContinuity(const VerifyOptions& options) {
         "steeper. Layers have no such limit.";
     result.table.header = {"field", "largest jump [N]", "of the largest force", "of the possible jump",
                            "largest force [N]"};
-    Plot plot{"Force along the path: " + path.name, "way [m]", "force [N]", false, false, {}};
+    Plot plot{"Force along the path: " + path.name, "displacement [m]", "force [N]", false, false, {}};
     std::vector<double> parts;
     std::size_t poses = 0;
     for (const structure::FieldKind field :

@@ -2,7 +2,8 @@
 cmake_minimum_required(VERSION 3.21)
 set(retired kMost[A-Z] kLeast[A-Z] "kMost[^A-Za-z]" "kLeast[^A-Za-z]" PairAgenda PairRest LiveRest ObjectReach PairPast takeStock seekRivals
   nastyPose nastyBodies SurfacePool SampleCover SurfaceSpread ShellBalance searchOtherWay setReach partReach Crease kPutOff kRested kAskFirst mostMotion seekLine keepLine bringUp catchUp BalancePoint
-  walkWitness hiddenWays lookFromAbove mayRest "[^\"]put_off" "[^a-z_\"]most_[a-z]" "[^a-z_.\"]least_[a-z]")
+  walkWitness hiddenWays lookFromAbove mayRest "[^\"]put_off" "[^a-z_\"]most_[a-z]" "[^a-z_.\"]least_[a-z]"
+  "[^a-zA-Z_]way[(]" "[^a-z]way_[^a-z]" "[\"]way [[]" "of_least" "take[A-Z]?[a-z]*Least[^a-z]")
 # Phrases of messages and help texts that have been reworded.
 list(APPEND retired "found nobody" "found beside" "times that rise" "metres a unit" "not known of their places" "off on the mean square" "RMS off"
   "judged too" "of your own\"" "taken already" "those found are" "those of a mirror" "closest to a person" "deepest inside" "goes on by itself"
@@ -10,7 +11,7 @@ list(APPEND retired "found nobody" "found beside" "times that rise" "metres a un
   "bounds broken" "whoever is there" "whole frames are")
 string(JOIN "|" pattern ${retired})
 set(read 0)
-foreach(folder core humanmodel tracking ui app tests)
+foreach(folder core humanmodel tracking ui app tests include examples)
   file(GLOB_RECURSE files "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp" "${ROOT}/${folder}/*.inl")
   foreach(file IN LISTS files)
     math(EXPR read "${read} + 1")

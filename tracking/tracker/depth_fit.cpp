@@ -17,7 +17,7 @@ constexpr double kBefore = 0.04;        // m, allowed distance of a sample in fr
 constexpr double kMaxViolation = 0.3;   // m
 constexpr double kJointLimitWeight = 20.0;  // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3
                                             // cm off
-constexpr double kPlantedWeight = 3.0;  // a hidden foot on the floor has the weight of this many points
+constexpr double kPlantedWeight = 3.0;      // a hidden foot on the floor has the weight of this many points
 constexpr double kStepDamping = 1e-3;
 constexpr double kMaxStepTurn = 0.35;  // rad, m, for each step
 constexpr double kSeenWithin = 0.08;   // m

@@ -56,13 +56,13 @@ struct MarginCase {
 
   /// m: how much nearer they come from a stop that is told at t until the robot rests. The hand may stop
   /// before.
-  double way(double t) const {
+  double travelled(double t) const {
     const double braking_time = speeds.robot / braking.deceleration;
     const double end = t + braking.reaction_time + braking_time;
     const double hand = speeds.person * (std::min(end, speeds.stops_at) - std::min(t, speeds.stops_at));
     return hand + speeds.robot * braking.reaction_time + 0.5 * speeds.robot * braking_time;
   }
-  bool tooLate(double t) const { return clearanceAt(speeds, t) - way(t) <= limit; }
+  bool tooLate(double t) const { return clearanceAt(speeds, t) - travelled(t) <= limit; }
 };
 
 class HandTheory : public ::testing::TestWithParam<MarginCase> {};
@@ -82,8 +82,8 @@ TEST_P(HandTheory, TheMarginIsTheClearanceOneFrameBeforeTheFirstStopThatComesToo
   const double expected = clearanceAt(c.speeds, before);
   // Otherwise it depends on the last digits which frame is the first one.
   const double at = hand.track.t[frame];
-  ASSERT_GT(clearanceAt(c.speeds, before) - c.way(before) - c.limit, 2 * kEngine);
-  ASSERT_LT(clearanceAt(c.speeds, at) - c.way(at) - c.limit, -2 * kEngine);
+  ASSERT_GT(clearanceAt(c.speeds, before) - c.travelled(before) - c.limit, 2 * kEngine);
+  ASSERT_LT(clearanceAt(c.speeds, at) - c.travelled(at) - c.limit, -2 * kEngine);
   const margin::SafeMargin safe = margin::smallestSafeMargin(hand.track, options.margins());
   ASSERT_TRUE(safe.decided);
   EXPECT_NEAR(safe.margin, expected, kRelative * expected + kEngine);

@@ -128,10 +128,10 @@ TEST(PairMarginSets, UniformMarginMatchesLeastTrack) {
       sets.push_back(std::vector<PairMargin>(3, {m, 0.0, 0.0}));
     }
     const std::vector<MarginOutcome> together = outcomesOf(tracks, sets, {}),
-                                     of_least = outcomes(least, margins, {});
+                                     of_smallest = outcomes(least, margins, {});
     for (std::size_t s = 0; s < sets.size(); ++s) {
       expectEqual(together[s], outcome(least, margins[s], {}));
-      expectEqual(of_least[s], together[s]);
+      expectEqual(of_smallest[s], together[s]);
     }
   }
 }

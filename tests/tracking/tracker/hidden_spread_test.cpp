@@ -41,25 +41,25 @@ humanmodel::SkeletonFrame heldBy(RigSegment held, const RigPlacement& held_at, c
 }
 
 TEST(HiddenPathLengths, AreZeroIfSeenAndInfiniteIfNothingIsSeen) {
-  for (const double way : hiddenPathLengths(rig(), without({}))) EXPECT_EQ(way, 0.0);
-  for (const double way : hiddenPathLengths(rig(), 0)) EXPECT_EQ(way, kInfinity);
+  for (const double length : hiddenPathLengths(rig(), without({}))) EXPECT_EQ(length, 0.0);
+  for (const double length : hiddenPathLengths(rig(), 0)) EXPECT_EQ(length, kInfinity);
 }
 
 TEST(HiddenPathLengths, AddBonesFromLastSeenSegment) {
   using enum humanmodel::Joint;
-  const auto ways = hiddenPathLengths(
+  const auto lengths = hiddenPathLengths(
       rig(), without({RigSegment::kForearmLeft, RigSegment::kHandLeft, RigSegment::kCalfRight}));
-  const auto way = [&](humanmodel::Joint j) { return ways[static_cast<std::size_t>(j)]; };
+  const auto lengthOf = [&](humanmodel::Joint j) { return lengths[static_cast<std::size_t>(j)]; };
   const double forearm = rig().p_joint[static_cast<std::size_t>(kWristLeft)].norm();
   const double hand = rig().p_joint[static_cast<std::size_t>(kHandLeft)].norm();
-  EXPECT_EQ(way(kElbowLeft), 0.0);
-  EXPECT_NEAR(way(kWristLeft), forearm, kRounding);
-  EXPECT_NEAR(way(kHandLeft), forearm + hand, kRounding);
+  EXPECT_EQ(lengthOf(kElbowLeft), 0.0);
+  EXPECT_NEAR(lengthOf(kWristLeft), forearm, kRounding);
+  EXPECT_NEAR(lengthOf(kHandLeft), forearm + hand, kRounding);
   EXPECT_GT(forearm, 0.2);
   // The foot is seen: the ankle is where it ends.
-  EXPECT_NEAR(way(kAnkleRight), 0.0, kRounding);
-  EXPECT_EQ(way(kToeRight), 0.0);
-  EXPECT_EQ(way(kWristRight), 0.0);
+  EXPECT_NEAR(lengthOf(kAnkleRight), 0.0, kRounding);
+  EXPECT_EQ(lengthOf(kToeRight), 0.0);
+  EXPECT_EQ(lengthOf(kWristRight), 0.0);
 }
 
 TEST(HiddenPathLengths, BoundPosesOfHiddenLimb) {
@@ -75,7 +75,7 @@ TEST(HiddenPathLengths, BoundPosesOfHiddenLimb) {
       {kForearmLeft, 1u << index(kForearmLeft)},
       {kHead, 1u << index(kHead)}};
   for (const Case& c : cases) {
-    const auto ways = hiddenPathLengths(rig(), c.seen);
+    const auto lengths = hiddenPathLengths(rig(), c.seen);
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       RigPlacement held_at;
       place(rig(), testing::randomRigPose(rig(), 2 * seed, 1.0), held_at);
