@@ -86,8 +86,8 @@ TEST(HiddenPathLengths, BoundPosesOfHiddenLimb) {
       for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
         if ((c.seen >> index(rig().carrier[j]) & 1u) != 0) continue;
         // Of joints that hang on another seen segment, which moved with the pose, nothing is claimed here.
-        if (c.held != kHead && c.held != kForearmLeft && ways[j] == 0.0) continue;
-        EXPECT_LE((a.p[j] - b.p[j]).norm(), 2.0 * ways[j] + kRounding)
+        if (c.held != kHead && c.held != kForearmLeft && lengths[j] == 0.0) continue;
+        EXPECT_LE((a.p[j] - b.p[j]).norm(), 2.0 * lengths[j] + kRounding)
             << humanmodel::jointName(static_cast<humanmodel::Joint>(j));
       }
     }
