@@ -7,7 +7,7 @@
 
 namespace abstand::humanmodel {
 
-/// m/s; assumed upper speed of a part if the scene states none: a hand [ISO 13855].
+/// m/s; assumed upper speed of a part if the scene states none: a hand [ISO 13855:2010].
 inline constexpr double kPersonSpeed = 2.0;
 /// 99 % quantile of the chi distribution with three degrees of freedom: 99 % of the points of an isotropic
 /// normal distribution in space are within this many standard deviations (of one axis) of its mean.

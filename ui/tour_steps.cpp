@@ -31,7 +31,8 @@ std::vector<Tour::Step> tourSteps(const DockSet& docks) {
           "distance "
           "minus uncertainty.")},
       {docks.separation, tr("Separation"),
-       tr("For each body part the protective distance that ISO/TS 15066 asks for at this moment, term by "
+       tr("For each body part the protective distance that ISO/TS 15066:2016 asks for at this moment, term "
+          "by "
           "term, "
           "against the distance that is there; and how a contact would compare with its limit.")},
       {docks.inspector, tr("Inspector"),

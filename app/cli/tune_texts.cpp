@@ -261,6 +261,8 @@ Json tuneJson(const tune::TuneAnswer& answer) {
     j["approaches"].push_back(approachJson(r));
   const std::string& stamp = answer.recordings.front().contact_limits;
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
+  j["standards"] = {{"protective_distance", safety::kSeparationEdition},
+                    {"person_speed", safety::kApproachSpeedEdition}};
   j["clamped"] = tune::clampedParts(answer.recordings);
   if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
   j["separation"] = separationJson(answer);

@@ -71,7 +71,7 @@ AssumptionRows marginRows(const tune::TuneAnswer& answer) {
       {"calibration error between recording and robot", tenthMm(o.pass.calibration_error),
        saidBy(o.pass.calibration_error == usual.pass.calibration_error),
        "every clearance is smaller by it, and margins grow with it one to one; 0 means that it was not "
-       "measured it"},
+       "measured"},
       {"latency of a person's pose", wholeMs(o.pass.latency), saidBy(o.pass.latency == usual.pass.latency),
        "each 10 ms more take 10 ms times the part's speed (2 m/s, or the fastest recorded) from every "
        "clearance: 20 mm at 2 m/s; 0 says that nobody has measured it"},
@@ -99,7 +99,8 @@ AssumptionRows separationRows(const safety::SeparationOptions& o) {
                text::rounded(o.person_speed_near, 2) + " m/s",
            saidBy(o.person_speed == usual.person_speed && o.person_speed_near == usual.person_speed_near &&
                   o.near == usual.near),
-           "walking and hand of ISO 13855; S_h grows with it"},
+           std::string(safety::kApproachSpeedEdition) +
+               ": walking 1.6 m/s, a hand 2.0 m/s nearer than 500 mm; S_h grows with it"},
           {"acceleration of the person",
            o.person_acceleration > 0.0 ? text::rounded(o.person_acceleration, 2) + " m/s^2"
                                        : "measured speeds are not used",
@@ -112,6 +113,16 @@ AssumptionRows separationRows(const safety::SeparationOptions& o) {
            "adds one to one, beside the uncertainty that clearances have already"},
           {"Z_r, error of the robot's place", tenthMm(o.robot_error),
            saidBy(o.robot_error == usual.robot_error), "adds one to one"}};
+}
+
+/// Which editions the numbers follow, and what owners of later ones have to check.
+std::string editionText() {
+  return "Formula of S_p: " + std::string(safety::kSeparationEdition) +
+         ". ISO 10218-2:2025 has taken over the requirements of that specification. Speeds of people: " +
+         safety::kApproachSpeedEdition +
+         ", of which there is an edition of 2024. This program does not know whether the later editions "
+         "changed the formula or a value: compare each with the editions that you own, and set what differs "
+         "(--separation, --contact-limits).";
 }
 
 std::string inputTables(const tune::TuneAnswer& answer) {
@@ -160,6 +171,7 @@ std::string assumptionSection(const tune::TuneAnswer& answer) {
          "violated. Distances "
          "and braking are certified between frames too (docs/margins.md).</p>\n"
          "<h3>Of the protective distance and permitted speeds</h3>\n" +
+         "<p>" + editionText() + "</p>\n" +
          htmlTable(header, separationRows(answer.options.pass.separation)) + inputTables(answer) +
          reservationTable(answer);
 }

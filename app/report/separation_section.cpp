@@ -32,17 +32,19 @@ std::string separationSection(const tune::TuneAnswer& answer) {
                     (answer.recordings.size() > 1 ? row.worst_in->recording + " at " : std::string()) +
                         text::rounded(m.t, 3) + " s"});
   }
-  return "<h2>Protective distance</h2>\n<p>Speed and separation monitoring (ISO/TS 15066:2016, 5.5.4): S_p = "
+  return "<h2>Protective distance</h2>\n<p>Speed and separation monitoring (" +
+         std::string(safety::kSeparationEdition) + "; speeds of people: " + safety::kApproachSpeedEdition +
+         "): S_p = "
          "S_h + S_r + S_s + C + Z_d + Z_r against the certified clearance, for each link that moves towards "
          "a "
-         "part. Of each part the time for which it was broken, and its worst moment in mm with every term: "
+         "part. Of each part the time for which it was violated, and its worst moment in mm with every term: "
          "the "
-         "person's way (S_h), the robot's way until it brakes (S_r) and while it brakes (S_s), and the "
-         "constants "
+         "distance travelled by the person (S_h) and by the robot until it brakes (S_r) and while it brakes "
+         "(S_s), and the constants "
          "(C + Z_d + Z_r); then the robot's speed towards the part and the permitted one (m/s). The "
          "assumptions "
          "behind each term are listed below.</p>\n" +
-         htmlTable({"part", "broken for", "clearance", "S_p", "S_h", "S_r", "S_s", "constants", "largest",
+         htmlTable({"part", "violated for", "clearance", "S_p", "S_h", "S_r", "S_s", "constants", "largest",
                     "speed, permitted", "link", "at"},
                    rows);
 }

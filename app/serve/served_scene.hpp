@@ -18,7 +18,7 @@ struct ServedOptions {
   bool scene_first{false};
 };
 
-/// Default reaction: contact torques without gain, speed and separation by ISO/TS 15066.
+/// Default reaction: contact torques without gain, speed and separation by ISO/TS 15066:2016.
 control::ReactionDescription usualReaction();
 
 /// Robots and people follow packets only; motions and recordings of the scene only set the initial poses. One

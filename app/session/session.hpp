@@ -39,7 +39,7 @@ struct SessionOptions {
 };
 
 /// m/s. Default speed bound of a person's part if queries may be culled and the scene states none: the speed
-/// of a hand in ISO 13855. Boxing is faster; SpeedWatch detects it.
+/// of a hand in ISO 13855:2010. Boxing is faster; SpeedWatch detects it.
 inline constexpr double kHandSpeed = 2.0;
 
 /// Loads all files of a scene, builds the haptic structures, and runs cycles. Not shared between threads.

@@ -11,8 +11,8 @@ struct BrakingLawOptions {
   static constexpr const char* kName = "braking";
   safety::BrakingOptions path;
   double distance{0.0};  ///< m, required distance at every time until standstill
-  /// m/s; a person seen moving faster is assumed to continue at most at this speed [ISO 13855: 2 m/s for a
-  /// hand]
+  /// m/s; a person seen moving faster is assumed to continue at most at this speed [ISO 13855:2010: 2 m/s for
+  /// a hand]
   double person_speed{2.0};
   double person_acceleration{kInfinity};  ///< m/s^2; infinite: bounded by the speed only
 

@@ -18,8 +18,8 @@ double mobility(const PostureMass& m, int body, const Vector3d& p_B, const Wrenc
 
 /// Effective mass (kg) against a force at the point `p_B` of frame `frame` (index) along the unit vector
 /// `n_B`, joints free: 1 / (n^T J M^-1 J^T n) [Khatib 1995, Inertial properties in robotic manipulation].
-/// ISO/TS 15066 estimates it by half the moving mass plus the load. Infinity if no joint can yield. `work`:
-/// size dof. No allocation.
+/// ISO/TS 15066:2016 estimates it by half the moving mass plus the load. Infinity if no joint can yield.
+/// `work`: size dof. No allocation.
 double effectiveMass(const PostureMass& m, int frame, const Vector3d& p_B, const Vector3d& n_B,
                      std::span<double> work);
 

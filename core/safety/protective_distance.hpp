@@ -5,7 +5,13 @@
 
 namespace abstand::safety {
 
-/// Terms of ISO/TS 15066, 5.5.4, and ISO 13855. SI.
+/// Editions that the formula and the default speeds of people come from. ISO 10218-2:2025 has taken over the
+/// requirements of ISO/TS 15066:2016, and ISO 13855 has an edition of 2024: whoever owns those compares the
+/// values with them (docs/margins.md).
+inline constexpr const char* kSeparationEdition = "ISO/TS 15066:2016, 5.5.4";
+inline constexpr const char* kApproachSpeedEdition = "ISO 13855:2010";
+
+/// Terms of S_p [kSeparationEdition], with the speeds of people of kApproachSpeedEdition as defaults. SI.
 struct SeparationOptions {
   static constexpr const char* kName = "separation";
   double reaction_time{0.1};  ///< s, T_r: sensor, network and controller together
@@ -16,7 +22,7 @@ struct SeparationOptions {
   double person_error{0.0};  ///< m, Z_d: error of the person's measured position
   double robot_error{0.0};   ///< m, Z_r: error of the robot's position
   /// m/s, v_h of a person whose speed is not measured: 1.6 for walking, and 2.0, that of a hand, if nearer
-  /// than `near` [ISO 13855]. Also the limit that a measured speed is assumed to grow to.
+  /// than `near` [ISO 13855:2010]. Also the limit that a measured speed is assumed to grow to.
   double person_speed{1.6}, person_speed_near{2.0};
   double near{0.5};  ///< m
   /// m/s^2. A person with the measured approach speed v moves at most v T + a T^2 / 2 within T, and never

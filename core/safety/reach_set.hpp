@@ -7,7 +7,7 @@
 namespace abstand::safety {
 
 /// Assumed bounds on the motion of a point. Default: unbounded, so that users have to state a bound. For a
-/// person: 1.6 m/s walking and 2.0 m/s for a hand [ISO 13855]; 20 to 50 m/s^2 for a hand's acceleration
+/// person: 1.6 m/s walking and 2.0 m/s for a hand [ISO 13855:2010]; 20 to 50 m/s^2 for a hand's acceleration
 /// [values of sara-shield's models].
 struct MotionBounds {
   static constexpr const char* kName = "bounds";

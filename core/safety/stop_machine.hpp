@@ -24,9 +24,9 @@ std::string_view refusalName(ResetRefusal refusal);
 
 struct StopOptions {
   static constexpr const char* kName = "stop";
-  /// s. A protective stop ends by itself after this time without a cause [ISO/TS 15066 5.5.4 allows motion to
-  /// resume when the separation is restored]. Infinity: it waits for a reset at standstill. An emergency stop
-  /// always does.
+  /// s. A protective stop ends by itself after this time without a cause [ISO/TS 15066:2016, 5.5.4 allows
+  /// motion to resume when the separation is restored]. Infinity: it waits for a reset at standstill. An
+  /// emergency stop always does.
   double resume_after{kInfinity};
   /// rad/s or m/s: the robot stands still if no joint is faster.
   double standstill{1e-3};

@@ -197,7 +197,7 @@ QString separationTip(const view::SceneOutline& outline, const SeparationRow& ro
   QStringList lines{tr("%1 – %2: %3").arg(name(row.part), name(row.link), separationText(row))};
   if (row.state != SeparationState::kUnknown) {
     lines << tr("certified clearance %1 [distance − uncertainty − poses]").arg(lengthText(row.clearance, 0))
-          << tr("S_h, the person: %1 [ISO 13855: %2 m/s, or %3 m/s nearer than %4]")
+          << tr("S_h, the person: %1 [ISO 13855:2010: %2 m/s, or %3 m/s nearer than %4]")
                  .arg(lengthText(row.needed.person, 0), fixed(set.person_speed, 1),
                       fixed(set.person_speed_near, 1), lengthText(set.near, 0))
           << tr("S_r, reaction: %1 [robot at %2 m/s for %3 s, set here]")

@@ -1841,8 +1841,8 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>gesicherter Abstand %1 [Abstand − Unsicherheit − Posen]</translation>
     </message>
     <message>
-        <source>S_h, the person: %1 [ISO 13855: %2 m/s, or %3 m/s nearer than %4]</source>
-        <translation>S_h, die Person: %1 [ISO 13855: %2 m/s, näher als %4 sind es %3 m/s]</translation>
+        <source>S_h, the person: %1 [ISO 13855:2010: %2 m/s, or %3 m/s nearer than %4]</source>
+        <translation>S_h, die Person: %1 [ISO 13855:2010: %2 m/s, näher als %4 sind es %3 m/s]</translation>
     </message>
     <message>
         <source>S_r, reaction: %1 [robot at %2 m/s for %3 s, set here]</source>
@@ -2013,8 +2013,8 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>Schutzabstand</translation>
     </message>
     <message>
-        <source>For each body part the protective distance that ISO/TS 15066 asks for at this moment, term by term, against the distance that is there; and how a contact would compare with its limit.</source>
-        <translation>Für jedes Körperteil der Schutzabstand, den ISO/TS 15066 in diesem Moment verlangt, Summand für Summand, neben dem vorhandenen Abstand; und wie ein Kontakt zu seinem Grenzwert stünde.</translation>
+        <source>For each body part the protective distance that ISO/TS 15066:2016 asks for at this moment, term by term, against the distance that is there; and how a contact would compare with its limit.</source>
+        <translation>Für jedes Körperteil der Schutzabstand, den ISO/TS 15066:2016 in diesem Moment verlangt, Summand für Summand, neben dem vorhandenen Abstand; und wie ein Kontakt zu seinem Grenzwert stünde.</translation>
     </message>
     <message>
         <source>Inspector</source>

@@ -83,7 +83,7 @@ TEST_F(MarginVariants, ALatencyIsAShareOfEveryUncertainty) {
   const json with = runJson("tune " + scene_ + options_ + " --latency 0.05 --out " + out("late"));
   EXPECT_EQ(with["assumed"]["latency"], 0.05);
   EXPECT_NEAR(ofPart(with["closest"], "torso")["shares"]["latency"], 0.05 * 2.0, 1e-12)
-      << "at the speed of a hand in ISO 13855";
+      << "at the speed of a hand in ISO 13855:2010";
   EXPECT_EQ(runJson("merge " + out("late") + " --margins 0.1")["closest"], with["closest"])
       << "the same from the files";
   EXPECT_EQ(run("tune " + scene_ + options_ + " --latency -1").code, 2);

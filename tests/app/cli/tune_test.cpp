@@ -221,7 +221,10 @@ TEST_F(Tune, WritesAReport) {
                            "latency of a person's pose",
                            "Z_d, error of the person's place",
                            "body encloses",
-                           "clothing: none; tools: none"})
+                           "clothing: none; tools: none",
+                           "ISO 13855:2010",
+                           "edition of 2024",
+                           "ISO 10218-2:2025"})
     EXPECT_NE(html.find(said), std::string::npos) << said;
   for (const char* outside : {"http://", "https://", "<script", "src="})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
@@ -238,6 +241,10 @@ TEST_F(Tune, WritesAReport) {
                     w["constant"].get<double>(),
                 1e-12);
   }
+  EXPECT_EQ(j["standards"]["protective_distance"], "ISO/TS 15066:2016, 5.5.4");
+  EXPECT_EQ(j["standards"]["person_speed"], "ISO 13855:2010");
+  for (std::size_t at = html.find("ISO 13855"); at != std::string::npos; at = html.find("ISO 13855", at + 1))
+    EXPECT_EQ(html.substr(at, 10), "ISO 13855:") << "always with its edition";
   // No id stands for two things.
   std::set<std::string> ids;
   std::size_t count = 0;

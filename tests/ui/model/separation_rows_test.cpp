@@ -120,9 +120,9 @@ TEST_F(SeparationRowsTest, ContactsAreJudgedByTheTable) {
 TEST_F(SeparationRowsTest, TheTipNamesTheSourceOfEachNumber) {
   snapshot.objects[1].velocity.linear = Vector3d(-0.5, 0.0, 0.0);
   const QString tip = separationTip(outline, row(), settings);
-  for (const char* part :
-       {"anna/hand_left – arm/link1", "ISO 13855", "ISO/TS 15066", "limit of the force 140 N [table 2]",
-        "to be checked: by hand", "stiffness 75 N/mm [table 3]", "counts as immovable"})
+  for (const char* part : {"anna/hand_left – arm/link1", "ISO 13855:2010", "ISO/TS 15066:2016, 5.5.4",
+                           "limit of the force 140 N [table 2]", "to be checked: by hand",
+                           "stiffness 75 N/mm [table 3]", "counts as immovable"})
     EXPECT_TRUE(tip.contains(QString::fromUtf8(part))) << part << " in " << tip.toStdString();
 }
 
