@@ -65,7 +65,7 @@ std::string closestSection(const tune::TuneAnswer& answer) {
          "engine's bound, the uncertainty of the person's pose (as stated by the tracker, plus the share "
          "that the age "
          "of the "
-         "pose adds where a part was not seen of late), the latency of the pose and the calibration between "
+         "pose adds where a part was not seen recently), the latency of the pose and the calibration between "
          "recording "
          "and robot (assumptions, below), and the motion between two frames. \"Not stated\": the recording "
          "says nothing of the error of its tracker; it "
@@ -81,7 +81,7 @@ std::string worstPhaseSection(const tune::TuneAnswer& answer) {
       rows.push_back({r.recording, w.part, w.touches ? "touch" : millimetresText(w.lower, 1), w.link,
                       secondsText(w.t_person), secondsText(w.t_robot), secondsText(w.phase),
                       w.unseen > 0.0 ? secondsText(w.unseen) : ""});
-  return "<h2>The worst phase</h2>\n<p>Recording and program are not synchronised: the least certified "
+  return "<h2>The worst phase</h2>\n<p>Recording and program are not synchronised: the minimum certified "
          "clearance "
          "over every time of the one and every time of the other, between frames too. The phase says by how "
          "much "

@@ -9,8 +9,8 @@ namespace abstand::report {
 
 /// HTML: closest approach of each part, its error with all contributions, and the verdict.
 std::string closestSection(const tune::TuneAnswer& answer);
-/// HTML: least clearance of each part over all phases of program and recording; empty if it was not asked
-/// for.
+/// HTML: minimum certified clearance of each part over all phases of program and recording; empty if it was
+/// not asked for.
 std::string worstPhaseSection(const tune::TuneAnswer& answer);
 /// HTML: outcomes of uniform margins, and of margins by part, link and pair.
 std::string marginSetSection(const tune::TuneAnswer& answer);

@@ -7,7 +7,7 @@
 
 namespace abstand::report {
 
-/// For each part how long its protective distance was broken, and of the worst moment every term of S_p
+/// For each part how long its protective distance was violated, and of the worst moment every term of S_p
 /// beside the certified clearance.
 std::string separationSection(const tune::TuneAnswer& answer);
 

@@ -61,7 +61,7 @@ std::string separationText(const tune::TuneAnswer& answer) {
     if (const double broken = tune::separationRow(answer.recordings, p.part).broken; broken > longest)
       longest = broken, part = p.part;
   if (part.empty()) return "The protective distance was kept.";
-  return "The protective distance was broken, for longest by " + part + ": " + text::rounded(longest, 1) +
+  return "The protective distance was violated, for longest by " + part + ": " + text::rounded(longest, 1) +
          " s.";
 }
 

@@ -68,7 +68,7 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
          counted(answer.recordings.size(), "recording") +
          ". Of each margin, one column says what the engine's bound, the uncertainty of the pose (with "
          "latency and "
-         "calibration) and the way within one frame of the sensor take. \"Body encloses\" is the share of "
+         "calibration) and the motion within one frame of the sensor take. \"Body encloses\" is the share of "
          "all "
          "people (ANSUR II; of the stated sex, else women and men half and half) whose bare part is no "
          "thicker "

@@ -21,8 +21,9 @@ struct ClosestApproach {
   /// latency of the pose (latency.hpp), calibration between recording and robot, and possible approach
   /// between two frames.
   double bound{0.0}, pose{0.0}, latency{0.0}, calibration{0.0}, between_frames{0.0};
-  double pose_age{0.0};  ///< m, the share of `pose` due to the age of the pose: the part was not seen of late
-  double not_seen{0.0};  ///< s, over all recordings, in which the part was not seen
+  double pose_age{
+      0.0};  ///< m, the share of `pose` due to the age of the pose: the part was not seen recently
+  double not_seen{0.0};    ///< s, over all recordings, in which the part was not seen
   bool always_seen{true};  ///< in every frame of every recording
 
   /// m, the share of `pose` that the tracker states.

@@ -53,7 +53,7 @@ struct PartClearance {
   std::vector<double> distance;     ///< m, measured, of the pair with the smallest clearance
   std::vector<double> bound;        ///< m, of that pair
   std::vector<double> uncertainty;  ///< m, of that pair: pose uncertainty of the person
-  /// m, of that pair: share of the uncertainty due to the age of the pose, for a part not seen of late.
+  /// m, of that pair: share of the uncertainty due to the age of the pose, for a part not seen recently.
   std::vector<double> age_uncertainty;
   std::vector<double> latency_uncertainty;  ///< m, of that pair: share of the uncertainty due to the latency
   std::vector<std::uint16_t> link;          ///< index of that pair's link in PassResult::links

@@ -226,6 +226,9 @@ TEST_F(Tune, WritesAReport) {
                            "edition of 2024",
                            "ISO 10218-2:2025"})
     EXPECT_NE(html.find(said), std::string::npos) << said;
+  for (const char* odd :
+       {"not measured it", "way within", "'s way", "of late", "least certified", "broken for", "was broken"})
+    EXPECT_EQ(html.find(odd), std::string::npos) << odd;
   for (const char* outside : {"http://", "https://", "<script", "src="})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
   // Every file with its fingerprint: scene, robot, motion, and each recording.
