@@ -10,6 +10,7 @@
 #include "app/cli/speed_texts.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/tune/separation_table.hpp"
+#include "app/tune/stored_limits.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -68,10 +69,43 @@ Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p)
   return j;
 }
 
+/// The limits of a contact, and what they follow from; null: excluded.
+void addLimits(const tune::RankedApproach& r, Json& j) {
+  const auto judged = tune::judgedContact(*r.recording, *r.approach);
+  const bool limited = judged && !judged->contact.excluded;
+  const auto orNothing = [](bool known, double v) { return known ? numberOrNull(v) : Json(nullptr); };
+  j["robot_mass"] = numberOrNull(r.approach->contact.robot_mass);
+  j["body_mass"] = orNothing(judged.has_value(), judged ? judged->region.body_mass.value : kNaN);
+  j["reduced_mass"] = orNothing(judged.has_value(), judged ? judged->contact.reduced_mass : kNaN);
+  j["spring"] = orNothing(judged.has_value(), judged ? judged->region.spring.value : kNaN);
+  j["force_limit"] = orNothing(limited, limited ? judged->contact.allowed_force : kNaN);
+  j["energy_limit"] = orNothing(limited, limited ? judged->contact.allowed_energy : kNaN);
+  j["pressure_limit"] = orNothing(limited, limited ? judged->allowed_pressure : kNaN);
+}
+
+Json citedJson(const contact::CitedValue& v) {
+  return {{"value", numberOrNull(v.value)}, {"source", v.source}, {"to_be_checked", v.to_be_checked}};
+}
+
+Json regionsJson(const tune::TuneAnswer& answer) {
+  Json rows = Json::array();
+  for (const contact::RegionLimits& r : tune::occurringRegions(answer.recordings))
+    rows.push_back({{"region", r.name},
+                    {"excluded", r.excluded()},
+                    {"force", citedJson(r.force)},
+                    {"transient_factor", citedJson(r.transient)},
+                    {"pressure", citedJson(r.pressures.front().pressure)},
+                    {"place", r.pressures.front().place},
+                    {"spring", citedJson(r.spring)},
+                    {"body_mass", citedJson(r.body_mass)}});
+  return rows;
+}
+
 /// null: excluded or not judged.
-Json contactJson(const tune::ContactShare& c) {
+Json contactJson(const tune::RankedApproach& r) {
+  const tune::ContactShare& c = r.approach->contact;
   if (c.region.empty()) return nullptr;
-  return {{"t", c.t},
+  Json j{{"t", c.t},
           {"closing_speed", c.closing},
           {"region", c.region},
           {"kind", contact::kindText(c.kind)},
@@ -81,6 +115,8 @@ Json contactJson(const tune::ContactShare& c) {
           {"share", c.share},
           {"pressure", c.excluded ? Json(nullptr) : Json(c.pressure)},
           {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
+  addLimits(r, j);
+  return j;
 }
 
 std::string approachesText(const tune::TuneAnswer& answer) {
@@ -219,7 +255,7 @@ nlohmann::ordered_json approachJson(const tune::RankedApproach& r) {
       {"person_speed", a.motion.person_speed},
       {"time_to_contact", closing > 0.0 && a.clearance > 0.0 ? Json(a.clearance / closing) : Json(nullptr)},
       {"robot_mass", a.motion.robot_mass},
-      {"contact", contactJson(a.contact)}};
+      {"contact", contactJson(r)}};
 }
 
 Json tuneJson(const tune::TuneAnswer& answer) {
@@ -261,6 +297,7 @@ Json tuneJson(const tune::TuneAnswer& answer) {
     j["approaches"].push_back(approachJson(r));
   const std::string& stamp = answer.recordings.front().contact_limits;
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
+  j["contact_regions"] = regionsJson(answer);
   j["standards"] = {{"protective_distance", safety::kSeparationEdition},
                     {"person_speed", safety::kApproachSpeedEdition}};
   j["clamped"] = tune::clampedParts(answer.recordings);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/assumption_section.hpp"
+#include "app/report/contact_section.hpp"
 #include "app/report/exposure_section.hpp"
 #include "app/report/margin_section.hpp"
 #include "app/report/page.hpp"
@@ -148,15 +149,10 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
   std::string html =
       "<h2>Nearest approaches</h2>\n<p>Local minima of the certified clearance, nearest first, and the "
       "contact at the highest closing speed of the approach, as percentages of the limits of "
-      "the body region: transient, or quasi-static where the part may be clamped. The force is v sqrt(mu k), "
-      "with "
-      "v the closing speed, mu the reduced mass of the robot (effective mass in that posture, but at least "
-      "half of "
-      "its moving mass; wall: its file has no masses) and of the body region, and k the region's spring "
-      "constant; half the robot's speed "
-      "halves the robot's part of v. \"Not certain\" is a pressure on a point that is too sharp to have a "
-      "certain area. "
-      "Masses, constants and limits are those of the table stamped below.</p>\n";
+      "the body region: transient, or quasi-static where the part may be clamped. Wall: the file of the "
+      "robot has no masses. Half the robot's speed halves the robot's part of the closing speed. \"Not "
+      "certain\" is a pressure on a point that is too sharp to have a certain area. Values, masses and "
+      "limits follow below.</p>\n";
   std::vector<std::vector<std::string>> rows;
   std::string pictures;
   const auto all = ranked(answer);
@@ -166,10 +162,10 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
     const std::string part = tune::partText(r.pass.parts[a.part].part, r.pass.toolName(a.tool));
     const std::string& link = r.pass.links[a.link];
     const bool contact = !a.contact.region.empty();
-    std::vector<std::string> row{mm(a.clearance), part, link, seconds(a.t)};
+    std::vector<std::string> row{std::to_string(i + 1), mm(a.clearance), part, link, seconds(a.t)};
     if (contact)
       row.insert(row.end(),
-                 {shown("%.2f m/s", a.contact.closing), massText(a.motion.robot_mass),
+                 {shown("%.2f m/s", a.contact.closing), massText(a.contact.robot_mass),
                   a.contact.region + ", " + std::string(contact::kindText(a.contact.kind)),
                   a.contact.excluded ? "excluded"
                                      : shown("%.0f N", a.contact.force) + ", " + percent(a.contact.share),
@@ -186,7 +182,8 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
                   "; people orange, robots blue.</figcaption></figure>\n";
   }
   if (rows.empty()) return html + "<p>None below " + mm(answer.options.pass.near) + ".</p>\n";
-  std::vector<std::string> header{"clearance",
+  std::vector<std::string> header{"no.",
+                                  "clearance",
                                   "part",
                                   "link",
                                   "time",
@@ -196,7 +193,7 @@ std::string approachSection(const tune::TuneAnswer& answer, const TuneReportOpti
                                   "force, of its limit",
                                   "pressure, of its limit"};
   if (answer.recordings.size() > 1) header.push_back("recording");
-  return html + htmlTable(header, rows) + pictures;
+  return html + htmlTable(header, rows) + contactTable(answer, all) + limitTable(answer) + pictures;
 }
 
 /// Minimum of each interval, so that no minimum is lost.

@@ -66,6 +66,7 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
   share.t = t;
   share.closing = motion.closing();
   share.kind = kindOf(part);
+  share.robot_mass = motion.robot_mass;
   if (!limits_ || !(share.closing > 0.0)) return share;
   const contact::ContactMotion moves{
       motion.closing(), {motion.robot_mass, contact::RobotMassSource::kPosture}, share.kind};

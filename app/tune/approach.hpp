@@ -37,6 +37,7 @@ struct ContactShare {
   double pressure{0.0};            ///< Pa, peak, from the link's surface
   double pressure_share{0.0};
   contact::ContactKind kind{contact::ContactKind::kTransient};  ///< quasi-static: the part may be clamped
+  double robot_mass{kInfinity};                                 ///< kg, at that point then; infinite: a wall
 };
 
 /// In place of the index of a tool: a body part itself.

@@ -6,6 +6,7 @@
 #include "app/session/input_content.hpp"
 #include "app/tune/person_notes.hpp"
 #include "app/tune/result_key.hpp"
+#include "app/tune/stored_limits.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
@@ -103,6 +104,7 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.files = filesOf(session);
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();
+  if (options.pass.contact) tuned.regions = occurringRegions(tuned.pass.approaches, *options.pass.contact);
   tuned.enclosed = enclosedIn(session, tuned.pass);
   tuned.t0 = times.t0;
   tuned.t1 = times.t1;

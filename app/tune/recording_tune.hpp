@@ -38,8 +38,9 @@ struct TunedRecording {
   double unjudged{0.0};     ///< s at the beginning, see firstJudgedFrame(); the longest of all parts
   /// Without the lists of the parts' frames if `file` has them: PartFrames reads them.
   PassResult pass;
-  std::string contact_limits;        ///< ContactLimits::stamp(); empty: contacts were not judged
-  std::vector<std::string> clamped;  ///< PassOptions::clamped, with the parts that the scene names
+  std::string contact_limits;                  ///< ContactLimits::stamp(); empty: contacts were not judged
+  std::vector<contact::RegionLimits> regions;  ///< of the predicted contacts (stored_limits.hpp)
+  std::vector<std::string> clamped;            ///< PassOptions::clamped, with the parts that the scene names
   std::vector<InputFile> files;  ///< scene, robots, motions, meshes, recordings, in the order of the scene
   std::vector<PersonNote> people;
   /// For each of pass.parts: share of people whose part the model encloses, bare; of several people in the

@@ -7,6 +7,7 @@
 #include "app/hdf5/table_reader.hpp"
 #include "app/tune/exposure_file.hpp"
 #include "app/tune/result_key.hpp"
+#include "app/tune/stored_limits.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
@@ -24,8 +25,8 @@ constexpr std::size_t kMaxNames = 10000;
 
 /// Part, link, t, distance, clearance, speeds of robot and person, robot's mass; time and closing speed of
 /// the hardest contact on the way, excluded, force, energy, share, pressure, its share, quasi-static,
-/// tool.
-constexpr std::size_t kApproachColumns = 18;
+/// tool, the robot's mass at that contact.
+constexpr std::size_t kApproachColumns = 19;
 /// Margin, decided, t, clearance, bound, pose, sampling: links first, then pairs.
 constexpr std::size_t kNeedColumns = 7;
 
@@ -127,7 +128,8 @@ std::vector<Approach> approachesOf(const hdf5::TableReader& in, std::size_t part
         regions[i], a[10] != 0.0,
         a[11],      a[12],
         a[13],      a[14],
-        a[15],      a[16] != 0.0 ? contact::ContactKind::kQuasiStatic : contact::ContactKind::kTransient};
+        a[15],      a[16] != 0.0 ? contact::ContactKind::kQuasiStatic : contact::ContactKind::kTransient,
+        a[18]};
     all.push_back(std::move(approach));
   }
   return all;
@@ -224,6 +226,9 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
                                           out_.attribute(std::string("separation_") + key, value);
                                         });
   out_.attribute("contact_limits", tuned.contact_limits);
+  std::vector<std::string> regions;
+  for (const contact::RegionLimits& region : tuned.regions) regions.push_back(regionLine(region));
+  out_.texts("contact_regions", regions);
   out_.attribute("content", tuned.content);
   const auto& warm = tuned.warm_start;
   out_.attribute("cold_start_every", warm ? static_cast<long long>(warm->block) : kColdStarts);
@@ -262,7 +267,7 @@ void ResultWriter::writeApproaches(const std::vector<Approach>& all) {
          {static_cast<double>(a.part), static_cast<double>(a.link), a.t, a.distance, a.clearance,
           a.motion.robot_speed, a.motion.person_speed, a.motion.robot_mass, c.t, c.closing,
           c.excluded ? 1.0 : 0.0, c.force, c.energy, c.share, c.pressure, c.pressure_share,
-          c.kind == contact::ContactKind::kQuasiStatic ? 1.0 : 0.0, toolNumber(a.tool)})
+          c.kind == contact::ContactKind::kQuasiStatic ? 1.0 : 0.0, toolNumber(a.tool), c.robot_mass})
       out_.add(approaches, v);
     out_.endRow();
     regions.push_back(c.region);
@@ -344,6 +349,8 @@ StoredResult readResult(const std::filesystem::path& file) {
   stored.options.pass.calibration_error = in.number("calibration_error");
   stored.options.pass.latency = in.number("latency");
   tuned.contact_limits = in.text("contact_limits");
+  for (const std::string& text : in.texts("contact_regions"))
+    tuned.regions.push_back(regionOf(text, file.string()));
   tuned.content = in.text("content");
   tuned.warm_start = warmStartOf(in, file.string());
   safety::SeparationOptions::eachNumber(stored.options.pass.separation,

@@ -75,11 +75,12 @@ class OddResult {
     table("pairs", 2, {3},
           [](std::size_t row, std::size_t i) { return i == 0 ? 0.0 : static_cast<double>(row); });
     table("needs", 5, {7}, [](std::size_t, std::size_t) { return 0.1; });
-    table("approaches", in_.byte() % 3, {18}, [](std::size_t, std::size_t) { return 0.5; });
+    table("approaches", in_.byte() % 3, {19}, [](std::size_t, std::size_t) { return 0.5; });
     table("part_contact", frames, {parts}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("contact_excluded", {"part1"});
     table("enclosed", parts, {2}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("clamped", {"part2"});
+    out_.texts("contact_regions", {in_.text("chest\tsternum\t140\ta\t\t2\ta\t\t1200000\ta\t\t25000\ta\t\t40\ta\tb")});
     out_.texts("files", {in_.text("0123\tscene.yaml")});
     out_.texts("people", {in_.text("person\t1.750 m")});
     out_.commit();
