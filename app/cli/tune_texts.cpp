@@ -43,6 +43,16 @@ std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part
   return least == largest ? largest + " %" : least + " to " + largest + " %";
 }
 
+/// By recorded time; null where no margin suffices, or nothing was judged.
+Json unseenMinutesJson(const tune::ProposedMargin& p) {
+  const double minutes = p.judged_time / 60.0;
+  if (std::isinf(p.margin) || !(minutes > 0.0)) return nullptr;
+  return {{"level", 0.95},
+          {"seconds", p.judged_time},
+          {"violations_per_minute", margin::unseenRate(minutes)},
+          {"share", margin::unseenTimeShare(minutes)}};
+}
+
 Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p) {
   Json j{{"part", p.part}, {"margin", p.margin}};
   if (const auto& d = p.decided_by) {
@@ -57,11 +67,13 @@ Json proposedJson(const tune::TuneAnswer& answer, const tune::ProposedMargin& p)
   }
   j["enclosed_share"] = enclosedJson(answer, p.part);
   j["confidence"] = {{"level", 0.95}, {"recordings", p.needed.size()}, {"unseen_share", p.unseen_share}};
+  j["confidence"]["unseen_minutes"] = unseenMinutesJson(p);
   Json& fit = j["confidence"]["gumbel"];
   if (p.fit)
     fit = {{"location", p.fit->location},
            {"scale", p.fit->scale},
            {"misfit", p.fit->misfit},
+           {"critical_misfit", margin::criticalMisfit(p.fit->count)},
            {"margin_95", p.fit->quantile(0.95)},
            {"margin_99", p.fit->quantile(0.99)}};
   else
@@ -237,6 +249,17 @@ std::string proposedText(const tune::TuneAnswer& answer, const tune::ProposedMar
       1e3 * d.sampling, enclosed.c_str());
 }
 
+/// For the part with the least judged time.
+std::string unseenMinutesText(const tune::TuneAnswer& answer) {
+  const double minutes = tune::shortestJudgedTime(answer.table) / 60.0;
+  if (!(minutes > 0.0)) return "95 % confidence by time: nothing was judged of some part\n";
+  return format(
+      "95 %% confidence by time: at most %.1f %% of unseen minutes of the same work violate one of these "
+      "margins "
+      "(fewer than %.2g violations per minute; %.2f minutes judged, variants of a recording counted once)\n",
+      100.0 * margin::unseenTimeShare(minutes), margin::unseenRate(minutes), minutes);
+}
+
 }  // namespace
 
 nlohmann::ordered_json approachJson(const tune::RankedApproach& r) {
@@ -344,6 +367,7 @@ std::string tuneText(const tune::TuneAnswer& answer) {
       "95 %% confidence: at most %.1f %% of further recordings of the same kind violate one of these "
       "margins\n",
       100.0 * p.unseen_share);
+  text += unseenMinutesText(answer);
   text += groupNeedsText(answer) + strategiesText(answer) + bandsText(answer) + closestText(answer);
   text += worstPhasesText(answer) + speedsText(answer) + approachesText(answer);
   for (const auto& r : answer.recordings) text += reservationsText(r.reservations);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/assumption_section.hpp"
+#include "app/report/confidence_section.hpp"
 #include "app/report/contact_section.hpp"
 #include "app/report/exposure_section.hpp"
 #include "app/report/margin_section.hpp"
@@ -21,8 +22,6 @@ namespace abstand::report {
 namespace {
 
 constexpr std::size_t kApproaches = 20, kPictures = 3;
-// With fewer, more than a quarter of unseen recordings may need more (margin::unseenShare).
-constexpr std::size_t kFewRecordings = 10;
 constexpr std::size_t kPlotPoints = 350;
 
 std::string shown(const char* pattern, double value) {
@@ -49,6 +48,12 @@ std::string enclosedText(const tune::TuneAnswer& answer, const std::string& part
   return least == largest ? least : least + " to " + largest;
 }
 
+/// The 99 % quantile, unless the distribution does not fit.
+std::string fitCell(const tune::ProposedMargin& p) {
+  if (!p.fit) return "too few recordings";
+  return p.fit->misfit > margin::criticalMisfit(p.fit->count) ? "does not fit" : mm(p.fit->quantile(0.99));
+}
+
 std::string proposedSection(const tune::TuneAnswer& answer) {
   std::vector<std::vector<std::string>> rows;
   for (const tune::ProposedMargin& p : answer.table.proposed) {
@@ -61,10 +66,9 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
     else
       row.insert(row.end(), {"no stop needed", "", ""});
     row.push_back(enclosedText(answer, p.part));
-    row.push_back(p.fit ? mm(p.fit->quantile(0.99)) : "too few recordings");
+    row.push_back(fitCell(p));
     rows.push_back(std::move(row));
   }
-  const double share = answer.table.proposed.front().unseen_share;
   return "<h2>Proposed margins</h2>\n<p>The smallest margin of each part without a missed stop in " +
          counted(answer.recordings.size(), "recording") +
          ". Of each margin, one column says what the engine's bound, the uncertainty of the pose (with "
@@ -78,18 +82,7 @@ std::string proposedSection(const tune::TuneAnswer& answer) {
          htmlTable({"part", "margin", "determined by", "link", "bound + pose + frame", "body encloses",
                     "99 % of recordings (Gumbel)"},
                    rows) +
-         "<p><strong>Confidence.</strong> If further recordings are of the same kind and independent of each "
-         "other, then with "
-         "95 % confidence at most " +
-         shown("%.1f %%", 100.0 * share) +
-         " of them need a larger margin for a part (order statistics; the rule of three). More recordings "
-         "make this percentage "
-         "smaller; others of another kind (other people, tasks, speeds) are not covered by it at all." +
-         (answer.recordings.size() < kFewRecordings ? " <strong>So few recordings say nearly nothing about "
-                                                      "others: a margin of 0 mm means that these "
-                                                      "did not need one.</strong>"
-                                                    : "") +
-         "</p>\n";
+         confidenceSection(answer);
 }
 
 verify::Plot curveOf(const tune::TuneAnswer& answer) {

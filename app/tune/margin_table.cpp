@@ -1,6 +1,7 @@
 #include "app/tune/margin_table.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "app/tune/part_frames.hpp"
 #include "core/margin/margin_outcome.hpp"
@@ -35,6 +36,8 @@ class PartRows {
     if (first >= part.track.frames()) return;
     const margin::ClearanceTrack track = margin::from(part.track, first);
     add(track);
+    double& longest = judged_[recording.content];
+    longest = std::max(longest, track.duration());
     const margin::SafeMargin safe = margin::smallestSafeMargin(track, options_);
     proposed_.needed.push_back(safe.margin);
     if (!safe.decided || (proposed_.decided_by && !(safe.margin > largest_))) return;
@@ -53,6 +56,7 @@ class PartRows {
   const std::vector<MarginRow>& rows() const { return rows_; }
   ProposedMargin proposed() {
     proposed_.margin = proposed_.decided_by ? roundedUpMargin(largest_) : 0.0;
+    for (const auto& [content, time] : judged_) proposed_.judged_time += time;
     proposed_.unseen_share = margin::unseenShare(proposed_.needed.size());
     proposed_.fit = margin::fitGumbel(proposed_.needed);
     return std::move(proposed_);
@@ -64,6 +68,8 @@ class PartRows {
   std::vector<MarginRow> rows_;
   ProposedMargin proposed_;
   double largest_{0.0};  ///< m
+  /// s, by content: variants of one recording add no time, because they show the same work again.
+  std::map<std::string, double> judged_;
 };
 
 /// Frame-wise minimum over all parts, from the frame on from which each can be judged.
@@ -74,6 +80,12 @@ margin::ClearanceTrack wholeBody(const PartFrames& frames, const margin::MarginO
 }
 
 }  // namespace
+
+double shortestJudgedTime(const MarginTable& table) {
+  double shortest = kInfinity;
+  for (const ProposedMargin& p : table.proposed) shortest = std::min(shortest, p.judged_time);
+  return table.proposed.empty() ? 0.0 : shortest;
+}
 
 MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std::vector<double>& margins,
                         const TuneOptions& options) {

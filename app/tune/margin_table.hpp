@@ -31,7 +31,9 @@ struct ProposedMargin {
     double bound{0.0}, pose{0.0}, sampling{0.0};
   };
   std::optional<Decision> decided_by;
-  double unseen_share{1.0};              ///< margin::unseenShare for the number of recordings
+  double unseen_share{1.0};  ///< margin::unseenShare for the number of recordings
+  /// s, in which the part was judged; runs of one recording count once, with the longest of them.
+  double judged_time{0.0};
   std::vector<double> needed;            ///< m, of each recording in order
   std::optional<margin::GumbelFit> fit;  ///< of `needed`
 };
@@ -42,6 +44,9 @@ struct MarginTable {
   std::vector<MarginRow> rows;  ///< part by part, margins increasing
   std::vector<ProposedMargin> proposed;
 };
+
+/// s, judged time of the part that was judged for the shortest time.
+double shortestJudgedTime(const MarginTable& table);
 
 /// `margins`: m, increasing.
 MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std::vector<double>& margins,

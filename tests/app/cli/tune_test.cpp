@@ -87,6 +87,45 @@ TEST_F(Tune, ProposesMarginForFastestPerson) {
   EXPECT_NEAR((*torso)["confidence"]["unseen_share"], 1.0 - std::pow(0.05, 1.0 / kPeople), 1e-12);
 }
 
+TEST_F(Tune, ConfidenceByTimeCountsEachRecordingOnce) {
+  const auto minutesOf = [](const json& answer, const std::string& part) {
+    for (const json& p : answer["proposed"])
+      if (p["part"] == part) return p["confidence"]["unseen_minutes"];
+    return json();
+  };
+  const json many = runJson("tune " + scene_ + " --recordings" + recordings_);
+  double judged = 0.0;
+  for (const json& input : many["inputs"]) judged += input["seconds"].get<double>();
+  const json foot = minutesOf(many, "foot_left");
+  EXPECT_NEAR(foot["seconds"], judged, 1e-9) << "seven recordings of different content";
+  EXPECT_NEAR(foot["violations_per_minute"], -std::log(0.05) / (judged / 60.0), 1e-9);
+  EXPECT_NEAR(foot["share"], 1.0 - std::pow(0.05, 60.0 / judged), 1e-9);
+  // Another person with the same motion is no other motion.
+  write("plan.yaml",
+        "abstand_plan: 1\nscenes: [slide.yaml]\nrecordings: [person1.csv]\n"
+        "people: [{height: 1.6, sex: f}, {height: 1.9}]\n");
+  const json variants = runJson("tune " + out("plan.yaml"));
+  EXPECT_EQ(variants["recordings"], 2);
+  const double one = variants["inputs"][0]["seconds"];
+  EXPECT_NEAR(variants["seconds"], 2.0 * one, 1e-9);
+  EXPECT_NEAR(minutesOf(variants, "foot_left")["seconds"], one, 1e-9);
+}
+
+TEST_F(Tune, ReportShowsTheFitOfTheExtremeValues) {
+  const json j =
+      runJson("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html"));
+  const std::string html = readFile(out("report.html"));
+  for (const char* said : {"Confidence by time", "Poisson process", "Extreme values and their fit", "Gumbel fit",
+                           "torso: margins that the recordings need"})
+    EXPECT_NE(html.find(said), std::string::npos) << said;
+  for (const json& p : j["proposed"]) {
+    const json& fit = p["confidence"]["gumbel"];
+    if (fit.is_null()) continue;
+    EXPECT_NEAR(fit["critical_misfit"], 0.92 / (std::sqrt(static_cast<double>(kPeople)) + 0.3), 1e-12);
+    EXPECT_GT(fit["misfit"], 0.0);
+  }
+}
+
 TEST_F(Tune, ResumesAfterKillAndRedoesDamagedResults) {
   const std::string command = "tune " + scene_ + " --recordings" + recordings_ + " --out " + out("results");
   const std::string expected = answerOf(runJson("tune " + scene_ + " --recordings" + recordings_));
