@@ -51,7 +51,7 @@ int runReport(const CommandLine& line, const ReportArguments& args) {
     throw UsageError("--junit and --margin: found one alone, expected both: the test evaluates that margin");
   if (!args.pdf.empty()) report::needPdfConverter();
   tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
-  answer.options.restart_time = restartTime(args.restart_time);
+  takeRestartTime(args.restart_time, answer.options);
   nlohmann::ordered_json document{{"recordings", answer.recordings.size()}};
   std::string text = format("%zu runs", answer.recordings.size());
   if (!args.html.empty() || !args.pdf.empty()) {

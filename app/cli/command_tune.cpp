@@ -319,7 +319,7 @@ struct MergeArguments {
 int runMerge(const CommandLine& line, const MergeArguments& args) {
   const Asked asked{args.questions, args.questions.questions(), "merged results"};
   tune::TuneAnswer answer = tune::mergedAnswer({args.folders.begin(), args.folders.end()});
-  answer.options.restart_time = restartTime(args.restart_time);
+  takeRestartTime(args.restart_time, answer.options);
   for (const std::string& folder : args.folders)
     if (std::error_code ec; std::filesystem::is_directory(std::filesystem::path(folder) / "results", ec))
       refreshIndex(line, folder);

@@ -1,6 +1,7 @@
 #include "app/cli/pass_arguments.hpp"
 
 #include <set>
+#include <utility>
 
 #include "app/cli/tune_arguments.hpp"
 #include "core/base/error.hpp"
@@ -44,8 +45,28 @@ std::vector<std::string> clampedNames(const std::vector<std::string>& names) {
 
 }  // namespace
 
+std::vector<std::string> PassArguments::stated() const {
+  std::set<std::string> names;
+  const std::pair<const char*, const std::string*> options[] = {{"limit", &limit},
+                                                                {"reaction_time", &reaction_time},
+                                                                {"deceleration", &deceleration},
+                                                                {"restart_time", &restart_time},
+                                                                {"near", &near},
+                                                                {"calibration_error", &calibration_error},
+                                                                {"latency", &latency},
+                                                                {"contact_limits", &contact_limits}};
+  for (const auto& [name, text] : options)
+    if (!text->empty()) names.insert(name);
+  // The reaction time is T_r, too, unless that is stated.
+  if (!reaction_time.empty()) names.insert("separation.reaction_time");
+  for (const std::string& text : separation) names.insert("separation." + text.substr(0, text.find('=')));
+  if (!clamped.empty()) names.insert("clamped");
+  return {names.begin(), names.end()};
+}
+
 tune::TuneOptions PassArguments::options() const {
   tune::TuneOptions o;
+  o.stated = stated();
   if (!limit.empty()) o.pass.limit = numberWithin(limit, "--limit", 0.0, 10.0, "m");
   if (!reaction_time.empty())
     o.pass.braking.reaction_time = numberWithin(reaction_time, "--reaction-time", 0.0, 10.0, "s");

@@ -16,6 +16,8 @@ struct PassArguments {
   std::vector<std::string> separation, clamped;
 
   void add(CLI::App& command);
+  /// Names of the options that were given (TuneOptions::stated).
+  std::vector<std::string> stated() const;
   /// Reads the table of contact limits. Throws UsageError and ParseError.
   tune::TuneOptions options() const;
 };

@@ -63,6 +63,12 @@ double restartTime(const std::string& text) {
   return text.empty() ? 0.0 : numberWithin(text, "--restart-time", 0.0, 1e4, "s");
 }
 
+void takeRestartTime(const std::string& text, tune::TuneOptions& options) {
+  options.restart_time = restartTime(text);
+  std::erase(options.stated, "restart_time");
+  if (!text.empty()) options.stated.emplace_back("restart_time");
+}
+
 double segmentLength(const std::string& text) {
   return text.empty() ? 1.0 : numberWithin(text, "--segment", 0.01, 1e4, "s");
 }

@@ -13,6 +13,8 @@ std::vector<double> marginList(const std::string& text);
 
 /// `--restart-time`, s; 0 if empty. Throws UsageError.
 double restartTime(const std::string& text);
+/// The same for results that are read: replaces the restart time, and whether it was stated.
+void takeRestartTime(const std::string& text, tune::TuneOptions& options);
 /// `--segment`, s; 1 if empty. Throws UsageError.
 double segmentLength(const std::string& text);
 

@@ -10,6 +10,7 @@
 #include "app/cli/speed_texts.hpp"
 #include "app/cli/warm_start.hpp"
 #include "app/tune/separation_table.hpp"
+#include "app/tune/stated_options.hpp"
 #include "app/tune/stored_limits.hpp"
 
 namespace abstand::cli {
@@ -118,15 +119,15 @@ Json contactJson(const tune::RankedApproach& r) {
   const tune::ContactShare& c = r.approach->contact;
   if (c.region.empty()) return nullptr;
   Json j{{"t", c.t},
-          {"closing_speed", c.closing},
-          {"region", c.region},
-          {"kind", contact::kindText(c.kind)},
-          {"excluded", c.excluded},
-          {"force", c.force},
-          {"energy", c.energy},
-          {"share", c.share},
-          {"pressure", c.excluded ? Json(nullptr) : Json(c.pressure)},
-          {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
+         {"closing_speed", c.closing},
+         {"region", c.region},
+         {"kind", contact::kindText(c.kind)},
+         {"excluded", c.excluded},
+         {"force", c.force},
+         {"energy", c.energy},
+         {"share", c.share},
+         {"pressure", c.excluded ? Json(nullptr) : Json(c.pressure)},
+         {"pressure_share", c.excluded ? Json(nullptr) : Json(c.pressure_share)}};
   addLimits(r, j);
   return j;
 }
@@ -292,6 +293,9 @@ Json tuneJson(const tune::TuneAnswer& answer) {
                   {"calibration_error", o.pass.calibration_error},
                   {"latency", o.pass.latency}};
   j["warm_start"] = warmStartJson(tune::warmStartOf(answer.recordings));
+  j["assumed_by"] = Json::object();
+  for (const std::string& name : tune::assumptionNames())
+    j["assumed_by"][name] = tune::isStated(o, name) ? "user" : "default";
   j["inputs"] = Json::array();
   for (const auto& r : answer.recordings)
     j["inputs"].push_back({{"recording", r.recording},

@@ -5,6 +5,7 @@
 
 #include "app/report/page.hpp"
 #include "app/tune/part_frames.hpp"
+#include "app/tune/stated_options.hpp"
 #include "core/base/number.hpp"
 #include "core/text/escaped_xml.hpp"
 #include "core/text/message_text.hpp"
@@ -24,8 +25,10 @@ std::string joinedNames(const std::vector<std::string>& names) {
   return all.empty() ? "none" : all;
 }
 
-/// The report knows values, not the command line.
-std::string saidBy(bool is_default) { return is_default ? "default" : "user"; }
+/// "user" also where somebody stated the default on purpose.
+std::string saidBy(const tune::TuneOptions& options, const char* name) {
+  return tune::isStated(options, name) ? "user" : "default";
+}
 
 /// m, the largest uncertainty that a recording states of its tracker; 0: none does.
 double largestStated(const std::vector<tune::TunedRecording>& recordings, double calibration) {
@@ -49,70 +52,78 @@ AssumptionRows::value_type toleranceRow(const tune::TuneAnswer& answer) {
   const auto warm = tune::warmStartOf(answer.recordings);
   return {"tolerance of distances beyond 0.1 m",
           warm ? text::rounded(100.0 * warm->far_tolerance, 3) + " %" : "cold starts: not used",
-          saidBy(!warm || warm->far_tolerance == query::kFarTolerance),
+          !warm || warm->far_tolerance == query::kFarTolerance ? "default" : "user",
           "distances beyond 0.1 m may be larger than the smallest one by it; the bound includes it"};
 }
 
 AssumptionRows marginRows(const tune::TuneAnswer& answer) {
-  const tune::TuneOptions &o = answer.options, usual;
+  const tune::TuneOptions& o = answer.options;
   const double stated = largestStated(answer.recordings, o.pass.calibration_error);
   const std::vector<std::string> clamped = tune::clampedParts(answer.recordings);
   return {
-      {"reaction time", wholeMs(o.pass.braking.reaction_time),
-       saidBy(o.pass.braking.reaction_time == usual.pass.braking.reaction_time),
+      {"reaction time", wholeMs(o.pass.braking.reaction_time), saidBy(o, "reaction_time"),
        "each 10 ms more need 10 ms times the closing speed more margin: 16 mm at 1.6 m/s"},
       {"deceleration of each joint", formatDouble(o.pass.braking.deceleration) + " rad/s^2 or m/s^2",
-       saidBy(o.pass.braking.deceleration == usual.pass.braking.deceleration),
-       "half of it doubles the braking time and the person's displacement in it"},
-      {"limit", tenthMm(o.pass.limit), saidBy(o.pass.limit == usual.pass.limit),
-       "margins grow with it one to one"},
+       saidBy(o, "deceleration"), "half of it doubles the braking time and the person's displacement in it"},
+      {"limit", tenthMm(o.pass.limit), saidBy(o, "limit"), "margins grow with it one to one"},
       {"error of the tracker", stated > 0.0 ? "up to " + tenthMm(stated) : "not stated, counts as 0",
        "recordings", "every clearance is smaller by it, and margins grow with it one to one"},
       {"calibration error between recording and robot", tenthMm(o.pass.calibration_error),
-       saidBy(o.pass.calibration_error == usual.pass.calibration_error),
+       saidBy(o, "calibration_error"),
        "every clearance is smaller by it, and margins grow with it one to one; 0 means that it was not "
        "measured"},
-      {"latency of a person's pose", wholeMs(o.pass.latency), saidBy(o.pass.latency == usual.pass.latency),
+      {"latency of a person's pose", wholeMs(o.pass.latency), saidBy(o, "latency"),
        "each 10 ms more take 10 ms times the part's speed (2 m/s, or the fastest recorded) from every "
        "clearance: 20 mm at 2 m/s; 0 says that nobody has measured it"},
-      {"parts that may be clamped", joinedNames(clamped), saidBy(clamped.empty()),
+      {"parts that may be clamped", joinedNames(clamped), clamped.empty() ? saidBy(o, "clamped") : "user",
        "quasi-static limits apply to their contacts, which are usually half of the transient ones, and no "
        "part of their mass recoils"},
-      {"near", tenthMm(o.pass.near), saidBy(o.pass.near == usual.pass.near),
+      {"table of contact limits",
+       answer.recordings.front().contact_limits.empty() ? "none" : answer.recordings.front().contact_limits,
+       saidBy(o, "contact_limits"), "contacts, and speeds that their limits permit, follow from it"},
+      {"near", tenthMm(o.pass.near), saidBy(o, "near"),
        "approaches and contacts of pairs farther apart are not judged: larger finds more of them"},
-      {"restart time", timeWithUnit(o.restart_time), saidBy(o.restart_time == usual.restart_time),
+      {"restart time", timeWithUnit(o.restart_time), saidBy(o, "restart_time"),
        "adds to the time stopped, not to margins"},
       toleranceRow(answer)};
 }
 
-AssumptionRows separationRows(const safety::SeparationOptions& o) {
-  const safety::SeparationOptions usual;
+/// Of the speeds of people, which are one row.
+std::string speedSaidBy(const tune::TuneOptions& options) {
+  std::string users;
+  for (const char* name : {"person_speed", "person_speed_near", "near"})
+    if (tune::isStated(options, std::string("separation.") + name))
+      users += (users.empty() ? "" : ", ") + std::string(name);
+  return users.empty() ? "default" : "user (" + users + ")";
+}
+
+AssumptionRows separationRows(const tune::TuneOptions& options) {
+  const safety::SeparationOptions& o = options.pass.separation;
   const bool brakes = o.deceleration > 0.0;
-  return {{"T_r, reaction time", wholeMs(o.reaction_time), saidBy(o.reaction_time == usual.reaction_time),
+  return {{"T_r, reaction time", wholeMs(o.reaction_time), saidBy(options, "separation.reaction_time"),
            "each 10 ms more add 10 ms times the speeds of person and robot: 16 mm at 1.6 m/s"},
           {"T_s, stopping time",
            brakes ? "robot's speed / " + formatDouble(o.deceleration) + " m/s^2" : wholeMs(o.stopping_time),
-           saidBy(!brakes && o.stopping_time == usual.stopping_time),
+           saidBy(options, brakes ? "separation.deceleration" : "separation.stopping_time"),
            "each 10 ms more add 10 ms times the person's speed, and half the robot's"},
           {"v_h, speed of the person",
            text::rounded(o.person_speed, 2) + " m/s, nearer than " + tenthMm(o.near) + " " +
                text::rounded(o.person_speed_near, 2) + " m/s",
-           saidBy(o.person_speed == usual.person_speed && o.person_speed_near == usual.person_speed_near &&
-                  o.near == usual.near),
+           speedSaidBy(options),
            std::string(safety::kApproachSpeedEdition) +
                ": walking 1.6 m/s, a hand 2.0 m/s nearer than 500 mm; S_h grows with it"},
           {"acceleration of the person",
            o.person_acceleration > 0.0 ? text::rounded(o.person_acceleration, 2) + " m/s^2"
                                        : "measured speeds are not used",
-           saidBy(o.person_acceleration == usual.person_acceleration),
+           saidBy(options, "separation.person_acceleration"),
            "with it, S_h follows from the measured speed where that gives less"},
-          {"C, intrusion before detection", tenthMm(o.intrusion), saidBy(o.intrusion == usual.intrusion),
+          {"C, intrusion before detection", tenthMm(o.intrusion), saidBy(options, "separation.intrusion"),
            "adds one to one; 0 says that nobody has looked it up for the sensor"},
           {"Z_d, error of the person's place", tenthMm(o.person_error),
-           saidBy(o.person_error == usual.person_error),
+           saidBy(options, "separation.person_error"),
            "adds one to one, beside the uncertainty that clearances have already"},
           {"Z_r, error of the robot's place", tenthMm(o.robot_error),
-           saidBy(o.robot_error == usual.robot_error), "adds one to one"}};
+           saidBy(options, "separation.robot_error"), "adds one to one"}};
 }
 
 /// Which editions the numbers follow, and what owners of later ones have to check.
@@ -163,17 +174,16 @@ std::string reservationTable(const tune::TuneAnswer& answer) {
 std::string assumptionSection(const tune::TuneAnswer& answer) {
   const std::vector<std::string> header{"quantity", "value", "said by", "effect of a change"};
   return "<h2>Assumptions</h2>\n<p>\"default\" is the program's own value, or none: nobody has "
-         "confirmed it for "
-         "this cell.</p>\n" +
+         "confirmed it for this cell. \"User\": stated on the command line, or other than the default. Of "
+         "stored results, an option counts as stated where it was stated for each of them.</p>\n" +
          htmlTable(header, marginRows(answer)) +
          "<p>Each stop is judged by itself; robot and person are in step with the recording until the margin "
          "is "
          "violated. Distances "
          "and braking are certified between frames too (docs/margins.md).</p>\n"
          "<h3>Of the protective distance and permitted speeds</h3>\n" +
-         "<p>" + editionText() + "</p>\n" +
-         htmlTable(header, separationRows(answer.options.pass.separation)) + inputTables(answer) +
-         reservationTable(answer);
+         "<p>" + editionText() + "</p>\n" + htmlTable(header, separationRows(answer.options)) +
+         inputTables(answer) + reservationTable(answer);
 }
 
 }  // namespace abstand::report

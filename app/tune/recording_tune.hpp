@@ -11,6 +11,9 @@ namespace abstand::tune {
 struct TuneOptions {
   PassOptions pass;
   double restart_time{0.0};  ///< s, MarginOptions::restart_time
+  /// Names of the options that the user stated, with any value, sorted: "limit", "separation.intrusion"...
+  /// What is missing is a default that nobody has confirmed.
+  std::vector<std::string> stated;
 
   margin::MarginOptions margins() const { return {pass.limit, restart_time}; }
 };

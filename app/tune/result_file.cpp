@@ -226,6 +226,7 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
                                           out_.attribute(std::string("separation_") + key, value);
                                         });
   out_.attribute("contact_limits", tuned.contact_limits);
+  out_.texts("stated", options.stated);
   std::vector<std::string> regions;
   for (const contact::RegionLimits& region : tuned.regions) regions.push_back(regionLine(region));
   out_.texts("contact_regions", regions);
@@ -361,6 +362,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   for (const std::string& text : in.texts("reservations"))
     tuned.reservations.push_back(reservationOf(text, file.string()));
   tuned.clamped = in.texts("clamped");
+  stored.options.stated = in.texts("stated");
   for (const std::string& text : in.texts("people")) {
     const auto tab = std::min(text.find('\t'), text.size());
     tuned.people.push_back({text.substr(0, tab), text.substr(std::min(tab + 1, text.size()))});

@@ -69,6 +69,13 @@ bool sameOptions(const StoredResult& x, const StoredResult& y) {
          a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
 }
 
+/// An option is stated where each of the results has it stated.
+void keepStated(const std::vector<std::string>& names, std::vector<std::string>& stated) {
+  std::erase_if(stated, [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  });
+}
+
 }  // namespace
 
 std::vector<PlanItem> partOf(const std::vector<PlanItem>& items, const Shard& shard) {
@@ -143,6 +150,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders, std::size_t hel
   });
   MergedResults merged;
   merged.options = kept.front().stored.options;
+  for (const Kept& k : kept) keepStated(k.stored.options.stated, merged.options.stated);
   for (Kept& k : kept) merged.recordings.push_back(std::move(k.stored.tuned));
   return merged;
 }

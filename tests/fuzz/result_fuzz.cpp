@@ -80,7 +80,9 @@ class OddResult {
     out_.texts("contact_excluded", {"part1"});
     table("enclosed", parts, {2}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("clamped", {"part2"});
-    out_.texts("contact_regions", {in_.text("chest\tsternum\t140\ta\t\t2\ta\t\t1200000\ta\t\t25000\ta\t\t40\ta\tb")});
+    out_.texts("stated", {in_.text("limit")});
+    out_.texts("contact_regions",
+               {in_.text("chest\tsternum\t140\ta\t\t2\ta\t\t1200000\ta\t\t25000\ta\t\t40\ta\tb")});
     out_.texts("files", {in_.text("0123\tscene.yaml")});
     out_.texts("people", {in_.text("person\t1.750 m")});
     out_.commit();

@@ -115,8 +115,8 @@ TEST_F(Tune, ReportShowsTheFitOfTheExtremeValues) {
   const json j =
       runJson("tune " + scene_ + " --recordings" + recordings_ + " --report " + out("report.html"));
   const std::string html = readFile(out("report.html"));
-  for (const char* said : {"Confidence by time", "Poisson process", "Extreme values and their fit", "Gumbel fit",
-                           "torso: margins that the recordings need"})
+  for (const char* said : {"Confidence by time", "Poisson process", "Extreme values and their fit",
+                           "Gumbel fit", "torso: margins that the recordings need"})
     EXPECT_NE(html.find(said), std::string::npos) << said;
   for (const json& p : j["proposed"]) {
     const json& fit = p["confidence"]["gumbel"];
@@ -347,6 +347,33 @@ TEST_F(Tune, ClampedPartsUseQuasiStaticLimits) {
   const Answer wrong = run("tune " + scene_ + " --clamped paw");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_NE(wrong.err.find("'paw', expected parts of the body: "), std::string::npos) << wrong.err;
+}
+
+TEST_F(Tune, SaysWhoStatedAnAssumption) {
+  // The value of --reaction-time is that of the default: confirmed all the same.
+  const std::string stated = " --reaction-time 0.1 --separation intrusion=0 stopping_time=0.2";
+  const json j =
+      runJson("tune " + scene_ + " --out " + out("said") + " --report " + out("said.html") + stated);
+  const json plain = runJson("tune " + scene_);
+  EXPECT_EQ(plain["assumed"]["reaction_time"], j["assumed"]["reaction_time"]);
+  for (const auto& [name, by] : plain["assumed_by"].items()) EXPECT_EQ(by, "default") << name;
+  const std::set<std::string> users{"reaction_time", "separation.reaction_time", "separation.intrusion",
+                                    "separation.stopping_time"};
+  for (const auto& [name, by] : j["assumed_by"].items())
+    EXPECT_EQ(by, users.contains(name) ? "user" : "default") << name;
+  EXPECT_NE(readFile(out("said.html")).find("<td>reaction time</td><td>100 ms</td><td>user</td>"),
+            std::string::npos);
+  // Result files keep it. What merge is asked for itself is stated there.
+  EXPECT_EQ(runJson("merge " + out("said"))["assumed_by"], j["assumed_by"]);
+  EXPECT_EQ(runJson("merge " + out("said") + " --restart-time 0")["assumed_by"]["restart_time"], "user");
+  // Where one of two results has only the default, nobody has confirmed it for both.
+  EXPECT_EQ(run("tune " + scene_ + " --out " + out("more") + " --recordings" + recordings_ +
+                " --separation stopping_time=0.2")
+                .code,
+            0);
+  const json both = runJson("merge " + out("said") + " " + out("more"));
+  EXPECT_EQ(both["assumed_by"]["reaction_time"], "default");
+  EXPECT_EQ(both["assumed_by"]["separation.stopping_time"], "user");
 }
 
 TEST_F(Tune, RejectsInvalidOptions) {
