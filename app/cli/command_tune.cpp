@@ -349,7 +349,8 @@ void addTune(CLI::App& root, CommandLine& line) {
   command->add_option("--jobs", args->jobs, "number of parallel runs, one process each (default: 1)")
       ->check(CLI::Range(1, 256));
   command->add_option("--shard", args->shard,
-                      "I/N: shard I of N of the runs; /N: I from SLURM_ARRAY_TASK_ID or PARALLEL_SEQ");
+                      "I/N: shard I of N of the runs; /N: I from an array job of Slurm, Grid Engine, PBS or "
+                      "LSF, or from GNU parallel (docs/margins.md)");
   addWarmStart(*command, args->warm_start);
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);

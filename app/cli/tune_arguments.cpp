@@ -1,39 +1,15 @@
 #include "app/cli/tune_arguments.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
+#include "app/cli/array_task.hpp"
 #include "app/cli/command_line.hpp"
 #include "core/base/error.hpp"
-#include "core/base/number.hpp"
 
 namespace abstand::cli {
 namespace {
 
 constexpr std::size_t kMaxMargins = 100000;
-constexpr double kMaxShards = 1e6;
-
-/// An integer >= `least`, or nullopt.
-std::optional<std::size_t> whole(const std::string& text, double least) {
-  const auto value = parseDouble(text);
-  if (!value || *value != std::floor(*value) || *value < least || *value > kMaxShards) return std::nullopt;
-  return static_cast<std::size_t>(*value);
-}
-
-std::optional<std::size_t> environment(const char* name) {
-  const char* text = std::getenv(name);
-  return text ? whole(text, 0.0) : std::nullopt;
-}
-
-/// Index from 0 of this task in an array job.
-std::optional<std::size_t> taskIndex() {
-  if (const auto task = environment("SLURM_ARRAY_TASK_ID")) {
-    const std::size_t first = environment("SLURM_ARRAY_TASK_MIN").value_or(0);
-    return *task >= first ? std::optional(*task - first) : std::nullopt;
-  }
-  const auto sequence = environment("PARALLEL_SEQ");
-  return sequence && *sequence > 0 ? std::optional(*sequence - 1) : std::nullopt;
-}
 
 }  // namespace
 
@@ -75,22 +51,22 @@ double segmentLength(const std::string& text) {
 
 tune::Shard shardOf(const std::string& text) {
   if (text.empty()) {
-    const auto count = environment("SLURM_ARRAY_TASK_COUNT");
-    const auto index = taskIndex();
-    if (count && *count > 1 && index && *index < *count) return {*index, *count};
+    const auto task = arrayTask();
+    if (task && task->count && *task->count > 1 && task->index < *task->count)
+      return {task->index, *task->count};
     return {};
   }
   const auto slash = text.find('/');
-  const auto count = slash == std::string::npos ? std::nullopt : whole(text.substr(slash + 1), 1.0);
+  const auto count = slash == std::string::npos ? std::nullopt : wholeNumber(text.substr(slash + 1), 1.0);
   if (!count) throw UsageError("--shard: found '" + text + "', expected I/N with I from 1 to N, or /N");
   if (slash == 0) {
-    const auto index = taskIndex();
-    if (!index || *index >= *count)
-      throw UsageError("--shard: found '" + text +
-                       "' and no SLURM_ARRAY_TASK_ID or PARALLEL_SEQ that fits, expected I/N");
-    return {*index, *count};
+    const auto task = arrayTask();
+    if (!task || task->index >= *count)
+      throw UsageError("--shard: found '" + text + "' and no " + kArrayVariables +
+                       " that fits, expected I/N");
+    return {task->index, *count};
   }
-  const auto number = whole(text.substr(0, slash), 1.0);
+  const auto number = wholeNumber(text.substr(0, slash), 1.0);
   if (!number || *number > *count)
     throw UsageError("--shard: found '" + text + "', expected I/N with I from 1 to N, or /N");
   return {*number - 1, *count};

@@ -18,8 +18,8 @@ void takeRestartTime(const std::string& text, tune::TuneOptions& options);
 /// `--segment`, s; 1 if empty. Throws UsageError.
 double segmentLength(const std::string& text);
 
-/// "I/N" with I from 1; "/N" takes I from SLURM_ARRAY_TASK_ID (counted from SLURM_ARRAY_TASK_MIN) or
-/// PARALLEL_SEQ; if empty the whole, or in a Slurm array job its part. Throws UsageError.
+/// "I/N" with I from 1; "/N" takes I from the array job (arrayTask()); if empty the whole, or in an array job
+/// that says how many tasks it has, its part. Throws UsageError.
 tune::Shard shardOf(const std::string& text);
 
 }  // namespace abstand::cli

@@ -50,7 +50,8 @@ class Captures(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.path = pathlib.Path(folder.name)
         cls.environment = dict(os.environ, ABSTAND_CACHE=str(cls.path / "cache"))
-        for name in ("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "PARALLEL_SEQ"):
+        for name in ("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SGE_TASK_ID", "PBS_ARRAY_INDEX", "PBS_ARRAYID",
+                     "LSB_JOBINDEX", "PARALLEL_SEQ"):
             cls.environment.pop(name, None)
         (cls.path / "cell.yaml").write_text(SCENE)
         cls.files = captures()

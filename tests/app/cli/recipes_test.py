@@ -95,7 +95,8 @@ class Recipes(unittest.TestCase):
         (cls.path / "plan.yaml").write_text(PLAN)
         path = f"{cls.path}/bin:{os.environ.get('PATH', '')}:/usr/sbin:/sbin"
         cls.environment = dict(os.environ, ABSTAND_CACHE=str(cls.path / "cache"), PATH=path, HOME=str(cls.path))
-        for name in ("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "PARALLEL_SEQ"):
+        for name in ("SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SGE_TASK_ID", "PBS_ARRAY_INDEX", "PBS_ARRAYID",
+                     "LSB_JOBINDEX", "PARALLEL_SEQ"):
             cls.environment.pop(name, None)
         if KIND == "slurm":
             cls.start_slurm()
