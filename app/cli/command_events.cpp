@@ -6,6 +6,7 @@
 #include "app/cli/tune_texts.hpp"
 #include "app/tune/margin_strategy.hpp"
 #include "app/tune/set_events.hpp"
+#include "app/tune/stop_term.hpp"
 #include "app/tune/tune_answer.hpp"
 
 namespace abstand::cli {
@@ -61,8 +62,29 @@ Json toldJson(const tune::MarginEvent& e) {
       {"part", pass.parts[e.told_part].part}, {"link", pass.links[e.told_link]}, {"margin", e.told_margin}};
 }
 
+/// S_p at the beginning of a stop; null: the link does not move towards the part.
+Json termJson(const tune::MarginEvent& e, const safety::SeparationOptions& options) {
+  const auto term = tune::stopTerm(e, options);
+  if (!term) return nullptr;
+  return {{"needed", term->needed.sum()},
+          {"person", term->needed.person},
+          {"reaction", term->needed.reaction},
+          {"stopping", term->needed.stopping},
+          {"constant", term->needed.constant},
+          {"largest", term->largest},
+          {"clearance", numberOrNull(term->clearance)},
+          {"robot_speed", e.told_robot_speed},
+          {"violated", term->violated()}};
+}
+
+std::string termText(const tune::MarginEvent& e, const safety::SeparationOptions& options) {
+  const auto term = tune::stopTerm(e, options);
+  return term ? format("; S_p %.0f mm, largest term: %s", 1e3 * term->needed.sum(), term->largest)
+              : std::string();
+}
+
 /// `by_pair`: the margins differ, so that it matters which one stopped the robot.
-Json eventJson(const tune::MarginEvent& e, bool by_pair) {
+Json eventJson(const tune::MarginEvent& e, bool by_pair, const safety::SeparationOptions& options) {
   const tune::PassResult& pass = e.recording->pass;
   Json event{{"kind", kindOf(e)},
              {"recording", e.recording->recording},
@@ -76,11 +98,12 @@ Json eventJson(const tune::MarginEvent& e, bool by_pair) {
              {"false_stop", e.false_stop},
              {"missed_stop", e.missed},
              {"lead_time", orNull(e.lead_time)}};
+  event["separation"] = termJson(e, options);
   if (by_pair) event["told_by"] = e.kind == tune::MarginEvent::Kind::kIntrusion ? toldJson(e) : Json();
   return event;
 }
 
-std::string eventText(const tune::MarginEvent& e, bool by_pair) {
+std::string eventText(const tune::MarginEvent& e, bool by_pair, const safety::SeparationOptions& options) {
   const tune::PassResult& pass = e.recording->pass;
   const std::string what = e.kind == tune::MarginEvent::Kind::kBetweenFrames ? "between frames, not detected"
                            : e.missed                                        ? "missed stop"
@@ -93,8 +116,9 @@ std::string eventText(const tune::MarginEvent& e, bool by_pair) {
       told ? format(", stopped by %s and %s (%.0f mm)", pass.parts[e.told_part].part.c_str(),
                     pass.links[e.told_link].c_str(), 1e3 * e.told_margin)
            : std::string();
-  return format("%9.3f to %9.3f s  %-14s %-20s %12s  %s%s\n", e.t0, e.t1, pass.parts[e.part].part.c_str(),
-                pass.links[e.link].c_str(), nearest.c_str(), what.c_str(), by.c_str());
+  return format("%9.3f to %9.3f s  %-14s %-20s %12s  %s%s%s\n", e.t0, e.t1, pass.parts[e.part].part.c_str(),
+                pass.links[e.link].c_str(), nearest.c_str(), what.c_str(), by.c_str(),
+                termText(e, options).c_str());
 }
 
 int runEvents(const CommandLine& line, const EventArguments& args) {
@@ -108,6 +132,7 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
                 {"limit", answer.options.pass.limit},
                 {"events", Json::array()},
                 {"approaches", Json::array()}};
+  const safety::SeparationOptions& separation = answer.options.pass.separation;
   std::string text;
   std::size_t count = 0, missed = 0, false_stops = 0, failing = 0;
   for (const tune::TunedRecording& recording : answer.recordings) {
@@ -115,8 +140,8 @@ int runEvents(const CommandLine& line, const EventArguments& args) {
     if (!events.empty()) text += recording.recording + "\n";
     count += events.size();
     for (const tune::MarginEvent& e : events) {
-      document["events"].push_back(eventJson(e, asked.rules.has_value()));
-      text += eventText(e, asked.rules.has_value());
+      document["events"].push_back(eventJson(e, asked.rules.has_value(), separation));
+      text += eventText(e, asked.rules.has_value(), separation);
       missed += e.missed;
       false_stops += e.false_stop;
       failing += fails(args.fail_on, e);

@@ -11,6 +11,7 @@
 #include "app/report/page.hpp"
 #include "app/report/separation_section.hpp"
 #include "app/report/speed_section.hpp"
+#include "app/report/stop_section.hpp"
 #include "app/report/summary_section.hpp"
 #include "app/report/svg_plot.hpp"
 #include "app/tune/part_frames.hpp"
@@ -245,10 +246,11 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
                << ".</p>\n"
                << summarySection(answer) << closestSection(answer) << proposedSection(answer)
                << marginSetSection(answer) << bandSection(answer) << worstPhaseSection(answer)
-               << curveSection(answer) << separationSection(answer) << speedSection(answer)
-               << tradeSection(answer) << approachSection(answer, options) << timeSection(answer)
-               << exposureSection(answer.exposure) << assumptionSection(answer) << kSignature
-               << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version) << ".</p>\n"
+               << curveSection(answer) << stopSection(answer) << separationSection(answer)
+               << speedSection(answer) << tradeSection(answer) << approachSection(answer, options)
+               << timeSection(answer) << exposureSection(answer.exposure) << assumptionSection(answer)
+               << kSignature << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version)
+               << ".</p>\n"
                << pageEnd();
   out.commit();
 }

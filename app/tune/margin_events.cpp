@@ -26,7 +26,10 @@ MarginEvent eventOf(const TunedRecording& recording, const PartFrames& frames, s
           in.lead_time,
           static_cast<std::uint16_t>(part),
           p.link[in.begin],
-          margin};
+          margin,
+          p.track.clearance[in.begin],
+          p.robot_speed[in.begin],
+          p.person_speed[in.begin]};
 }
 
 void addBetweenFrames(const TunedRecording& recording, const PartFrames& frames, std::size_t part,

@@ -27,6 +27,8 @@ struct MarginEvent {
   /// margin (m, at the speeds of the moment).
   std::uint16_t told_part{0}, told_link{0};
   double told_margin{0.0};
+  /// Of that pair in the first frame: m, certified; m/s, towards each other.
+  double told_clearance{0.0}, told_robot_speed{0.0}, told_person_speed{0.0};
 };
 
 /// In order of time, then of parts. `part`: only this one; empty: all. The recording must outlive the events.

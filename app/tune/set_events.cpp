@@ -45,6 +45,9 @@ class SetWatch {
       event_ = {};
       event_.min_clearance = kInfinity;
       tell(event_, *teller, needed_by_teller);
+      event_.told_clearance = frame.clearance[*teller];
+      event_.told_robot_speed = frame.robot_speed[*teller];
+      event_.told_person_speed = frame.person_speed[*teller];
     }
     if (!running_ || clearance < least_) {
       least_ = clearance;

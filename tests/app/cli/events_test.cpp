@@ -1,4 +1,5 @@
 // abstand events and report as a user runs them on results of `tune`.
+#include "app/tune/stop_term.hpp"
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
@@ -89,6 +90,67 @@ TEST_F(Events, DiffComparesMarginSetsWithinAndAcrossStudies) {
   }
   EXPECT_EQ(run("diff " + many).code, 2);
   EXPECT_EQ(run("diff " + many + " --margin-set " + a).code, 2);
+}
+
+/// S_p of the pair that stopped the robot, recomputed from the speed that is stated.
+void expectTerms(const json& e, double robot_speed, double tolerance) {
+  const json& s = e["separation"];
+  if (s.is_null()) return;
+  safety::SeparationOptions options;
+  options.intrusion = 0.3;
+  options.stopping_time = 0.4;
+  EXPECT_NEAR(s["robot_speed"], robot_speed, tolerance);
+  const double near = s["clearance"].is_null() ? -1.0 : s["clearance"].get<double>();
+  const auto needed = safety::protectiveDistance(options, s["robot_speed"], NAN, near);
+  EXPECT_DOUBLE_EQ(s["person"], (near < 0.5 ? 2.0 : 1.6) * (0.1 + 0.4));
+  EXPECT_DOUBLE_EQ(s["reaction"], needed.reaction);
+  EXPECT_DOUBLE_EQ(s["stopping"], needed.stopping);
+  EXPECT_DOUBLE_EQ(s["constant"], 0.3);
+  EXPECT_NEAR(s["needed"], needed.sum(), 1e-12);
+  EXPECT_EQ(s["largest"], "person") << "1 m, or 0.8 m";
+  EXPECT_EQ(s["violated"], needed.sum() > near);
+}
+
+TEST_F(Events, NameTheLargestTermOfTheProtectiveDistance) {
+  const std::string folder = out("terms");
+  runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + folder + " --report " +
+          out("terms.html") + " --separation intrusion=0.3 stopping_time=0.4");
+  // Ahead of the ball the torso is approached with its full 0.5 m/s. Speeds are rounded up: of parts to
+  // kSpeedStep, of pairs to 1/512 m/s.
+  const json alone = runJson("events " + folder + " --margin 0.4 --part torso");
+  ASSERT_FALSE(alone["events"].empty());
+  for (const json& e : alone["events"]) {
+    EXPECT_FALSE(e["separation"].is_null()) << e;
+    expectTerms(e, 0.5, 0.01);
+  }
+  const std::string set = folder_.write("all.yaml", "abstand_margins: 1\ndefault: {margin: 0.4}\n").string();
+  int named = 0;
+  const json together = runJson("events " + folder + " --margin-set " + set);
+  for (const json& e : together["events"]) {
+    named += !e["separation"].is_null();
+    expectTerms(e, 0.5, 0.01);
+  }
+  EXPECT_GT(named, 0);
+  EXPECT_NE(run("events " + folder + " --margin 0.4").out.find("largest term: person"), std::string::npos);
+  const std::string html = readFile(out("terms.html"));
+  for (const char* said : {"Stops of the proposed margins", "stops by their largest term: "})
+    EXPECT_NE(html.find(said), std::string::npos) << said;
+}
+
+TEST_F(Events, StandingRobotHasNoTerm) {
+  tune::MarginEvent event;
+  EXPECT_FALSE(tune::stopTerm(event, {})) << "the link does not move";
+  event.told_robot_speed = 1.0;
+  event.told_clearance = 0.2;
+  safety::SeparationOptions options;
+  options.stopping_time = 3.0;
+  options.person_speed = options.person_speed_near = 0.1;
+  const auto term = tune::stopTerm(event, options);
+  ASSERT_TRUE(term);
+  EXPECT_STREQ(term->largest, "stopping") << "1.5 m of 0.31, 0.1 and 1.5 m";
+  EXPECT_TRUE(term->violated());
+  event.kind = tune::MarginEvent::Kind::kBetweenFrames;
+  EXPECT_FALSE(tune::stopTerm(event, options)) << "nothing stopped the robot";
 }
 
 TEST_F(Events, ListMatchesCounts) {
