@@ -26,12 +26,14 @@ std::string outcomeText(const tune::MarginEvent& e) {
 /// Stops of each part at its proposed margin, recording by recording.
 std::vector<tune::MarginEvent> proposedStops(const tune::TuneAnswer& answer) {
   std::vector<tune::MarginEvent> stops;
-  for (const tune::TunedRecording& r : answer.recordings)
+  for (const tune::TunedRecording& r : answer.recordings) {
+    const tune::PartFrames frames(r);
     for (const tune::ProposedMargin& p : answer.table.proposed) {
       if (!(p.margin > 0.0) || std::isinf(p.margin)) continue;
-      for (tune::MarginEvent& e : tune::marginEvents(r, p.margin, answer.options.margins(), p.part))
+      for (tune::MarginEvent& e : tune::marginEvents(r, frames, p.margin, answer.options.margins(), p.part))
         if (e.kind == tune::MarginEvent::Kind::kIntrusion) stops.push_back(std::move(e));
     }
+  }
   return stops;
 }
 

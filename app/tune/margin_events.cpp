@@ -60,8 +60,13 @@ MarginEvent betweenFramesEvent(const TunedRecording& recording, const PartFrames
 
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part) {
+  return marginEvents(recording, PartFrames(recording), margin, options, part);
+}
+
+std::vector<MarginEvent> marginEvents(const TunedRecording& recording, const PartFrames& frames,
+                                      double margin, const margin::MarginOptions& options,
+                                      const std::string& part) {
   std::vector<MarginEvent> events;
-  const PartFrames frames(recording);
   for (std::size_t i = 0; i < frames.parts().size(); ++i) {
     const PartClearance& p = frames.parts()[i];
     if (!part.empty() && p.part != part) continue;

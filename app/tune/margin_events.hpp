@@ -34,6 +34,10 @@ struct MarginEvent {
 /// In order of time, then of parts. `part`: only this one; empty: all. The recording must outlive the events.
 std::vector<MarginEvent> marginEvents(const TunedRecording& recording, double margin,
                                       const margin::MarginOptions& options, const std::string& part = {});
+/// The same with the frames of the recording, for several questions about it.
+std::vector<MarginEvent> marginEvents(const TunedRecording& recording, const PartFrames& frames,
+                                      double margin, const margin::MarginOptions& options,
+                                      const std::string& part = {});
 
 /// At the limit between frame `index` of the part and the next one.
 MarginEvent betweenFramesEvent(const TunedRecording& recording, const PartFrames& frames, std::size_t part,
