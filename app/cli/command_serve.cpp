@@ -8,6 +8,7 @@
 #include "app/depth/open_session.hpp"
 #include "app/serve/layout.hpp"
 #include "app/serve/serve_loop.hpp"
+#include "app/viewer/viewer_host.hpp"
 #include "core/base/error.hpp"
 #include "core/base/standard_output.hpp"
 #include "core/base/text_file.hpp"
@@ -22,6 +23,7 @@ using namespace serve;
 struct ServeArguments {
   std::string scene, reaction, stale, resume, rate, duration, bind{"127.0.0.1:4780"};
   std::size_t nearest{8};
+  std::size_t viewers{viewer::HostOptions().viewers};
   int threads{1};
   robot_file::PackagePaths packages;
   bool layout{false}, from_stdin{false};
@@ -86,7 +88,16 @@ std::vector<run::JointLimitReport> limitsOf(const serve::ServedScene& scene) {
   return all;
 }
 
-nlohmann::ordered_json summaryJson(const serve::ServeSummary& s, const serve::ServedScene& scene) {
+/// Null: without viewers.
+nlohmann::ordered_json viewersJson(const viewer::ViewerHost* host) {
+  if (!host) return nullptr;
+  const viewer::HostCounts& c = host->counts();
+  return {{"accepted", c.accepted}, {"refused", c.refused}, {"expired", c.expired},
+          {"bad", c.bad},           {"sent", c.sent},       {"left_out", c.left_out}};
+}
+
+nlohmann::ordered_json summaryJson(const serve::ServeSummary& s, const serve::ServedScene& scene,
+                                   const viewer::ViewerHost* host) {
   nlohmann::ordered_json faults;
   for (std::size_t i = 1; i < serve::kPacketFaults; ++i)
     faults[std::string(serve::faultName(static_cast<serve::PacketFault>(i)))] = s.faults[i];
@@ -109,6 +120,7 @@ nlohmann::ordered_json summaryJson(const serve::ServeSummary& s, const serve::Se
       {"cycle_us",
        {{"median", 1e6 * s.cycles.median()}, {"p99", 1e6 * s.cycles.p99()}, {"max", 1e6 * s.cycles.max()}}},
       {"stops", stopsJson(scene)},
+      {"viewers", viewersJson(host)},
       {"joint_limits", jointLimitsJson(limitsOf(scene))},
       {"interrupted", s.interrupted}};
 }
@@ -126,6 +138,19 @@ std::string summaryText(const serve::ServeSummary& s, const serve::ServedScene& 
       text += scene.format().mechanisms[m].name + ": " + safety::describe(log.entry(i)) + "\n";
   }
   return text + jointLimitsText(limitsOf(scene));
+}
+
+/// Null if there are to be none, or if their port is taken: the loop is more important.
+std::unique_ptr<viewer::ViewerHost> hostFor(const CommandLine& line, const ServeArguments& args,
+                                            const serve::Address& address, serve::ServedScene& scene) {
+  if (args.viewers == 0) return nullptr;
+  try {
+    return std::make_unique<viewer::ViewerHost>(address, viewer::cardOf(scene), scene,
+                                                viewer::HostOptions{args.viewers});
+  } catch (const std::exception& e) {
+    line.warn(std::string("no viewers: ") + e.what());
+    return nullptr;
+  }
 }
 
 int runServe(const CommandLine& line, const ServeArguments& args) {
@@ -157,10 +182,13 @@ int runServe(const CommandLine& line, const ServeArguments& args) {
     return kDone;
   }
   serve::UdpSocket socket(bind);
+  const auto host = hostFor(line, args, socket.address(), scene);
+  options.observer = host.get();
   serve::ServeLoop loop(scene, socket, options);
   if (!line.quiet) std::cerr << "serve: listening on " << serve::describe(socket.address()) << std::endl;
   loop.run();
-  line.print(summaryJson(loop.summary(), scene), summaryText(loop.summary(), scene));
+  if (host) host->stop();
+  line.print(summaryJson(loop.summary(), scene, host.get()), summaryText(loop.summary(), scene));
   return loop.summary().interrupted ? kInterrupted : kDone;
 }
 
@@ -187,6 +215,10 @@ void addServe(CLI::App& root, CommandLine& line) {
   command->add_option("--duration", args->duration, "duration in s (default: until Ctrl-C)");
   command->add_option("--nearest", args->nearest, "nearest pairs that an answer lists (default 8)")
       ->check(CLI::Range(0, 256));
+  command
+      ->add_option("--viewers", args->viewers,
+                   "viewers that may connect over TCP at the same port (default 4; 0: none)")
+      ->check(CLI::Range(std::size_t{0}, viewer::HostOptions::kMaxViewers));
   command->add_option("--threads", args->threads, "threads of a cycle (0: all cores; default 1)")
       ->check(CLI::Range(0, 256));
   command->add_flag("--stdin", args->from_stdin,

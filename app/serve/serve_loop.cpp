@@ -71,9 +71,11 @@ void ServeLoop::onRequest() {
     socket_.wait(until - t, lines_ ? lines_->handle() : -1);
     drainLines();
     drain(true);
-    if (now() < scene_.nextStale()) continue;
-    cycle(now());
-    tellChange();
+    if (now() >= scene_.nextStale()) {
+      cycle(now());
+      tellChange();
+    }
+    showObserver();
   }
 }
 
@@ -110,6 +112,7 @@ void ServeLoop::freeRun() {
     cycle(now());
     send(true);
     summary_.cycles.add(steady() - begin);
+    showObserver();
     pacer.wait();
   }
 }
@@ -131,6 +134,7 @@ void ServeLoop::drain(bool answer) {
     const double took = steady() - begin;
     summary_.cycles.add(took);
     scene_.report().cycle_us = 1e6 * took;
+    showObserver();
   }
 }
 
@@ -203,7 +207,13 @@ bool ServeLoop::take(PacketFault fault, const Address& from, double t) {
 
 void ServeLoop::cycle(double t) {
   scene_.cycle(t);
+  ++cycles_;
   countInReport();
+}
+
+/// When answers have been sent, so that it delays none.
+void ServeLoop::showObserver() {
+  if (options_.observer) options_.observer->look(now(), cycles_, scene_);
 }
 
 void ServeLoop::countInReport() {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/serve/cycle_observer.hpp"
 #include "app/serve/joint_owners.hpp"
 #include "app/serve/line_input.hpp"
 #include "app/serve/packet_stream.hpp"
@@ -19,6 +20,7 @@ struct ServeOptions {
   std::optional<double> duration;  ///< s, run time; nullopt: until interrupted
   int lines_from{-1};              ///< file descriptor with JSON lines of skeletons; -1: none
   std::function<bool()> interrupted;
+  CycleObserver* observer{nullptr};  ///< null: none; outlives the loop
 };
 
 struct ServeSummary {
@@ -65,6 +67,7 @@ class ServeLoop {
   bool tellChange();
   void control(const Address& from, double t);
   void countInReport();
+  void showObserver();
 
   ServedScene& scene_;
   UdpSocket& socket_;
@@ -86,7 +89,8 @@ class ServeLoop {
     bool json{false};
   } last_;
   std::vector<safety::StopState> states_;  ///< as last sent
-  double start_;                           ///< s on the steady clock
+  std::uint64_t cycles_{0};
+  double start_;  ///< s on the steady clock
 };
 
 }  // namespace abstand::serve

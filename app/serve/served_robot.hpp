@@ -37,6 +37,10 @@ class ServedRobot {
   bool stale() const { return stale_; }
   std::size_t dof() const { return qd_.size(); }
   const safety::StopLog& stops() const { return reaction_.stops().log(); }
+  /// Of the present stop state; before the first joint values: stale input.
+  safety::StopCause cause() const {
+    return started_ ? reaction_.stops().cause() : safety::StopCause{safety::StopReason::kStaleInput};
+  }
   /// Violations of the robot's position limits by received joint values, and of velocity limits if two time
   /// stamps of the sender are known.
   const mechanism::JointLimitWatch& limits() const { return limits_; }

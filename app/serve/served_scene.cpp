@@ -184,6 +184,28 @@ void ServedScene::cycle(double t) {
   reportPairs();
   report_.not_checked = static_cast<std::uint32_t>(scene.pausedCount());
   report_.time_us = static_cast<std::uint64_t>(1e6 * t);
+  t_ = t;
+}
+
+void ServedScene::capture(view::SceneSnapshot& out) {
+  session_->sumEfforts();
+  session_->capture(t_, out);
+  control_.capture(out);
+  out.movers.person_age = report_.person_age;
+  out.torques_on = report_.torques_on;
+  out.cycle_us = report_.cycle_us;
+  for (std::size_t i = 0; i < out.joint_torques.size(); ++i) {
+    out.joint_torques[i].contact = session_->jointEfforts()[i];
+    out.joint_torques[i].reaction = report_.torque[i];
+  }
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    const RobotReport& robot = report_.robots[m];
+    view::RobotSnapshot& shown = out.robots[m];
+    shown.state = robot.state;
+    shown.since = robot.since;
+    shown.speed_scale = robot.speed_scale;
+    shown.cause = robots_[m]->cause();
+  }
 }
 
 void ServedScene::reportLinks() {

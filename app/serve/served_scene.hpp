@@ -42,6 +42,9 @@ class ServedScene {
   /// s: time at which the next input becomes stale, infinite if all are.
   double nextStale() const;
 
+  /// What the last cycle found, for a viewer. No allocation once `out` has the sizes of the scene.
+  void capture(view::SceneSnapshot& out);
+
   const StateReport& report() const { return report_; }
   StateReport& report() { return report_; }
   const std::vector<std::unique_ptr<ServedRobot>>& robots() const { return robots_; }
@@ -81,6 +84,7 @@ class ServedScene {
   std::vector<std::pair<double, PairId>> nearest_;
   std::size_t nearest_count_{0};
   StateReport report_;
+  double t_{0.0};  ///< s, of the last cycle
   std::vector<std::string> remarks_;
 };
 

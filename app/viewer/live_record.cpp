@@ -1,0 +1,176 @@
+#include "app/viewer/live_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::viewer {
+namespace {
+
+constexpr double kRateWindow = 1.0;                    // s
+constexpr std::size_t kCopied = std::size_t{1} << 20;  // bytes in one go
+// Of a period by which a moment may come early and still be kept.
+constexpr double kKeptEarly = 0.25;
+
+bool isSameScene(const moment::SceneCard& a, const moment::SceneCard& b) {
+  moment::SceneCard other = b;
+  other.server = a.server;
+  other.file = a.file;
+  return a == other;
+}
+
+view::PlotSample sampleOf(const moment::Moment& moment, double t) {
+  const view::SceneSnapshot& s = moment.shown;
+  view::PlotSample sample;
+  sample.t = t;
+  sample.min_distance = kInfinity;
+  for (std::size_t p = 0; p < s.pairs.size(); ++p) {
+    const query::PairResult& result = s.pairs[p].result;
+    sample.peak_force = std::max(sample.peak_force, result.force_a.norm());
+    if (s.pairs[p].paused || !(result.distance < sample.min_distance)) continue;
+    sample.min_distance = result.distance;
+    sample.nearest_pair = static_cast<int>(p);
+  }
+  for (const view::TorqueParts& joint : s.joint_torques) {
+    sample.peak_torque.contact = std::max(sample.peak_torque.contact, std::abs(joint.contact));
+    sample.peak_torque.reaction = std::max(sample.peak_torque.reaction, std::abs(joint.reaction));
+  }
+  sample.cycle_s = 1e-6 * s.cycle_us;
+  sample.played = true;
+  return sample;
+}
+
+}  // namespace
+
+bool LiveRecord::begin(const moment::SceneCard& card, LinkState state, double now) {
+  const std::scoped_lock lock(mutex_);
+  if (card_ && !isSameScene(*card_, card)) {
+    state_ = LinkState::kOtherScene;
+    return false;
+  }
+  if (!card_) {
+    card_ = card;
+    frame_bytes_ = moment::maxMomentBytes(card);
+    kept_rate_ = MomentRing::rateFor(limits_, frame_bytes_, kKeptRate);
+  }
+  rebase_ = newest_.number >= 0 && server_ != card.server;
+  server_ = card.server;
+  state_ = state;
+  last_frame_ = now;
+  return true;
+}
+
+void LiveRecord::end(LinkState state, bool damaged) {
+  const std::scoped_lock lock(mutex_);
+  state_ = state;
+  damaged_ += damaged ? 1 : 0;
+}
+
+void LiveRecord::alive(double now) {
+  const std::scoped_lock lock(mutex_);
+  last_frame_ = now;
+}
+
+bool LiveRecord::add(std::span<const std::byte> frame, const moment::Moment& moment, double now) {
+  const std::scoped_lock lock(mutex_);
+  last_frame_ = now;
+  // The clock of a server that was started again begins at 0.
+  if (std::exchange(rebase_, false)) offset_ = newest_.t + std::max(now - last_moment_, 0.0) - moment.shown.t;
+  const double t = moment.shown.t + offset_;
+  if (const auto header = moment::readHeader(frame)) left_out_ = header->left_out;
+  if (newest_.number >= 0 && !(t > newest_.t)) return false;
+  newest_.frame.assign(frame.begin(), frame.end());
+  if (offset_ != 0.0) {
+    moment::Moment moved = moment;
+    moved.shown.t = t;
+    for (view::RobotSnapshot& robot : moved.shown.robots) robot.since += offset_;
+    newest_.frame.resize(frame_bytes_);
+    newest_.frame.resize(moment::writeMoment(*moment::readHeader(frame), moved, newest_.frame));
+  }
+  newest_.t = t;
+  ++newest_.number;
+  last_moment_ = now;
+  arrivals_.push_back(now);
+  while (arrivals_.front() < now - kRateWindow) arrivals_.pop_front();
+  if (state_ == LinkState::kFile || t >= due_ - kKeptEarly / kept_rate_) {
+    due_ = std::max(due_ + 1.0 / kept_rate_, t);
+    ring_.add(t, newest_.frame);
+  }
+  addSample(moment, t);
+  return true;
+}
+
+void LiveRecord::addSample(const moment::Moment& moment, double t) {
+  samples_.push_back(sampleOf(moment, t));
+  while (samples_.front().t < t - limits_.seconds) {
+    samples_.pop_front();
+    drained_ -= drained_ > 0 ? 1 : 0;
+  }
+}
+
+std::optional<moment::SceneCard> LiveRecord::card() const {
+  const std::scoped_lock lock(mutex_);
+  return card_;
+}
+
+LinkStatus LiveRecord::status(double now) const {
+  const std::scoped_lock lock(mutex_);
+  LinkStatus status;
+  status.state = state_;
+  status.rate = static_cast<double>(
+      std::count_if(arrivals_.begin(), arrivals_.end(), [&](double t) { return t >= now - kRateWindow; }));
+  status.moment_age = now - last_moment_;
+  status.frame_age = now - last_frame_;
+  status.damaged = damaged_;
+  status.left_out = left_out_;
+  return status;
+}
+
+LiveRecord::Span LiveRecord::span() const {
+  const std::scoped_lock lock(mutex_);
+  if (ring_.empty()) return {};
+  return {ring_.time(ring_.begin()), newest_.t, ring_.size(), ring_.bytes(), kept_rate_};
+}
+
+bool LiveRecord::copyNewest(Copy& copy) const {
+  const std::scoped_lock lock(mutex_);
+  if (newest_.number < 0 || newest_.number == copy.number) return false;
+  copy = newest_;
+  return true;
+}
+
+bool LiveRecord::copyAt(double t, int steps, Copy& copy) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = ring_.at(t);
+  if (!found) return false;
+  const auto wanted = static_cast<long>(*found) + steps;
+  const auto number = static_cast<std::size_t>(
+      std::clamp(wanted, static_cast<long>(ring_.begin()), static_cast<long>(ring_.end()) - 1));
+  const auto frame = ring_.frame(number);
+  copy.number = newest_.number;
+  copy.t = ring_.time(number);
+  copy.frame.assign(frame.begin(), frame.end());
+  return true;
+}
+
+std::size_t LiveRecord::copyFrames(std::size_t number, std::vector<std::byte>& out) const {
+  const std::scoped_lock lock(mutex_);
+  number = std::max(number, ring_.begin());
+  for (; number < ring_.end() && out.size() < kCopied; ++number) {
+    const auto frame = ring_.frame(number);
+    out.insert(out.end(), frame.begin(), frame.end());
+  }
+  return number;
+}
+
+void LiveRecord::drainPlot(std::vector<view::PlotSample>& out) {
+  const std::scoped_lock lock(mutex_);
+  out.insert(out.end(), samples_.begin() + static_cast<std::ptrdiff_t>(drained_), samples_.end());
+  drained_ = samples_.size();
+}
+
+void LiveRecord::replayPlot() {
+  const std::scoped_lock lock(mutex_);
+  drained_ = 0;
+}
+
+}  // namespace abstand::viewer
