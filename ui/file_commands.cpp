@@ -66,6 +66,9 @@ void FileCommands::openOne(const QString& file) {
     case FileKind::kMargins:
       Q_EMIT marginsWanted(file);
       return;
+    case FileKind::kMoments:
+      if (projects_.mayDiscard()) Q_EMIT momentsWanted(file);
+      return;
     case FileKind::kUnknown:
       Q_EMIT failed(tr("Cannot open"),
                     tr("%1 is no file that this program opens.\n\nIt opens projects (.abstand), scenes and "
@@ -83,7 +86,8 @@ bool FileCommands::canOpen(const QMimeData& data) {
 
 void FileCommands::openDropped(const QMimeData& data) {
   QStringList files;
-  for (const FileKind kind : {FileKind::kProject, FileKind::kScene, FileKind::kRecording, FileKind::kMargins})
+  for (const FileKind kind :
+       {FileKind::kProject, FileKind::kScene, FileKind::kRecording, FileKind::kMargins, FileKind::kMoments})
     for (const QUrl& url : data.urls())
       if (kindOf(url.toLocalFile()) == kind) files << url.toLocalFile();
   QTimer::singleShot(0, this, [this, files] { open(files); });

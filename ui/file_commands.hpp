@@ -35,6 +35,7 @@ class FileCommands : public QObject {
   void sceneWanted(const QString& file);
   void recordingWanted(const QString& file);
   void marginsWanted(const QString& file);
+  void momentsWanted(const QString& file);
   void failed(const QString& title, const QString& problem);
 
  private:

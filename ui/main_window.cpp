@@ -23,6 +23,7 @@
 #include "ui/kept_settings.hpp"
 #include "ui/language_commands.hpp"
 #include "ui/link_drag.hpp"
+#include "ui/live_commands.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
 #include "ui/model/log_book.hpp"
@@ -176,6 +177,8 @@ void MainWindow::buildCommands() {
   connect(commands_.imports, &ImportCommands::failed, this, &MainWindow::showProblem);
   commands_.drag =
       new LinkDrag({*document_, follower_, *selection_, *viewport_, feed_->moment()}, *actions_, this);
+  commands_.live = new LiveCommands(*actions_, panels_, this);
+  connect(commands_.live, &LiveCommands::said, this, &MainWindow::say);
   connect(commands_.drag, &LinkDrag::said, this, &MainWindow::say);
   connect(commands_.scene, &SceneEdits::said, this, &MainWindow::say);
   const auto* pictures =
@@ -184,6 +187,7 @@ void MainWindow::buildCommands() {
   connect(pictures, &PictureCommands::failed, this, &MainWindow::showProblem);
   connect(commands_.files, &FileCommands::sceneWanted, this, &MainWindow::openSceneRequested);
   connect(commands_.files, &FileCommands::recordingWanted, this, &MainWindow::openRecordingRequested);
+  connect(commands_.files, &FileCommands::momentsWanted, this, &MainWindow::openMomentsRequested);
   connect(commands_.files, &FileCommands::marginsWanted, commands_.margins, &MarginCommands::openFile);
   connect(commands_.files, &FileCommands::failed, this, &MainWindow::showProblem);
 }
@@ -200,10 +204,11 @@ void MainWindow::setSession(SessionPort* session) {
   axis_->setRange(document_->work().range);
   follower_.attach(session_, feed_->moment(), document_->work());
   openPanels(outline);
-  commands_.drag->open(session_);
+  commands_.drag->open(session_ && !session_->live() ? session_ : nullptr);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(feed_->moment());
   enableActions(outline);
+  commands_.live->open(session_);
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
   if (session_) {
@@ -236,13 +241,21 @@ void MainWindow::openPanels(const view::SceneOutline& outline) {
   feed_->open(outline, margins);
   commands_.margins->open(session_ ? &outline : nullptr);
   commands_.exchange->open(session_ ? &outline : nullptr);
-  commands_.scene->open(outline);
+  commands_.scene->open(outline, session_ && session_->live());
   (outline.reacting.empty() ? docks_->margins : docks_->robots)->raise();
   static const std::vector<scene::SceneNote> kNoNotes;
   panels_.notes->open(session_ ? session_->notes() : kNoNotes);
   docks_->notes->setWindowTitle(panels_.notes->title());
   panels_.inspector->setWork(document_->work());
   panels_.separation->setSettings(document_->work().separation);
+}
+
+/// IN and OUT stay, as far as they are still there.
+void MainWindow::followSpan() {
+  const view::SceneOutline& outline = session_->outline();
+  axis_->open(outline.start, outline.end, outline.frame_period);
+  axis_->setRange(document_->work().range);
+  playback_->setSpan(outline.start, outline.end);
 }
 
 void MainWindow::enableActions(const view::SceneOutline& outline) {

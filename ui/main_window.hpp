@@ -25,6 +25,7 @@ class Document;
 class FileCommands;
 class ImportCommands;
 class LinkDrag;
+class LiveCommands;
 class LogBook;
 class MarginCommands;
 class MomentFeed;
@@ -72,6 +73,7 @@ class MainWindow : public QMainWindow {
   ProjectCommands& projects() const { return *commands_.projects; }
   VideoRecorder& videos() const { return *commands_.videos; }
   ExchangeCommands& exchange() const { return *commands_.exchange; }
+  LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
   ReportCommands& reports() const { return *commands_.reports; }
   const Actions& actions() const { return *actions_; }
@@ -98,6 +100,7 @@ class MainWindow : public QMainWindow {
   void momentShown();
   void openSceneRequested(const QString& path);
   void openRecordingRequested(const QString& path);
+  void openMomentsRequested(const QString& path);
   /// `modified`: `project` is not what `file` holds.
   void openProjectRequested(const abstand::ui::Project& project, const QString& file, bool modified);
   /// What is shown shall be read again with this person changed; an edit of the document once it is there.
@@ -132,6 +135,7 @@ class MainWindow : public QMainWindow {
   void connectProjects();
   void connectBookmarks();
   void connectMargins();
+  void followSpan();
   void openPanels(const view::SceneOutline& outline);
   void enableActions(const view::SceneOutline& outline);
   void choosePair(int pair);
@@ -161,6 +165,7 @@ class MainWindow : public QMainWindow {
     ExchangeCommands* exchange;
     ImportCommands* imports;
     LinkDrag* drag;
+    LiveCommands* live;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

@@ -12,6 +12,7 @@
 #include "ui/dock_set.hpp"
 #include "ui/document/document.hpp"
 #include "ui/file_commands.hpp"
+#include "ui/live_commands.hpp"
 #include "ui/main_window.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/model/playback.hpp"
@@ -181,6 +182,8 @@ void MainWindow::connectTime() {
   timers_.slow = new QTimer(this);
   timers_.slow->setInterval(kSlowMs);
   connect(timers_.slow, &QTimer::timeout, feed_, &MomentFeed::refreshSlow);
+  connect(timers_.slow, &QTimer::timeout, commands_.live, &LiveCommands::refresh);
+  connect(feed_, &MomentFeed::spanMoved, this, &MainWindow::followSpan);
 }
 
 void MainWindow::connectSession() {

@@ -42,6 +42,8 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   QMenu* recent = file->addMenu(Actions::tr("Open re&cent"));
   addRange(recent, actions, Id::kRecent1, Id::kRecent5);
   file->addSeparator();
+  addRange(file, actions, Id::kConnect, Id::kSaveMoments);
+  file->addSeparator();
   addRange(file, actions, Id::kSave, Id::kSaveAs);
   file->addSeparator();
   addRange(file, actions, Id::kReport, Id::kCopyPicture);

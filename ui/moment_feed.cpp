@@ -51,7 +51,21 @@ void MomentFeed::attach(SessionPort* session) {
   snapshot_ = {};
   samples_.clear();
   missed_ = 0;
-  if (session_) session_->takeSnapshot(snapshot_);
+  if (!session_) return;
+  session_->takeSnapshot(snapshot_);
+  span_ = session_->span();
+}
+
+/// The series begin anew; the session gives their samples again.
+void MomentFeed::moveSpan() {
+  span_ = session_->span();
+  const view::SceneOutline& outline = session_->outline();
+  history_->open(outline);
+  my_.panels.timeline->strip()->setSeries(&history_->distance(), &history_->force(), outline.start,
+                                          outline.end);
+  openPlots(outline);
+  my_.panels.cycles->open(outline);
+  Q_EMIT spanMoved();
 }
 
 void MomentFeed::open(const view::SceneOutline& outline, const std::vector<double>& margins) {
@@ -88,6 +102,7 @@ void MomentFeed::openPlots(const view::SceneOutline& outline) {
 
 void MomentFeed::pull() {
   if (!session_) return;
+  if (session_->span() != span_) moveSpan();
   samples_.clear();
   session_->drainPlot(samples_);
   history_->add(samples_);

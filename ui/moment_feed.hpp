@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/time_range.hpp"
 #include "ui/panel_set.hpp"
 
 namespace abstand::ui {
@@ -62,10 +63,13 @@ class MomentFeed : public QObject {
   void shown();
   /// moment() is another one, and the parts do not show it yet.
   void aboutToShow();
+  /// SessionPort::span() is another one; the outline has it, too.
+  void spanMoved();
   /// Robots were reset to their plans at this time (s).
   void restarted(double t);
 
  private:
+  void moveSpan();
   void openPlots(const view::SceneOutline& outline);
 
   Parts my_;
@@ -77,7 +81,8 @@ class MomentFeed : public QObject {
   std::vector<view::PlotSample> samples_;
   bool is_stale_{false};    ///< the tables and figures are older than the moment
   bool whole_plot_{false};  ///< the distance chart shows the whole recording, not what was played
-  long loops_{0};           ///< SceneSnapshot::loops
+  TimeRange span_;
+  long loops_{0};  ///< SceneSnapshot::loops
 };
 
 }  // namespace abstand::ui

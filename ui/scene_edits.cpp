@@ -59,6 +59,7 @@ void SceneEdits::connectGroups(const PanelSet& panels) {
 }
 
 void SceneEdits::movePair(int pair, const QString& group) {
+  if (fixed_) return Q_EMIT said(tr("The server decides which pairs are checked"));
   const auto [a, b] = outline_->pairs[static_cast<std::size_t>(pair)];
   const QPair<QString, QString> names(nameOf(a), nameOf(b));
   const QString what = group.isEmpty() ? tr("remove %1 – %2 from its group") : tr("add %1 – %2 to a group");
@@ -68,6 +69,7 @@ void SceneEdits::movePair(int pair, const QString& group) {
 /// A pair of the scene leaves its group or comes back; one that the scene leaves out is added, which opens
 /// the scene anew.
 void SceneEdits::checkPair(int a, int b, bool checked) {
+  if (fixed_) return Q_EMIT said(tr("The server decides which pairs are checked"));
   const Work& present = my_.document.work();
   const QPair<QString, QString> names(nameOf(a), nameOf(b));
   const auto& pairs = outline_->pairs;

@@ -32,7 +32,11 @@ class SceneEdits : public QObject {
   SceneEdits(const Sources& sources, const PanelSet& panels, QObject* parent);
 
   /// Of the scene that is open; it must live until the next call.
-  void open(const view::SceneOutline& outline) { outline_ = &outline; }
+  /// `fixed`: another program decides which pairs are checked.
+  void open(const view::SceneOutline& outline, bool fixed) {
+    outline_ = &outline;
+    fixed_ = fixed;
+  }
 
  Q_SIGNALS:
   /// For the status bar.
@@ -49,6 +53,7 @@ class SceneEdits : public QObject {
 
   Sources my_;
   const view::SceneOutline* outline_{nullptr};
+  bool fixed_{false};
 };
 
 }  // namespace abstand::ui

@@ -5,8 +5,7 @@
 namespace abstand::moment {
 namespace {
 
-/// Sizes of makeMoment(); the largest frame has forces in all pairs.
-constexpr std::size_t kForceBytes = 80;
+constexpr std::size_t kForceBytes = 80;  // of a pair that touches
 
 }  // namespace
 
@@ -28,10 +27,13 @@ Moment makeMoment(const SceneCard& card) {
   return moment;
 }
 
-std::size_t maxMomentBytes(const SceneCard& card) {
-  Moment moment = makeMoment(card);
+std::size_t minMomentBytes(const SceneCard& card) {
   std::vector<std::byte> bytes(kMaxFrameBytes);
-  return writeMoment({}, moment, bytes) + kForceBytes * card.pairs.size();
+  return writeMoment({}, makeMoment(card), bytes);
+}
+
+std::size_t maxMomentBytes(const SceneCard& card) {
+  return minMomentBytes(card) + kForceBytes * card.pairs.size();
 }
 
 std::size_t writeMoment(const FrameHeader& header, const Moment& moment, std::span<std::byte> into) noexcept {

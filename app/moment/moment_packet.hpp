@@ -25,7 +25,8 @@ struct Moment {
 
 /// All sizes as the card says, so that readMoment() and writeMoment() do not allocate.
 Moment makeMoment(const SceneCard& card);
-/// Largest frame of a moment.
+/// Frame of a moment without forces, and the largest, with forces in all pairs.
+std::size_t minMomentBytes(const SceneCard& card);
 std::size_t maxMomentBytes(const SceneCard& card);
 
 /// Writes the whole frame; returns its bytes, 0 if `into` is too small. No allocation.

@@ -45,7 +45,7 @@ int fail(int code, const QString& text) {
 }
 
 struct Arguments {
-  QString file, recording, screenshot;
+  QString file, recording, server, screenshot;
   robot_file::PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
@@ -91,6 +91,10 @@ void describeOptions(QCommandLineParser& parser) {
   parser.addOption({"recording",
                     QCoreApplication::translate("main", "recording that replaces those of the scene"),
                     "FILE"});
+  parser.addOption(
+      {"connect",
+       QCoreApplication::translate("main", "show what a running abstand serve computes at this address"),
+       "HOST:PORT"});
   parser.addOption(
       {"package-path",
        QCoreApplication::translate("main", "folder that holds ROS packages; may be given several times"),
@@ -156,6 +160,7 @@ bool parse(const QStringList& arguments, Arguments& args) {
   args.language = languageFor(arguments);
   args.file = parser.positionalArguments().value(0);
   args.recording = parser.value("recording");
+  args.server = parser.value("connect");
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
@@ -210,6 +215,9 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
 
 /// Asks for the files of the command line.
 void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args) {
+  if (!args.server.isEmpty()) return studio.connectTo(args.server, args.file);
+  if (!args.recording.isEmpty() && ui::kindOf(args.recording) == ui::FileKind::kMoments)
+    return studio.openMoments(args.recording, args.file);
   switch (args.file.isEmpty() ? ui::FileKind::kUnknown : ui::kindOf(args.file)) {
     case ui::FileKind::kProject:
       if (args.at > 0.0)
@@ -217,6 +225,8 @@ void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args)
                          [&window, t = args.at] { window.playback().seek(t); });
       window.projects().open(args.file);
       break;
+    case ui::FileKind::kMoments:
+      return studio.openMoments(args.file, QString());
     case ui::FileKind::kRecording:
       studio.openRecording(args.file);
       break;
@@ -283,7 +293,7 @@ int main(int argc, char** argv) {
     QObject::connect(
         &studio, &Studio::failed, &window,
         [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); }, Qt::QueuedConnection);
-    if (args.file.isEmpty() && args.recording.isEmpty()) takePicture(window, args);
+    if (args.file.isEmpty() && args.recording.isEmpty() && args.server.isEmpty()) takePicture(window, args);
   } else {
     window.keepAutosaves(ui::Autosave::standardFolder());
   }

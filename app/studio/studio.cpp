@@ -11,12 +11,14 @@
 #include "app/studio/avi_file.hpp"
 #include "app/studio/import_reader.hpp"
 #include "app/studio/pair_file.hpp"
+#include "app/studio/viewer_port.hpp"
 #include "core/base/output_file.hpp"
 #include "core/contact/contact_limits_reader.hpp"
 #include "humanmodel/body_part.hpp"
 #include "ui/document/document.hpp"
 #include "ui/exchange_commands.hpp"
 #include "ui/import_commands.hpp"
+#include "ui/live_commands.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/person_editor.hpp"
@@ -63,7 +65,8 @@ struct Studio::Request {
   QString file;
   bool modified{false};
   QString person{};
-  ui::Work before;  ///< of the document when the request was made
+  std::shared_ptr<LiveSource> live{};  ///< moments of a server in this scene
+  ui::Work before{};                   ///< of the document when the request was made
 };
 
 Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
@@ -85,6 +88,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
         return bodyPreview(body != bodies_.end() ? body->second : humanmodel::HumanOptions(), options);
       });
   connectExchange();
+  connectLive();
   connect(&files_, &QFileSystemWatcher::fileChanged, this, [this](const QString& file) {
     window_.statusBar()->showMessage(
         tr("%1 has changed. Reload it with Ctrl+R").arg(QFileInfo(file).fileName()), kNoticeMs);
@@ -173,6 +177,8 @@ void Studio::openProject(const ui::Project& project, const QString& file, bool m
 }
 
 void Studio::cancel() {
+  opening_.abandon();
+  window_.hideOpening();
   if (!loader_.isLoading()) return;
   QApplication::restoreOverrideCursor();
   loader_.abandon();
@@ -185,6 +191,7 @@ void Studio::giveUp(const Request& request) {
   if (request.kind != Request::Kind::kFollow || isLoadedAlike(shown_, window_.document().work())) return;
   window_.setSession(nullptr);
   port_.reset();
+  record_.reset();
   shown_ = {};
 }
 
@@ -193,6 +200,7 @@ void Studio::close() {
   window_.setSession(nullptr);
   analyses_.stop();
   port_.reset();
+  record_.reset();
   shown_ = {};
   ui::Project empty;
   empty.work.view = window_.document().work().view;
@@ -213,6 +221,58 @@ void Studio::makeReport(const ui::ReportRequest& request) {
   connect(report_.get(), &ReportJob::done, &window_.reports(), &ui::ReportCommands::done);
   connect(report_.get(), &ReportJob::failed, &window_.reports(), &ui::ReportCommands::fail);
   report_->start();
+}
+
+void Studio::fail(const QString& problem) {
+  window_.showProblem(tr("Cannot open"), problem);
+  Q_EMIT failed(problem);
+}
+
+void Studio::connectLive() {
+  const ui::LiveCommands& live = window_.live();
+  connect(&live, &ui::LiveCommands::connectWanted, this, &Studio::connectTo);
+  connect(&live, &ui::LiveCommands::disconnectWanted, this, &Studio::disconnectLive);
+  connect(&live, &ui::LiveCommands::saveWanted, this, [this](const QString& file) {
+    if (record_) saving_.start(record_, file);
+  });
+  connect(&window_, &ui::MainWindow::openMomentsRequested, this,
+          [this](const QString& file) { openMoments(file, QString()); });
+  connect(&opening_, &LiveOpening::found, this, &Studio::openLive);
+  connect(&opening_, &LiveOpening::failed, this, [this](const QString& problem) {
+    window_.hideOpening();
+    fail(problem);
+  });
+  connect(&saving_, &MomentSaving::done, this,
+          [this](const QString& file) { window_.say(tr("Saved %1").arg(file)); });
+  connect(&saving_, &MomentSaving::failed, this,
+          [this](const QString& problem) { window_.showProblem(tr("Cannot save"), problem); });
+}
+
+void Studio::connectTo(const QString& address, const QString& scene) {
+  window_.showOpening({});
+  opening_.connectTo(address, absolute(scene));
+}
+
+void Studio::openMoments(const QString& file, const QString& scene) {
+  window_.showOpening({});
+  opening_.readFile(absolute(file), absolute(scene));
+}
+
+void Studio::openLive(std::shared_ptr<LiveSource> source, const QString& scene) {
+  Request request;
+  request.kind = Request::Kind::kNew;
+  request.project.work.view = window_.document().work().view;
+  request.project.work.scene = absolute(scene);
+  request.live = std::move(source);
+  load(std::move(request));
+}
+
+void Studio::disconnectLive() {
+  if (!record_) return;
+  Request request;
+  request.project = window_.document().project();
+  request.project.viewpoint.t = 0.0;
+  load(std::move(request));
 }
 
 void Studio::connectExchange() {
@@ -284,15 +344,39 @@ void Studio::editDocument(const Request& request) {
   }
 }
 
+std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& request) {
+  record_ = request.live ? request.live->record : nullptr;
+  if (!request.live) {
+    std::unique_ptr<FeedPort> feed;
+    if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
+    return std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
+                                      std::move(loaded.meshes), std::move(loaded.structures),
+                                      std::move(loaded.depth), std::move(loaded.reach));
+  }
+  ViewerPort::Parts parts;
+  parts.record = record_;
+  parts.link = std::move(request.live->link);
+  parts.outline = loaded.live->outline();
+  loaded.live->takeSnapshot(parts.sized);
+  parts.notes = std::move(loaded.notes);
+  parts.meshes = std::move(loaded.meshes);
+  parts.structures = std::move(loaded.structures);
+  try {
+    const QByteArray scene = QFile::encodeName(request.project.work.scene);
+    parts.other_file = moment::sceneKey(scene.toStdString()) != record_->card()->scene;
+  } catch (const std::exception&) {
+    parts.other_file = true;
+  }
+  return std::make_unique<ViewerPort>(std::move(parts));
+}
+
 void Studio::take(Loaded& loaded) {
   QApplication::restoreOverrideCursor();
   const std::unique_ptr<Request> request = std::move(request_);
   window_.hideOpening();
   if (!loaded.live) {
     giveUp(*request);
-    window_.showProblem(tr("Cannot open"), loaded.problem);
-    Q_EMIT failed(loaded.problem);
-    return;
+    return fail(loaded.problem);
   }
   ui::Document& document = window_.document();
   const bool is_new = request->kind == Request::Kind::kNew;
@@ -301,17 +385,17 @@ void Studio::take(Loaded& loaded) {
   const ui::Work& wanted = request->project.work;
   // The clock has gone on while it was loading.
   const bool goes_on =
-      port_ && !is_new && wanted.scene == shown_.scene && wanted.recording == shown_.recording;
+      port_ && !is_new && !record_ && wanted.scene == shown_.scene && wanted.recording == shown_.recording;
   const bool was_playing = window_.playback().playing();
   const double t = window_.playback().time();
   if (goes_on) document.setViewpoint({window_.viewport().cameraView(), t});
+  if (const QString why =
+          request->live ? whyNotShown(*request->live->record->card(), loaded.live->outline()) : QString();
+      !why.isEmpty())
+    return fail(tr("%1 cannot be shown with this scene. %2").arg(request->live->name, why));
   window_.setSession(nullptr);
   analyses_.stop();
-  std::unique_ptr<FeedPort> feed;
-  if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
-  port_ = std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
-                                     std::move(loaded.meshes), std::move(loaded.structures),
-                                     std::move(loaded.depth), std::move(loaded.reach));
+  port_ = portOf(loaded, *request);
   bodies_ = std::move(loaded.bodies);
   shown_ = wanted;
   watchFiles();

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/analysis/analysis_runner.hpp"
+#include "app/studio/live_opening.hpp"
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
 #include "app/studio/range_file.hpp"
@@ -36,6 +37,11 @@ class Studio : public QObject {
   void openRecording(const QString& recording);
   /// Begins with a document that was read.
   void openProject(const ui::Project& project, const QString& file, bool modified);
+  /// Shows what a running server computes, in the window's scene; an empty `scene`: the file that it states.
+  /// ready() or failed() follows.
+  void connectTo(const QString& address, const QString& scene);
+  /// Shows recorded moments of a server; `scene` likewise.
+  void openMoments(const QString& file, const QString& scene);
   /// Builds one person of the present scene anew, as an edit of the document. Camera, margins, selection and
   /// the clock stay. The options that change nothing are those of the scene.
   void changePerson(const QString& name, const ui::PersonOptions& options);
@@ -61,18 +67,26 @@ class Studio : public QObject {
   void connectExchange();
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
+  void connectLive();
+  void openLive(std::shared_ptr<LiveSource> source, const QString& scene);
+  void disconnectLive();
+  void fail(const QString& problem);
+  std::unique_ptr<ui::SessionPort> portOf(Loaded& loaded, const Request& request);
   void watchFiles();
 
   ui::MainWindow& window_;
   robot_file::PackagePaths packages_;
   Loader loader_;
-  std::unique_ptr<LivePort> port_;
+  std::unique_ptr<ui::SessionPort> port_;
   SceneBodies bodies_;  // of the scene that port_ shows
   analysis::AnalysisRunner analyses_;
   std::unique_ptr<Request> request_;  // of the load that is under way
   ui::Work shown_;                    // what port_ was loaded from
   std::unique_ptr<ReportJob> report_;
   RangeJob range_;
+  LiveOpening opening_;
+  std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server
+  MomentSaving saving_;
   QFileSystemWatcher files_;  // of what is shown
 };
 

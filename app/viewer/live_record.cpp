@@ -23,6 +23,8 @@ view::PlotSample sampleOf(const moment::Moment& moment, double t) {
   view::PlotSample sample;
   sample.t = t;
   sample.min_distance = kInfinity;
+  // The server does not know the masses of links.
+  sample.peak_torque.gravity = sample.peak_torque.motion = kNaN;
   for (std::size_t p = 0; p < s.pairs.size(); ++p) {
     const query::PairResult& result = s.pairs[p].result;
     sample.peak_force = std::max(sample.peak_force, result.force_a.norm());
@@ -50,7 +52,7 @@ bool LiveRecord::begin(const moment::SceneCard& card, LinkState state, double no
   if (!card_) {
     card_ = card;
     frame_bytes_ = moment::maxMomentBytes(card);
-    kept_rate_ = MomentRing::rateFor(limits_, frame_bytes_, kKeptRate);
+    kept_rate_ = MomentRing::rateFor(limits_, moment::minMomentBytes(card), kKeptRate);
   }
   rebase_ = newest_.number >= 0 && server_ != card.server;
   server_ = card.server;

@@ -36,6 +36,12 @@ void Playback::setPort(SessionPort* port) {
   if (was_playing) Q_EMIT playingChanged(false);
 }
 
+void Playback::setSpan(double start, double end) {
+  start_ = start;
+  end_ = std::max(start, end);
+  Q_EMIT rangeChanged();
+}
+
 void Playback::onSnapshot(const view::SceneSnapshot& snapshot) {
   if (patience_ > 0) {
     const bool obeyed = std::abs(snapshot.t - awaited_) < 0.5 * period_ && snapshot.playing == play_asked_;

@@ -22,6 +22,9 @@ class Playback : public QObject {
   void setPort(SessionPort* port);
   void onSnapshot(const view::SceneSnapshot& snapshot);
 
+  /// The times that can be shown have moved along.
+  void setSpan(double start, double end);
+
   double time() const { return time_; }
   double start() const { return start_; }
   double end() const { return end_; }

@@ -10,6 +10,8 @@
 #include "ui/model/analysis_port.hpp"
 #include "ui/model/body_inside.hpp"
 #include "ui/model/depth_port.hpp"
+#include "ui/model/live_status.hpp"
+#include "ui/model/time_range.hpp"
 
 namespace abstand::ui {
 
@@ -48,6 +50,14 @@ class SessionPort {
     static_cast<void>(object), static_cast<void>(p_B), static_cast<void>(p_W), static_cast<void>(joints);
     return {};
   }
+  /// Of a session that shows what another program computed: commands that would change it have no effect.
+  /// Nothing: it computes itself.
+  virtual std::optional<LiveStatus> live() const { return {}; }
+  /// Shows the newest moment again, and follows.
+  virtual void toLive() {}
+  /// All times that can be shown. Differs from the outline's in a session that goes on without end, where it
+  /// moves now and then; the plot samples of the new range then come again.
+  virtual TimeRange span() const { return {outline().start, outline().end}; }
   /// Copies the newest snapshot; false, and `out` untouched, when nothing is new since the last call.
   virtual bool takeSnapshot(view::SceneSnapshot& out) = 0;
   /// Appends every plot sample since the last call, in the order of the cycles.

@@ -125,6 +125,8 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
   const bool reacting = snapshot.robots.size() == cards_.size();
   head_->setText(!outline.cannot_react.empty()
                      ? tr("Not reacting: %1").arg(QString::fromStdString(outline.cannot_react))
+                 : reacting && std::isnan(snapshot.loop_start)
+                     ? tr("As the server reports them; their controllers react.")
                  : reacting ? tr("Restarted on their planned motion at %1; reacting since then")
                                   .arg(secondsWithUnit(snapshot.loop_start))
                             : tr("Not reacting: robots follow their recorded motion."));

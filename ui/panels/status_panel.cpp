@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ui/model/event_text.hpp"
+#include "ui/model/live_text.hpp"
 #include "ui/model/nearest_classes.hpp"
 #include "ui/model/stop_text.hpp"
 #include "ui/style/elided_label.hpp"
@@ -70,6 +71,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
       opening_{new ElidedLabel(bar)},
       opening_bar_{new QProgressBar(bar)},
       cancel_{new QToolButton(bar)},
+      live_{new ElidedLabel(bar)},
       analysis_{new ElidedLabel(bar)},
       robots_{new ElidedLabel(bar)},
       left_out_{new ElidedLabel(bar)},
@@ -89,6 +91,10 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   opening_bar_->setMaximumWidth(kBarWidth);
   opening_bar_->setTextVisible(false);
   left_out_->setObjectName(QStringLiteral("left_out"));
+  live_->setObjectName(QStringLiteral("live"));
+  live_->setAccessibleName(tr("Connection with the server"));
+  live_->keepWhole();
+  live_->hide();
   analysis_->setObjectName(QStringLiteral("analysis"));
   analysis_->setAccessibleName(tr("Progress of the analysis"));
   robots_->setObjectName(QStringLiteral("robots"));
@@ -102,7 +108,7 @@ StatusPanel::StatusPanel(QStatusBar* bar)
   bar->addWidget(opening_, 1);
   bar->addWidget(nearest_, 1);
   hideOpening();
-  for (ElidedLabel* label : {analysis_, robots_, left_out_, cycle_, overruns_, real_time_}) {
+  for (ElidedLabel* label : {live_, analysis_, robots_, left_out_, cycle_, overruns_, real_time_}) {
     label->setAlignment(Qt::AlignCenter);
     bar->addPermanentWidget(label);
   }
@@ -153,7 +159,10 @@ void StatusPanel::showRobots(const view::SceneOutline& outline, const view::Scen
   if (outline.reacting.empty()) return;
   bool alarm = false;
   const QString text = worstText(snapshot, outline, &alarm);
-  if (snapshot.robots.empty()) {
+  if (!snapshot.robots.empty() && std::isnan(snapshot.loop_start)) {
+    robots_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + text);
+    robots_->setToolTip(tr("As the server reports it. Reasons and times are in the panel \"Robots\"."));
+  } else if (snapshot.robots.empty()) {
     robots_->setText(tr("React: off"));
     robots_->setToolTip(tr("Robots follow their recorded motion (React is off)"));
   } else {
@@ -200,6 +209,16 @@ void StatusPanel::showAnalysis(const RecordingReview& review) {
           ? tr("Distances of the whole recording are computed for the timeline and the events")
           : review.problem());
   colourText(analysis_, review.state() == view::AnalysisNews::State::kFailed);
+}
+
+void StatusPanel::showLive(const std::optional<LiveStatus>& status) {
+  live_->setVisible(status.has_value());
+  // Of the loop here, which does not run.
+  for (ElidedLabel* label : {overruns_, real_time_}) label->setVisible(!status);
+  if (!status) return;
+  live_->setText(liveText(*status));
+  live_->setToolTip(liveLines(*status));
+  colourText(live_, isStale(*status) || status->other_file);
 }
 
 void StatusPanel::hideOpening() {

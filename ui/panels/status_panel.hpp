@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/live_status.hpp"
 
 class QProgressBar;
 class QStatusBar;
@@ -45,6 +47,8 @@ class StatusPanel : public QObject {
   /// Takes the place of the nearest pair, until hideOpening().
   void showOpening(const Opening& opening);
   void hideOpening();
+  /// How the connection with a server is; nothing: the session is our own.
+  void showLive(const std::optional<LiveStatus>& status);
   /// How far the analysis of the recording is; nothing once it is done.
   void showAnalysis(const RecordingReview& review);
 
@@ -56,6 +60,7 @@ class StatusPanel : public QObject {
   ElidedLabel* opening_;
   QProgressBar* opening_bar_;
   QToolButton* cancel_;
+  ElidedLabel* live_;
   ElidedLabel* analysis_;
   ElidedLabel* robots_;
   ElidedLabel* left_out_;

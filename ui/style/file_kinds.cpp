@@ -55,12 +55,13 @@ FileKind kindOf(const QString& path) {
   if (projectSuffixes().contains(suffix)) return FileKind::kProject;
   if (sceneSuffixes().contains(suffix)) return isMarginSet(path) ? FileKind::kMargins : FileKind::kScene;
   if (recordingSuffixes().contains(suffix)) return FileKind::kRecording;
+  if (suffix == QLatin1String("moments")) return FileKind::kMoments;
   return FileKind::kUnknown;
 }
 
 QString openFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Projects, scenes and robots"),
-                 projectSuffixes() + sceneSuffixes());
+                 projectSuffixes() + sceneSuffixes() + QStringList{"moments"});
 }
 QString projectFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Projects"), projectSuffixes());

@@ -6,8 +6,8 @@
 namespace abstand::ui {
 
 /// A robot file counts as a scene with that robot alone.
-/// A file of margins is told from a scene by its first key.
-enum class FileKind { kProject, kScene, kRecording, kMargins, kUnknown };
+/// Moments are the recording of a server. A file of margins is told from a scene by its first key.
+enum class FileKind { kProject, kScene, kRecording, kMargins, kMoments, kUnknown };
 
 /// A folder counts as a (depth) recording.
 FileKind kindOf(const QString& path);
