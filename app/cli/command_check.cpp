@@ -201,7 +201,8 @@ void addCheck(CLI::App& root, CommandLine& line) {
   command->add_option("SCENE", args->scene, "scene file")->required();
   command->add_option("--recording", args->recordings, "recordings, each checked in turn");
   addCutThings(*command, args->cut_things);
-  command->add_option("--poses", args->poses, "CSV of poses that named objects follow");
+  command->add_option("--poses", args->poses,
+                      "CSV of poses, or recorded moments of a server, that named objects follow");
   command->add_option("--min-distance", args->min_distance, "smallest distance allowed, m");
   command->add_option("--margins", args->margins,
                       "YAML, NAME: metres; the limit of a pair is then also the sum of its margins");

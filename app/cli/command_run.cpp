@@ -182,7 +182,8 @@ void addRun(CLI::App& root, CommandLine& line) {
   auto args = std::make_shared<RunArguments>();
   command->add_option("SCENE", args->scene, "scene file")->required();
   addCutThings(*command, args->session.cut_things);
-  command->add_option("--poses", args->session.poses, "CSV of poses that named objects follow");
+  command->add_option("--poses", args->session.poses,
+                      "CSV of poses, or recorded moments of a server, that named objects follow");
   command->add_option("--recording", args->session.recording, "recording that replaces the scene's");
   command->add_option("--start", args->start, "first time in s");
   command->add_option("--end", args->end, "last time in s");

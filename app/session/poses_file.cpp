@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "app/moment/moment_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
@@ -59,6 +60,23 @@ double poseNumber(std::string_view text, const SourcePos& pos) {
   throw ParseError(pos, "found '" + std::string(text.substr(0, 40)) + "', expected a number");
 }
 
+/// Poses of recorded moments of a server; not finite where the server did not know them.
+PosesTable posesOfMoments(const std::filesystem::path& file) {
+  PosesTable table;
+  const auto begin = [&](const moment::SceneCard& card) { table.names = card.objects; };
+  const auto take = [&](std::span<const std::byte>, const moment::Moment& m) {
+    table.t.push_back(m.shown.t);
+    for (const view::ObjectSnapshot& object : m.shown.objects) {
+      const bool known =
+          object.pose_state == scene::PoseState::kFresh || object.pose_state == scene::PoseState::kInferred;
+      table.X_WB.push_back(object.X_WB);
+      if (!known) table.X_WB.back().matrix().topRows<3>().setConstant(kNaN);
+    }
+  };
+  moment::readMomentFile(file, begin, take);
+  return table;
+}
+
 }  // namespace
 
 std::size_t PosesTable::rowAt(double time) const {
@@ -67,6 +85,7 @@ std::size_t PosesTable::rowAt(double time) const {
 }
 
 PosesTable loadPoses(const std::filesystem::path& file) {
+  if (moment::isMomentFile(file)) return posesOfMoments(file);
   const std::string text = readFile(file);
   const std::string name = file.string();
   PosesTable table;

@@ -1,6 +1,6 @@
 #include "app/viewer/viewer_host.hpp"
 
-#include <pthread.h>
+#include <sched.h>
 #include <sys/eventfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -22,7 +22,7 @@ constexpr int kNice = 10;
 void takeOrdinaryPriority() {
   ::prctl(PR_SET_NAME, "viewers");
   sched_param none{};
-  ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
+  ::sched_setscheduler(0, SCHED_OTHER, &none);
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kNice);
 }
 

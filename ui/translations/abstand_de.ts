@@ -161,6 +161,48 @@
     </message>
 </context>
 <context>
+    <name>ViewerPort</name>
+    <message>
+        <source>The bodies of the scene differ from those of the server.</source>
+        <translation>Die Körper der Szene sind andere als die des Servers.</translation>
+    </message>
+    <message>
+        <source>The people of the scene differ from those of the server.</source>
+        <translation>Die Personen der Szene sind andere als die des Servers.</translation>
+    </message>
+    <message>
+        <source>The robots of the scene differ from those of the server.</source>
+        <translation>Die Roboter der Szene sind andere als die des Servers.</translation>
+    </message>
+    <message>
+        <source>The pairs of the scene differ from those of the server.</source>
+        <translation>Die Paare der Szene sind andere als die des Servers.</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::studio::LiveOpening</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is no abstand serve of this version.</source>
+        <translation>Was unter %1 antwortet, ist kein abstand serve dieser Version.</translation>
+    </message>
+    <message>
+        <source>No answer from %1.
+
+Is abstand serve running there, and does it have a viewer to spare (--viewers)?</source>
+        <translation>Keine Antwort von %1.
+
+Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</translation>
+    </message>
+    <message>
+        <source>%1 is of the scene %2, which is not here. Give the file of the scene, too.</source>
+        <translation>%1 gehört zur Szene %2, die es hier nicht gibt. Geben Sie auch die Datei der Szene an.</translation>
+    </message>
+</context>
+<context>
     <name>abstand::studio::ReportJob</name>
     <message>
         <source>%1 cannot be started</source>
@@ -212,6 +254,10 @@
     <message>
         <source>Cannot save</source>
         <translation>Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown with this scene. %2</source>
+        <translation>%1 lässt sich mit dieser Szene nicht zeigen. %2</translation>
     </message>
 </context>
 <context>
@@ -2204,6 +2250,86 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Pose the robot so that the selected link moves 10 mm away from the camera</source>
         <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm von der Kamera weg rückt</translation>
     </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>recorded moments</source>
+        <translation>aufgezeichnete Momente</translation>
+    </message>
+    <message>
+        <source>⚠ stale: the server shows another scene</source>
+        <translation>⚠ veraltet: Der Server zeigt eine andere Szene</translation>
+    </message>
+    <message>
+        <source>⚠ stale: nothing received for %1</source>
+        <translation>⚠ veraltet: nichts empfangen seit %1</translation>
+    </message>
+    <message>
+        <source>⚠ not connected</source>
+        <translation>⚠ nicht verbunden</translation>
+    </message>
+    <message>
+        <source>connected, %1 moments/s, newest %2 old</source>
+        <translation>verbunden, %1 Momente/s, neuester %2 alt</translation>
+    </message>
+    <message>
+        <source>%1 ago; %2</source>
+        <translation>vor %1; %2</translation>
+    </message>
+    <message>
+        <source>⚠ scene file differs; %1</source>
+        <translation>⚠ Szenendatei weicht ab; %1</translation>
+    </message>
+    <message>
+        <source>Shown is what abstand serve computed. Margins, pairs and poses are the server&apos;s.</source>
+        <translation>Gezeigt wird, was abstand serve berechnet hat. Sicherheitsabstände, Paare und Posen sind die des Servers.</translation>
+    </message>
+    <message>
+        <source>Kept: the last %1, %2 MiB</source>
+        <translation>Aufbewahrt: die letzten %1, %2 MiB</translation>
+    </message>
+    <message>
+        <source>Moments that the server left out because this window was too slow: %1</source>
+        <translation>Momente, die der Server ausgelassen hat, weil dieses Fenster zu langsam war: %1</translation>
+    </message>
+    <message>
+        <source>The scene file here has another content than the server&apos;s: shapes, margins and limits may differ.</source>
+        <translation>Die Szenendatei hier hat einen anderen Inhalt als die des Servers: Formen, Sicherheitsabstände und Grenzen können abweichen.</translation>
+    </message>
+    <message>
+        <source>Connect to a running serve…</source>
+        <translation>Mit laufendem serve verbinden…</translation>
+    </message>
+    <message>
+        <source>Show what abstand serve computes now, keep the last ten minutes, and go back in them</source>
+        <translation>Zeigen, was abstand serve jetzt berechnet, die letzten zehn Minuten aufbewahren und darin zurückgehen</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Verbindung trennen</translation>
+    </message>
+    <message>
+        <source>Show the scene by itself again, without the server</source>
+        <translation>Die Szene wieder allein zeigen, ohne den Server</translation>
+    </message>
+    <message>
+        <source>Save the recording…</source>
+        <translation>Die Aufzeichnung speichern…</translation>
+    </message>
+    <message>
+        <source>Save the last ten minutes of the server as a file that this program opens again</source>
+        <translation>Die letzten zehn Minuten des Servers als Datei speichern, die dieses Programm wieder öffnet</translation>
+    </message>
+    <message>
+        <source>Back to live</source>
+        <translation>Zurück zur Gegenwart</translation>
+    </message>
+    <message>
+        <source>Show what the server computes now, after a look at what was</source>
+        <translation>Zeigen, was der Server jetzt berechnet, nach einem Blick zurück</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3173,6 +3299,27 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Out of reach by %1: a joint limit or the length of the arm</source>
         <translation>Um %1 außer Reichweite: eine Gelenkgrenze oder die Länge des Arms</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::LiveCommands</name>
+    <message>
+        <source>Save the recording</source>
+        <translation>Die Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recorded moments (*.moments)</source>
+        <translation>Aufgezeichnete Momente (*.moments)</translation>
+    </message>
+    <message>
+        <source>The server decides this; here it is only shown.</source>
+        <translation>Darüber entscheidet der Server; hier wird es nur gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1
+Not here: what is shown comes from a server, which decides.</source>
+        <translation>%1
+Hier nicht: Was gezeigt wird, kommt von einem Server, und der entscheidet.</translation>
     </message>
 </context>
 <context>
@@ -4286,6 +4433,10 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <source>Select the two bodies that hold %1</source>
         <translation>Die beiden Körper auswählen, die %1 aufhalten</translation>
     </message>
+    <message>
+        <source>As the server reports them; their controllers react.</source>
+        <translation>Wie der Server sie meldet; es reagieren ihre Steuerungen.</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::SceneEdits</name>
@@ -4343,6 +4494,10 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     <message>
         <source>pose %1 by hand</source>
         <translation>%1 von Hand stellen</translation>
+    </message>
+    <message>
+        <source>The server decides which pairs are checked</source>
+        <translation>Der Server entscheidet, welche Paare geprüft werden</translation>
     </message>
 </context>
 <context>
@@ -4694,6 +4849,14 @@ Moments that were computed and came too fast to be drawn: %1</source>
         <translation>Abgespielte Szenenzeit je Wanduhrzeit, über die letzten anderthalb Sekunden.
 Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1</translation>
     </message>
+    <message>
+        <source>Connection with the server</source>
+        <translation>Verbindung mit dem Server</translation>
+    </message>
+    <message>
+        <source>As the server reports it. Reasons and times are in the panel &quot;Robots&quot;.</source>
+        <translation>Wie der Server ihn meldet. Gründe und Zeiten stehen im Bereich „Roboter“.</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::StripChart</name>
@@ -4945,6 +5108,41 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     </message>
 </context>
 <context>
+    <name>connect_dialog</name>
+    <message>
+        <source>Connect to a running serve</source>
+        <translation>Mit laufendem serve verbinden</translation>
+    </message>
+    <message>
+        <source>Address and port of abstand serve, as it prints them</source>
+        <translation>Adresse und Port von abstand serve, wie es sie ausgibt</translation>
+    </message>
+    <message>
+        <source>the file that the server states</source>
+        <translation>die Datei, die der Server nennt</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>The window only looks on: nothing here changes what the server does.</source>
+        <translation>Das Fenster sieht nur zu: Nichts hier ändert, was der Server tut.</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Szene</translation>
+    </message>
+</context>
+<context>
     <name>file_kinds</name>
     <message>
         <source>All files</source>
@@ -5084,6 +5282,10 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
     <message>
         <source>language of texts and numbers</source>
         <translation>Sprache der Texte und Zahlen</translation>
+    </message>
+    <message>
+        <source>show what a running abstand serve computes at this address</source>
+        <translation>zeigen, was ein laufendes abstand serve unter dieser Adresse berechnet</translation>
     </message>
 </context>
 <context>

@@ -85,7 +85,9 @@ TEST_F(LiveRecordTest, MemoryIsFlat) {
   std::size_t most = 0;
   for (int i = 1; i <= 60 * 60 * 20; ++i) {
     add(i / 60.0, i / 60.0);
-    if (i > 60 * 60 * 11) EXPECT_LE(record.span().bytes, most);
+    if (i > 60 * 60 * 11) {
+      EXPECT_LE(record.span().bytes, most);
+    }
     most = std::max(most, record.span().bytes);
   }
   // 60 moments a second come, 30 are kept: of twenty minutes the last ten.
