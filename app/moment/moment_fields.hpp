@@ -34,6 +34,24 @@ class PutFields {
   ByteWriter out_;
 };
 
+/// Archive that only counts bytes.
+class CountFields {
+ public:
+  template <class T>
+  void same(const T&) {
+    bytes_ += sizeof(T);
+  }
+  template <class Wire, class T>
+  void as(const T&) {
+    bytes_ += sizeof(Wire);
+  }
+  void check(bool) {}
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::size_t bytes_{0};
+};
+
 /// Archive that reads and checks.
 class GetFields {
  public:

@@ -28,8 +28,10 @@ Moment makeMoment(const SceneCard& card) {
 }
 
 std::size_t minMomentBytes(const SceneCard& card) {
-  std::vector<std::byte> bytes(kMaxFrameBytes);
-  return writeMoment({}, makeMoment(card), bytes);
+  const Moment moment = makeMoment(card);
+  CountFields count;
+  exchangeMoment(count, moment);
+  return kFrameHeaderBytes + count.bytes();
 }
 
 std::size_t maxMomentBytes(const SceneCard& card) {

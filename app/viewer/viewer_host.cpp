@@ -47,6 +47,10 @@ moment::SceneCard cardOf(const serve::ServedScene& scene) {
 
 ViewerHost::ViewerHost(const serve::Address& bind, moment::SceneCard card, serve::ServedScene& scene,
                        const HostOptions& options) {
+  const std::size_t bytes = moment::maxMomentBytes(card);
+  if (bytes > moment::kMaxFrameBytes)
+    throw UsageError("found moments of up to " + std::to_string(bytes) + " bytes, expected at most " +
+                     std::to_string(moment::kMaxFrameBytes));
   Offer sized{moment::makeMoment(card)};
   scene.capture(sized.moment.shown);
   // Every buffer is captured as a whole the first time.

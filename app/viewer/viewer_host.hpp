@@ -36,7 +36,8 @@ class ViewerHost final : public serve::CycleObserver {
  public:
   static constexpr double kMaxRate = 100.0;  ///< Hz
 
-  /// Throws UsageError if the address cannot be bound. `card`: of `scene`.
+  /// Throws UsageError if the address cannot be bound, or if the moments of the scene are too large. `card`:
+  /// of `scene`.
   ViewerHost(const serve::Address& bind, moment::SceneCard card, serve::ServedScene& scene,
              const HostOptions& options = {});
   ~ViewerHost() override;

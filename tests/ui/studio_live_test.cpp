@@ -126,6 +126,7 @@ TEST_F(StudioLive, ShowsGoesBackSavesAndGoesStale) {
 
   ASSERT_TRUE(shows(0.7));
   EXPECT_GT(window.moment().t, then);
+  window.playback().setPlaying(false);
   window.playback().seek(then);
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == before; }, kLimitMs));
   EXPECT_TRUE(says("ago"));

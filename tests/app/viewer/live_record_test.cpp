@@ -83,14 +83,14 @@ TEST_F(LiveRecordTest, RewindsToTheExactMoment) {
 TEST_F(LiveRecordTest, MemoryIsFlat) {
   record.begin(exampleCard(), LinkState::kConnected, 0.0);
   std::size_t most = 0;
-  for (int i = 1; i <= 60 * 60 * 20; ++i) {
+  for (int i = 1; i <= 60 * 60 * 13; ++i) {
     add(i / 60.0, i / 60.0);
     if (i > 60 * 60 * 11) {
       EXPECT_LE(record.span().bytes, most);
     }
     most = std::max(most, record.span().bytes);
   }
-  // 60 moments a second come, 30 are kept: of twenty minutes the last ten.
+  // 60 moments a second come, 30 are kept: of thirteen minutes the last ten.
   EXPECT_NEAR(static_cast<double>(record.span().kept), 600.0 * LiveRecord::kKeptRate, 2.0);
 }
 

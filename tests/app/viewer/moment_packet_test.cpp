@@ -133,6 +133,11 @@ TEST(MomentPacket, TheLargestFrameHasForcesInAllPairs) {
   EXPECT_EQ(exampleFrame(moment).size(), maxMomentBytes(exampleCard()));
   for (auto& pair : moment.shown.pairs) pair.result = {};
   EXPECT_EQ(exampleFrame(moment).size(), minMomentBytes(exampleCard()));
+  // Also of scenes whose moments are too large to be sent: 56 and 80 bytes for each pair.
+  SceneCard large = exampleCard();
+  large.pairs.assign(300003, {0, 1});
+  EXPECT_EQ(maxMomentBytes(large), maxMomentBytes(exampleCard()) + 300000 * std::size_t{136});
+  EXPECT_GT(maxMomentBytes(large), kMaxFrameBytes);
 }
 
 TEST(SceneCardFrame, IsReadAsWrittenAndCutOnesAreRejected) {
