@@ -117,7 +117,9 @@ std::optional<ui::LiveStatus> ViewerPort::live() const {
   status.age = link.moment_age;
   status.silence = link.frame_age;
   status.rewound = !follows_;
-  status.behind = follows_ || std::isnan(shown_t_) ? 0.0 : std::max(kept.last - shown_t_, 0.0);
+  // The newest moment may be old, too.
+  if (!follows_ && !std::isnan(shown_t_))
+    status.behind = std::max(kept.last - shown_t_, 0.0) + (my_.link ? link.moment_age : 0.0);
   status.other_file = my_.other_file;
   status.kept = kept.last - kept.first;
   status.bytes = kept.bytes;

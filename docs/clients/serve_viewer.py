@@ -121,7 +121,11 @@ def main():
     viewer = Viewer(args.host, args.port, args.rate)
     until = time.monotonic() + args.seconds
     while time.monotonic() < until:
-        found = viewer.moment(1.0)
+        try:
+            found = viewer.moment(1.0)
+        except ConnectionError:
+            print("the server has ended")
+            return
         if found is None:
             print("no moment for a second: nothing is known")
             continue
