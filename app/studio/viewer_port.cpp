@@ -201,6 +201,7 @@ bool ViewerPort::decode(view::SceneSnapshot& out) {
   out.pair_group = s.pair_group;
   out.torques_on = s.torques_on;
   out.robots = s.robots;
+  my_.record->copyLogs(out.robots);
   out.movers = s.movers;
   out.cycle_us = s.cycle_us;
   out.nearest_pair = nearestOf(s);

@@ -97,8 +97,29 @@ bool LiveRecord::add(std::span<const std::byte> frame, const moment::Moment& mom
     due_ = std::max(due_ + 1.0 / kept_rate_, t);
     ring_.add(t, newest_.frame);
   }
+  logStops(moment);
   addSample(moment, t);
   return true;
+}
+
+void LiveRecord::logStops(const moment::Moment& moment) {
+  const auto& robots = moment.shown.robots;
+  if (stops_.empty())
+    for (const view::RobotSnapshot& robot : robots)
+      stops_.push_back({{}, robot.state, robot.since + offset_});
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    Stops& stops = stops_[i];
+    const double since = robots[i].since + offset_;
+    if (robots[i].state == stops.state) continue;
+    stops.log.add({since, stops.state, robots[i].state, robots[i].cause, std::max(since - stops.since, 0.0)});
+    stops.state = robots[i].state;
+    stops.since = since;
+  }
+}
+
+void LiveRecord::copyLogs(std::vector<view::RobotSnapshot>& robots) const {
+  const std::scoped_lock lock(mutex_);
+  for (std::size_t i = 0; i < std::min(robots.size(), stops_.size()); ++i) robots[i].log = stops_[i].log;
 }
 
 void LiveRecord::addSample(const moment::Moment& moment, double t) {

@@ -77,12 +77,16 @@ class LiveRecord {
   /// number to go on with; nothing is appended at the end.
   std::size_t copyFrames(std::size_t number, std::vector<std::byte>& out) const;
 
+  /// Sets the logs of all robots: the changes of their stop states from one moment that arrived to the next.
+  /// What changed twice between two moments is one change.
+  void copyLogs(std::vector<view::RobotSnapshot>& robots) const;
   /// Appends the samples of moments since the last call.
   void drainPlot(std::vector<view::PlotSample>& out);
   /// The next drainPlot() gives those of the last ten minutes again.
   void replayPlot();
 
  private:
+  void logStops(const moment::Moment& moment);
   void addSample(const moment::Moment& moment, double t);
 
   mutable std::mutex mutex_;
@@ -101,6 +105,12 @@ class LiveRecord {
   double last_moment_{-kInfinity};  ///< s, when it arrived
   long damaged_{0};
   std::uint32_t left_out_{0};
+  struct Stops {
+    safety::StopLog log;
+    safety::StopState state;
+    double since;  ///< s
+  };
+  std::vector<Stops> stops_;  ///< of each robot; empty before the first moment
   std::deque<view::PlotSample> samples_;
   std::size_t drained_{0};  ///< of samples_
 };

@@ -18,7 +18,7 @@ struct LiveStatus {
   double age{0.0};         ///< s since the newest moment arrived
   double silence{0.0};     ///< s since anything arrived; infinite: nothing ever did
   bool rewound{false};     ///< an earlier moment is shown
-  double behind{0.0};      ///< s by which the shown moment is older than the newest
+  double behind{0.0};      ///< s since the shown moment, where an earlier one is shown
   bool other_file{false};  ///< the scene file here has another content than that of the other program
   double kept{0.0};        ///< s that can be shown again
   std::size_t bytes{0};    ///< that they take

@@ -145,6 +145,32 @@ TEST_F(LiveRecordTest, AnotherSceneIsNotFollowed) {
   EXPECT_FALSE(record.begin(other, LinkState::kConnected, 1.0));
 }
 
+TEST_F(LiveRecordTest, ChangesOfStopStatesAreLogged) {
+  record.begin(exampleCard(), LinkState::kConnected, 0.0);
+  const auto add_state = [&](double t, safety::StopState state, double since) {
+    auto moment = exampleMoment(t);
+    moment.shown.robots[0].state = state;
+    moment.shown.robots[0].since = since;
+    record.add(exampleFrame(moment), moment, t);
+  };
+  add_state(1.0, safety::StopState::kRunning, 0.5);
+  add_state(2.0, safety::StopState::kRunning, 0.5);
+  add_state(3.0, safety::StopState::kProtectiveStop, 2.5);
+  add_state(4.0, safety::StopState::kProtectiveStop, 2.5);
+  add_state(5.0, safety::StopState::kRunning, 4.75);
+  std::vector<view::RobotSnapshot> robots(1);
+  record.copyLogs(robots);
+  const safety::StopLog& log = robots[0].log;
+  ASSERT_EQ(log.count(), 2u);
+  EXPECT_EQ(log.entry(0).t, 2.5);
+  EXPECT_EQ(log.entry(0).from, safety::StopState::kRunning);
+  EXPECT_EQ(log.entry(0).to, safety::StopState::kProtectiveStop);
+  EXPECT_EQ(log.entry(0).cause.reason, safety::StopReason::kDistance);
+  EXPECT_EQ(log.entry(0).lasted, 2.0);
+  EXPECT_EQ(log.entry(1).t, 4.75);
+  EXPECT_EQ(log.entry(1).lasted, 2.25);
+}
+
 TEST_F(LiveRecordTest, PlotSamplesComeOnceAndAgain) {
   record.begin(exampleCard(), LinkState::kConnected, 0.0);
   for (int i = 1; i <= 10; ++i) add(i, i);
