@@ -98,11 +98,32 @@ void ClosedLoop::standStill(std::size_t mechanism) {
   world_.mechanism(robot.number()).setState(driver.q(), still_[mechanism]);
 }
 
+void ClosedLoop::exchangeLaws(std::size_t mechanism, control::Reaction& next) {
+  robots_.at(mechanism)->exchangeLaws(next, session_.scene());
+}
+
+void ClosedLoop::setPoke(const std::optional<Poke>& poke) {
+  poked_.reset();
+  if (!poke) return;
+  for (std::size_t m = 0; m < robots_.size(); ++m) {
+    if (!robots_[m]) continue;
+    for (const session::MechanismDriver::Link& link : session_.mechanisms()[m]->links())
+      if (link.object == poke->object && link.frame >= 0 && !link.loose) poked_ = {*poke, m, link.frame};
+  }
+}
+
+void ClosedLoop::pushPoked() {
+  if (!poked_ || byHand(poked_->mechanism)) return;
+  const Vector3d p_W = session_.scene().object(poked_->poke.object).X_WB * poked_->poke.p_B;
+  robots_[poked_->mechanism]->push({poked_->frame, p_W, poked_->poke.force(p_W)});
+}
+
 void ClosedLoop::react(double age) {
   session_.sumEfforts();
   double person_age = 0.0;
   for (const auto& human : session_.humans()) person_age = std::max(person_age, human->recordedAge());
   const scene::Scene& scene = session_.scene();
+  pushPoked();
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     if (!robots_[m]) continue;
     if (byHand(m))
@@ -142,6 +163,12 @@ void ClosedLoop::setTorques(bool on) {
 
 void ClosedLoop::capture(view::SceneSnapshot& out) const {
   out.loop_start = start_;
+  out.movers.poke = {};
+  if (poked_ && !byHand(poked_->mechanism)) {
+    const Poke& poke = poked_->poke;
+    const Vector3d p_W = session_.scene().object(poke.object).X_WB * poke.p_B;
+    out.movers.poke = {static_cast<int>(poke.object.index()), p_W, poke.force(p_W)};
+  }
   std::size_t n = 0;
   for (const auto& robot : robots_) n += robot ? 1 : 0;
   out.robots.resize(n);

@@ -1,6 +1,7 @@
 // Closed loop of 1 ms cycles: people move as recorded, robots react to them.
 #pragma once
 
+#include "app/loop/poke.hpp"
 #include "app/loop/reacting_robot.hpp"
 #include "app/session/session.hpp"
 
@@ -38,8 +39,14 @@ class ClosedLoop {
   void resetStops();
   /// Whether the torques of the reactions are sent to the motors, from the next cycle on.
   void setTorques(bool on);
-  /// Sets robots and loop_start; one that is posed by hand counts as running. No allocation once `out` has
-  /// its sizes.
+  /// Exchanges the laws of a robot (index of the session's mechanisms, with a reaction) with those of `next`,
+  /// from the next cycle on; see ReactingRobot. Not in the cycle: may allocate.
+  void exchangeLaws(std::size_t mechanism, control::Reaction& next);
+  /// From the next cycle on until it is replaced; nullopt: none. Without effect on bodies that are not links
+  /// of a robot with a reaction.
+  void setPoke(const std::optional<Poke>& poke);
+  /// Sets robots, poke and loop_start; one that is posed by hand counts as running. No allocation once `out`
+  /// has its sizes.
   void capture(view::SceneSnapshot& out) const;
   double start() const { return start_; }  ///< s, of the first cycle
   double time() const { return t_; }       ///< s, of the next cycle
@@ -56,10 +63,17 @@ class ClosedLoop {
     ObjectId object;
     int number;
   };
+  /// What the user pokes, and the frame of the mechanism that it is a link of.
+  struct Poked {
+    Poke poke;
+    std::size_t mechanism;
+    int frame;
+  };
   void addThings();
   bool byHand(std::size_t mechanism) const { return session_.mechanisms()[mechanism]->byHand(); }
   void standStill(std::size_t mechanism);
   void push(PairId id);
+  void pushPoked();
 
   session::Session& session_;
   physics::PhysicsWorld world_;
@@ -71,6 +85,7 @@ class ClosedLoop {
   double start_, t_;
   long cycles_{0};
   physics::ContactOptions contact_;
+  std::optional<Poked> poked_;
   kernels::PairScratch scratch_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.hpp"
 #include "core/scene/cycle_statistics.hpp"
 
 namespace abstand::loop {
@@ -34,6 +35,12 @@ view::SceneSnapshot sized(const session::Session& session) {
   return s;
 }
 
+control::Reaction reactionOf(const session::MechanismDriver& driver,
+                             const control::ReactionDescription& reaction,
+                             const view::SceneOutline& outline) {
+  return {reaction, driver.dof(), outline.pairs.size(), mechanism::dofLimits(driver.mechanism())};
+}
+
 }  // namespace
 
 struct LiveSession::Timing {
@@ -54,6 +61,7 @@ LiveSession::LiveSession(std::unique_ptr<session::Session> session, double t,
   for (const auto& m : session_->mechanisms()) torques_of_.emplace_back(*m);
   joint_torques_.resize(outline_.joints.size());
   pending_.reserve(256);
+  wishes_.reactions.resize(session_->mechanisms().size());
   t_ = std::clamp(t, outline_.start, outline_.end);
   try {
     if (session_->reacts()) closeLoop(t_);
@@ -115,7 +123,7 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                         if (closed_) closed_->resetStops();
                       },
                       [&](command::Torques c) {
-                        torques_on_ = c.on;
+                        wishes_.torques = c.on;
                         if (closed_) closed_->setTorques(c.on);
                       },
                       [&](command::SetGroup c) {
@@ -131,7 +139,9 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                         needs_cycle_ = true;
                       },
                       [&](command::PoseJoint c) { poseJoint(c.joint, c.value); },
-                      [&](command::FollowMotion c) { followMotion(c.robot); }},
+                      [&](command::FollowMotion c) { followMotion(c.robot); },
+                      [&](const command::Laws& c) { exchangeLaws(c.robot, *c.next); },
+                      [&](const command::Poke& c) { setPoke(c); }, [&](command::EndPoke) { endPoke(); }},
              received);
   needs_snapshot_ = true;
 }
@@ -154,7 +164,59 @@ void LiveSession::begin(double t) {
 
 void LiveSession::closeLoop(double t) {
   closed_ = std::make_unique<ClosedLoop>(*session_, t);
-  closed_->setTorques(torques_on_);
+  closed_->setTorques(wishes_.torques);
+  for (std::size_t m = 0; m < wishes_.reactions.size(); ++m) {
+    if (!wishes_.reactions[m]) continue;
+    control::Reaction next = reactionOf(*session_->mechanisms()[m], *wishes_.reactions[m], outline_);
+    closed_->exchangeLaws(m, next);
+  }
+  closed_->setPoke(wishes_.poke);
+}
+
+/// Index of the session's mechanisms; -1: there is no such robot.
+int LiveSession::mechanismOf(int robot) const {
+  const auto& mechanisms = session_->description().mechanisms;
+  for (std::size_t m = 0; m < mechanisms.size(); ++m)
+    if (mechanisms[m].reaction && robot-- == 0) return static_cast<int>(m);
+  return -1;
+}
+
+command::Laws LiveSession::laws(int robot, const control::ReactionDescription& reaction) const {
+  const int m = mechanismOf(robot);
+  if (m < 0) throw UsageError("found robot " + std::to_string(robot) + ", expected one with a reaction");
+  const control::ReactionDescription& scene =
+      *session_->description().mechanisms[static_cast<std::size_t>(m)].reaction;
+  if (reaction.admittance.has_value() != scene.admittance.has_value() ||
+      reaction.proxy.has_value() != scene.proxy.has_value())
+    throw UsageError("admittance and proxy: expected as in the scene file while the robot runs");
+  const session::MechanismDriver& driver = *session_->mechanisms()[static_cast<std::size_t>(m)];
+  if (reaction.braking) {
+    config::requireNumbers(*reaction.braking);
+    safety::BrakingPath(reaction.braking->path, driver.dof());  // throws if it does not fit
+  }
+  return {robot, std::make_shared<control::Reaction>(reactionOf(driver, reaction, outline_))};
+}
+
+void LiveSession::exchangeLaws(int robot, control::Reaction& next) {
+  const int m = mechanismOf(robot);
+  if (m < 0) return;
+  wishes_.reactions[static_cast<std::size_t>(m)] = next.description();
+  if (closed_) closed_->exchangeLaws(static_cast<std::size_t>(m), next);
+}
+
+void LiveSession::setPoke(const command::Poke& wanted) {
+  const auto n = static_cast<int>(session_->scene().objectCount());
+  if (wanted.object < 0 || wanted.object >= n || !wanted.p_B.allFinite() || !wanted.target_W.allFinite())
+    return;
+  wishes_.poke = Poke{ObjectId(static_cast<std::uint32_t>(wanted.object)), wanted.p_B, wanted.target_W};
+  wishes_.poke_end = clock_->now() + Poke::kTimeout;
+  if (closed_) closed_->setPoke(wishes_.poke);
+}
+
+void LiveSession::endPoke() {
+  wishes_.poke.reset();
+  if (closed_) closed_->setPoke(std::nullopt);
+  needs_snapshot_ = true;
 }
 
 std::optional<PairId> LiveSession::pair(int index) const {
@@ -222,9 +284,10 @@ void LiveSession::publish(const Timing& timing) {
   } else {
     s.robots.clear();
     s.loop_start = kNaN;
+    s.movers.poke = {};
   }
   s.joint_torques = joint_torques_;
-  s.torques_on = torques_on_;
+  s.torques_on = wishes_.torques;
   control_.capture(s);
   s.loops = loops_;
   s.step = step_;
@@ -325,6 +388,7 @@ void LiveSession::playRecorded(Timing&) {
 void LiveSession::playClosed(Timing& timing) {
   const double until = clock_->now() + kMaxRound;
   while (pace_.due() >= ClosedLoop::kStep && playing_ && !stop_) {
+    if (wishes_.poke && clock_->now() > wishes_.poke_end) endPoke();
     // The last cycle is the one nearest to the end.
     if (closed_->time() > outline_.end + 0.5 * ClosedLoop::kStep) end();
     if (!playing_) return;
@@ -344,6 +408,7 @@ void LiveSession::loop(Timing& timing) {
     commands_.drainInto(pending_);
     for (const Command& c : pending_) handle(c, timing);
     const bool commanded = !pending_.empty();
+    if (wishes_.poke && clock_->now() > wishes_.poke_end) endPoke();
     if (playing_) play(timing);
     if (needs_cycle_) cycle(timing);
     ++rounds_since_snapshot;

@@ -62,11 +62,24 @@ struct PoseJoint {
 struct FollowMotion {
   int robot;
 };
+/// Exchanges the laws of a robot (index of SceneOutline::reacting); made by LiveSession::laws(). Once it is
+/// obeyed `next` holds the former laws, so that no memory is freed on the loop's thread.
+struct Laws {
+  int robot;
+  std::shared_ptr<control::Reaction> next;
+};
+/// Pulls the point `p_B` (m, frame of the body) of an object of the scene to `target_W` (m, world), see
+/// loop::Poke. Ends by EndPoke, or if it is not sent again within Poke::kTimeout.
+struct Poke {
+  int object;
+  Vector3d p_B, target_W;
+};
+struct EndPoke {};
 }  // namespace command
-using Command =
-    std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop, command::Margin,
-                 command::React, command::ResetStops, command::Torques, command::SetGroup, command::AddPair,
-                 command::RemovePair, command::PoseJoint, command::FollowMotion>;
+using Command = std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop,
+                             command::Margin, command::React, command::ResetStops, command::Torques,
+                             command::SetGroup, command::AddPair, command::RemovePair, command::PoseJoint,
+                             command::FollowMotion, command::Laws, command::Poke, command::EndPoke>;
 
 /// Owns a session and runs it on its own thread at 1 kHz of wall time. One other thread (the window) sends
 /// commands and takes snapshots; neither waits for the other.
@@ -89,6 +102,11 @@ class LiveSession {
   const view::SceneOutline& outline() const { return outline_; }
   /// False if the command queue is full: the command was dropped.
   bool send(const Command& command) { return commands_.push(command); }
+  /// The command that gives a robot (index of SceneOutline::reacting) another reaction while it runs: stops
+  /// that are active, and all other state, stay; a new beginning of the closed loop keeps the laws.
+  /// Everything is allocated and checked here, on the window's thread. Throws UsageError for numbers that do
+  /// not fit the robot, and for an admittance or proxy where the scene has none, or none where it has one.
+  command::Laws laws(int robot, const control::ReactionDescription& reaction) const;
   bool takeSnapshot(view::SceneSnapshot& out);
   void drainPlot(std::vector<view::PlotSample>& out) { plot_.drainInto(out); }
 
@@ -112,6 +130,10 @@ class LiveSession {
   void findTorques();
   void poseJoint(int joint, double value);
   void followMotion(int robot);
+  void exchangeLaws(int robot, control::Reaction& next);
+  void setPoke(const command::Poke& wanted);
+  void endPoke();
+  int mechanismOf(int robot) const;
   std::optional<PairId> pair(int index) const;
   void publish(const Timing& timing);
 
@@ -132,7 +154,13 @@ class LiveSession {
   session::PairControl control_;
   std::vector<session::JointTorques> torques_of_;  ///< for each mechanism
   std::vector<view::TorqueParts> joint_torques_;   ///< for all joints
-  bool torques_on_{true};
+  /// What the user has set, for every closed loop.
+  struct {
+    bool torques{true};
+    std::vector<std::optional<control::ReactionDescription>> reactions;  ///< by mechanism; none: the scene's
+    std::optional<Poke> poke;
+    double poke_end{0.0};  ///< s, of the clock
+  } wishes_;
   bool playing_{false}, looping_{true};
   bool needs_cycle_{true};     ///< the scene does not show t_ yet
   bool needs_snapshot_{true};  ///< there are changes that no snapshot has

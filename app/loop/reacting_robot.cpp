@@ -66,6 +66,11 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
   world.mechanism(number_).setState(q_, qd_);
 }
 
+void ReactingRobot::exchangeLaws(control::Reaction& next, const scene::Scene& scene) {
+  hold_ = next.description().hold;
+  reaction_.exchangeLaws(next, scene);
+}
+
 void ReactingRobot::place(double t, scene::Scene& scene) {
   driver_.moveTo(q_, t, scene);
   reaction_.placeHeld(t, scene);

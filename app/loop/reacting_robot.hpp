@@ -38,6 +38,10 @@ class ReactingRobot {
                 const scene::Scene& scene, const std::vector<bool>& people, physics::PhysicsWorld& world,
                 double t);
 
+  /// See RobotReaction. `next` has an admittance exactly if this robot has one.
+  void exchangeLaws(control::Reaction& next, const scene::Scene& scene);
+  void push(const session::RobotReaction::PointForce& force) noexcept { reaction_.push(force); }
+
   /// The user releases it in the next react().
   void reset() { reaction_.reset(); }
   /// Whether the torques of its reaction are sent to its motors.

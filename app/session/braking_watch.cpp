@@ -37,7 +37,9 @@ safety::BrakingOptions withinLimits(safety::BrakingOptions o, const mechanism::M
 
 BrakingWatch::BrakingWatch(const MechanismDriver& driver, const scene::Scene& scene,
                            std::span<const RobotPairs::Own> own, const control::BrakingLawOptions& options)
-    : options_(options), path_(withinLimits(options.path, driver.mechanism()), driver.dof()) {
+    : mechanism_(driver.mechanism()),
+      options_(options),
+      path_(withinLimits(options.path, driver.mechanism()), driver.dof()) {
   config::requireNumbers(options);
   std::vector<int> number(driver.links().size(), -1);
   for (const RobotPairs::Own& pair : own) {
@@ -53,9 +55,21 @@ BrakingWatch::BrakingWatch(const MechanismDriver& driver, const scene::Scene& sc
     watched_.push_back({pair.id, number[link], pair.link_a >= 0, {}});
   }
   speeds_.resize(links_.size());
-  swept_.enough = options.distance;
-  swept_.hit = options.distance;
+  setSwept();
+}
+
+void BrakingWatch::setSwept() {
+  swept_.enough = options_.distance;
+  swept_.hit = options_.distance;
   swept_.max_samples = kMaxSamples;
+}
+
+void BrakingWatch::setOptions(const control::BrakingLawOptions& options) {
+  config::requireNumbers(options);
+  // In place: links_ refer to it.
+  path_ = safety::BrakingPath(withinLimits(options.path, mechanism_), mechanism_.dof);
+  options_ = options;
+  setSwept();
 }
 
 double BrakingWatch::minDistance(Watched& w, const scene::Scene& scene) noexcept {

@@ -24,6 +24,8 @@ class BrakingWatch {
   BrakingWatch(const MechanismDriver& driver, const scene::Scene& scene, std::span<const RobotPairs::Own> own,
                const control::BrakingLawOptions& options);
 
+  /// Replaces the options, between two cycles. Throws UsageError before anything changes.
+  void setOptions(const control::BrakingLawOptions& options);
   /// The worst cause, with the certified distance (m; -infinity if joint values are unknown), or nullopt.
   /// Call after the scene's step. `q`, `qd`: size dof.
   std::optional<safety::StopCause> check(const scene::Scene& scene, std::span<const double> q,
@@ -39,7 +41,9 @@ class BrakingWatch {
     query::PairMemory memory;
   };
   double minDistance(Watched& watched, const scene::Scene& scene) noexcept;
+  void setSwept();
 
+  const mechanism::Mechanism& mechanism_;
   control::BrakingLawOptions options_;
   safety::BrakingPath path_;
   std::vector<safety::LinkMotion> links_;

@@ -53,7 +53,10 @@ view::SceneOutline Session::outline() const {
   for (const auto& m : description_.mechanisms)
     if (!m.motion.empty() || m.reaction) movers.insert(m.name);
   for (const auto& m : description_.mechanisms)
-    if (m.reaction) outline.reacting.push_back(m.name);
+    if (m.reaction) {
+      outline.reacting.push_back(m.name);
+      outline.reactions.push_back(*m.reaction);
+    }
   std::set<std::string> falling;
   for (const auto& o : description_.objects)
     if (o.mass) falling.insert(o.name);

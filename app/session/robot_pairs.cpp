@@ -17,9 +17,8 @@ std::vector<bool> partsOfPeople(const scene::Scene& scene,
 
 RobotPairs::RobotPairs(const MechanismDriver& driver, const scene::Scene& scene,
                        const std::vector<bool>& people, const control::ReactionDescription& reaction)
-    : driver_(driver),
-      reach_(reaction.repulsion ? reaction.repulsion->range : -kInfinity),
-      people_rows_(reaction.speed.has_value()) {
+    : driver_(driver) {
+  setReaction(reaction);
   std::vector<int> link_of(scene.objectCount(), -1);
   for (std::size_t i = 0; i < driver.links().size(); ++i)
     if (driver.links()[i].object) link_of[driver.links()[i].object->index()] = static_cast<int>(i);
@@ -32,6 +31,11 @@ RobotPairs::RobotPairs(const MechanismDriver& driver, const scene::Scene& scene,
   rows_.resize(own_.size() * static_cast<std::size_t>(driver.dof()));
   twists_.resize(driver.links().size());
   J_.resize(6, driver.dof());
+}
+
+void RobotPairs::setReaction(const control::ReactionDescription& reaction) noexcept {
+  reach_ = reaction.repulsion ? reaction.repulsion->range : -kInfinity;
+  people_rows_ = reaction.speed.has_value();
 }
 
 void RobotPairs::moveLinks(std::span<const double> rates) {

@@ -32,6 +32,8 @@ class RobotPairs {
   RobotPairs(const MechanismDriver& driver, const scene::Scene& scene, const std::vector<bool>& people,
              const control::ReactionDescription& reaction);
 
+  /// From now on pairs have the rows that the laws of this reaction use. No allocation.
+  void setReaction(const control::ReactionDescription& reaction) noexcept;
   /// Call after the scene's step. `planned`: qd (rad/s or m/s; NaN: unknown) for ReactionPair::spread. In the
   /// order of own(); valid until the next call.
   std::span<const control::ReactionPair> gather(const scene::Scene& scene, std::span<const double> planned);
@@ -45,8 +47,8 @@ class RobotPairs {
   double spread(const Own& pair, const scene::Scene& scene, const Vector3d& n_W) const;
 
   const MechanismDriver& driver_;
-  double reach_;      ///< m: pairs within this distance have rows
-  bool people_rows_;  ///< pairs with people have rows at any distance
+  double reach_{-kInfinity};  ///< m: pairs within this distance have rows
+  bool people_rows_{false};   ///< pairs with people have rows at any distance
   std::vector<Own> own_;
   std::vector<control::ReactionPair> pairs_;
   std::vector<double> rows_;   ///< one value for each dof and pair

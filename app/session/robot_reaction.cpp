@@ -17,6 +17,18 @@ RobotReaction::RobotReaction(MechanismDriver& driver, const scene_file::Mechanis
     held_.emplace(driver, *link, scene, pairs_.own(), reaction_);
 }
 
+void RobotReaction::exchangeLaws(control::Reaction& next, const scene::Scene& scene) {
+  const std::optional<control::BrakingLawOptions>& braking = next.description().braking;
+  if (!braking)
+    braking_.reset();
+  else if (braking_)
+    braking_->setOptions(*braking);
+  else
+    braking_.emplace(driver_, scene, pairs_.own(), *braking);
+  pairs_.setReaction(next.description());
+  reaction_.exchangeLaws(next);
+}
+
 void RobotReaction::placeHeld(double t, scene::Scene& scene) {
   if (held_) held_->place(t, scene);
 }
@@ -35,6 +47,11 @@ std::span<const control::ReactionPair> RobotReaction::gather(const Cycle& cycle,
   if (held_) {
     held_->addEfforts(efforts_);
     input_.held = &held_->update(scene);
+  }
+  if (const auto push = std::exchange(push_, std::nullopt)) {
+    const Transform X_BW = driver_.X_WB().inverse();
+    mechanism::addJointEfforts(driver_.mechanism(), driver_.state(), push->frame, X_BW * push->p_W,
+                               {X_BW.linear() * push->f_W, Vector3d::Zero()}, efforts_);
   }
   input_.efforts = efforts_;
   cause_ = braking_ ? braking_->check(scene, cycle.q, cycle.qd) : std::nullopt;

@@ -26,6 +26,16 @@ class RobotReaction {
                                       ///< oldest pose
   };
 
+  /// Exchanges the laws with those of `next`, made for this robot; stops and all other state stay
+  /// (control::Reaction::exchangeLaws). Between two cycles; allocates if the law `braking` changes.
+  void exchangeLaws(control::Reaction& next, const scene::Scene& scene);
+  /// A force that somebody applies to a link.
+  struct PointForce {
+    int frame;          ///< of the mechanism; not below 0
+    Vector3d p_W, f_W;  ///< m, N
+  };
+  /// For the next gather() only: its joint efforts J^T f are added to those of the contacts.
+  void push(const PointForce& force) noexcept { push_ = force; }
   /// The user releases the robot in the next update().
   void reset() { reset_ = true; }
   /// Whether its torques are sent to the motors.
@@ -50,6 +60,7 @@ class RobotReaction {
   control::ReactionInput input_;
   std::optional<safety::StopCause> cause_;  ///< referenced by input_
   std::vector<double> efforts_;
+  std::optional<PointForce> push_;
   bool reset_{false};
 };
 

@@ -42,6 +42,9 @@ class Admittance {
   /// Throws UsageError for options that are not valid for `dof` joints.
   Admittance(const AdmittanceOptions& options, int dof);
 
+  /// Exchanges the options with those of another one of the same dof; velocity and offset stay, and are
+  /// clipped in the next update. No allocation.
+  void swapOptions(Admittance& other) noexcept { joints_.swap(other.joints_); }
   void reset() noexcept;  ///< offset and velocity 0
   void hold() noexcept;   ///< velocity 0, offset kept
   /// @param efforts  N m or N, size dof; values that are not finite count as 0

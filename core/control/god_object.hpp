@@ -61,6 +61,8 @@ class GodObject {
   /// `sphere_O` contains the object; its centre is c. Throws UsageError.
   GodObject(const GodObjectOptions& options, const geometry::EnclosingSphere& sphere_O);
 
+  /// Replaces the options; the pose stays. `options`: validated.
+  void setOptions(const GodObjectOptions& options) noexcept { o_ = options; }
   void reset(const Transform& X_WO) noexcept;  ///< sets object and hand to X_WO
   /// @param X_WH         pose of the object in the hand; not finite: the object stays and the wrench is 0
   /// @param constraints  at pose(), at most kMaxConstraints; if there are more, the nearest ones

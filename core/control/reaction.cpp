@@ -50,6 +50,21 @@ Reaction::Reaction(const ReactionDescription& description, int dof, std::size_t 
   causes_.reserve(kMaxCauses + kOwnCauses);
 }
 
+void Reaction::exchangeLaws(Reaction& next) noexcept {
+  ABSTAND_CHECK(next.dof() == dof());
+  std::swap(description_, next.description_);
+  std::swap(limit_, next.limit_);
+  std::swap(repulsion_, next.repulsion_);
+  std::swap(joint_speed_, next.joint_speed_);
+  if (admittance_ && next.admittance_) admittance_->swapOptions(*next.admittance_);
+  if (proxy_ && description_.proxy) proxy_->setOptions(*description_.proxy);
+  if (speed_ && next.speed_)
+    speed_->setOptions(next.speed_->options());
+  else
+    std::swap(speed_, next.speed_);
+  stops_.setOptions(description_.stop);  // valid: the constructor of `next` has checked them
+}
+
 void Reaction::hold(const geometry::EnclosingSphere& sphere_O, const Transform& X_WO) {
   if (!description_.proxy) return;
   proxy_.emplace(*description_.proxy, sphere_O);

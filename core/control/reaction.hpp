@@ -77,6 +77,13 @@ class Reaction {
   /// @param M  mass matrix, dof x dof, in the current posture; 0 x 0 if unknown
   ReactionOutput update(const ReactionInput& input, const Eigen::Ref<const Eigen::MatrixXd>& M) noexcept;
 
+  /// Exchanges laws and numbers with `next`, made for the same robot. The state stays: stops (one that is
+  /// active ends only by a reset), log, brakes, speed scale, velocity and offset of the admittance, held
+  /// object. Admittance and proxy are only exchanged if both have them. `next` is of no use afterwards but to
+  /// be destroyed, on any thread. Does not allocate.
+  void exchangeLaws(Reaction& next) noexcept;
+  const ReactionDescription& description() const { return description_; }
+
   /// Off: torques are 0 from the next update on, and the admittance gets none; stops and speed are not
   /// affected.
   void setTorques(bool on) { torques_on_ = on; }

@@ -41,6 +41,8 @@ class SpeedScale {
  public:
   explicit SpeedScale(const SpeedScaleOptions& options);  ///< throws UsageError
 
+  /// Replaces the options; the scale stays. `options`: validated.
+  void setOptions(const SpeedScaleOptions& options) noexcept { o_ = options; }
   /// Sets the scale to 0; it then rises at the rate `release`.
   void stop() noexcept { scale_ = 0.0; }
   /// The scale, 0 to 1, for this cycle; dt (s) since the last one. A pair with NaN as distance or robot speed

@@ -33,11 +33,18 @@ StopState nextState(StopState state, StopEvent event) {
 
 StopMachine::StopMachine(const StopOptions& options) : options_(options) { options.validate(); }
 
+void StopMachine::setOptions(const StopOptions& options) {
+  options.validate();
+  options_ = options;
+  needs_reset_ = !moving();
+}
+
 void StopMachine::go(StopState to, double t) noexcept {
   if (to == state_) return;
   log_.add({t, state_, to, cause_, t - since_});
   state_ = to;
   since_ = t;
+  if (moving()) needs_reset_ = false;
 }
 
 StopState StopMachine::update(double t, std::span<const StopCause> causes, double fastest,
@@ -63,7 +70,8 @@ StopState StopMachine::update(double t, std::span<const StopCause> causes, doubl
   const bool stands = fastest <= options_.standstill;
   if (!stands) moved_ = t;
   const bool settled = stands && t - moved_ >= options_.settle;
-  if (state_ == S::kProtectiveStop && stands && options_.resume_after < kInfinity) {
+  const bool resumes = options_.resume_after < kInfinity && !needs_reset_;
+  if (state_ == S::kProtectiveStop && stands && resumes) {
     if (!asks_stop && t - asked_ >= options_.resume_after) go(nextState(state_, StopEvent::kResume), t);
   } else if (settled && (state_ == S::kProtectiveStop ||
                          (state_ == S::kEmergencyStop && t - emergency_asked_ >= options_.settle))) {

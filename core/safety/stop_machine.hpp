@@ -61,6 +61,10 @@ class StopMachine {
   ///                 cause for a stop; refused in any other stop. Edge-triggered: pass true in one cycle.
   StopState update(double t, std::span<const StopCause> causes, double fastest, bool reset) noexcept;
 
+  /// Replaces the options. State, cause and log stay; a stop that is active now ends only by a reset,
+  /// whatever `resume_after` is. Throws UsageError before anything changes; valid options never throw.
+  void setOptions(const StopOptions& options);
+
   StopState state() const { return state_; }
   double since() const { return since_; }  ///< s, start of this state
   /// Cause of the present state; in kRunning: of the state before.
@@ -83,6 +87,7 @@ class StopMachine {
   double asked_{0.0};  ///< s, when a protective stop was last required; likewise:
   double emergency_asked_{-kInfinity}, moved_{0.0};
   bool started_{false};
+  bool needs_reset_{false};  ///< the options were replaced during this stop
   long refused_resets_{0};
   ResetRefusal refusal_{ResetRefusal::kNone}, last_refusal_{ResetRefusal::kNone};
   StopLog log_;

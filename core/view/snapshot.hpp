@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/control/reaction_description.hpp"
 #include "core/mechanism/joint_axis.hpp"
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/safety/stop_machine.hpp"
@@ -67,8 +68,16 @@ struct RobotSnapshot {
   std::size_t breach_count{0};
 };
 
+/// A force that the user applies to a link.
+struct PokeSnapshot {
+  int object{-1};                      ///< -1: none
+  Vector3d p_W{Vector3d::Zero()};      ///< m, where it acts
+  Vector3d force_W{Vector3d::Zero()};  ///< N
+};
+
 /// What moves robots and people.
 struct MoverSnapshot {
+  PokeSnapshot poke;
   std::vector<bool> by_hand;                     ///< for each of SceneOutline::robots: posed by hand
   std::vector<mechanism::JointAxis> joint_axes;  ///< of all joints, in the world
   std::vector<double>
@@ -126,12 +135,13 @@ struct SceneOutline {
   std::vector<std::pair<int, int>> pairs;
   std::vector<JointInfo> joints;
   std::vector<std::string> pair_groups;
-  std::vector<std::string> reacting;           ///< mechanisms with a `reaction`
-  bool falls{false};                           ///< some objects have a mass
-  std::string cannot_react;                    ///< why the closed loop cannot run; empty: it can
-  std::vector<geometry::TriangleMesh> meshes;  ///< one for each object, body frame, for drawing
-  double start{0.0}, end{0.0};                 ///< s
-  double frame_period{0.01};                   ///< s, one step of the timeline
+  std::vector<std::string> reacting;                    ///< mechanisms with a `reaction`
+  std::vector<control::ReactionDescription> reactions;  ///< of these, as in the scene file
+  bool falls{false};                                    ///< some objects have a mass
+  std::string cannot_react;                             ///< why the closed loop cannot run; empty: it can
+  std::vector<geometry::TriangleMesh> meshes;           ///< one for each object, body frame, for drawing
+  double start{0.0}, end{0.0};                          ///< s
+  double frame_period{0.01};                            ///< s, one step of the timeline
   std::string title;
   std::vector<RecordingCard> recordings;  ///< of the people that have one
   std::vector<BodyCard> bodies;           ///< for each object
