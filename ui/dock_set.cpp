@@ -21,6 +21,7 @@
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/reaction_panel.hpp"
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
@@ -53,6 +54,8 @@ DockSet::DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels)
   margins = add("margins", tr("Margins"), tr("Show or hide the margins"), key("Ctrl+5"), panels.margin_tools);
   robots =
       add("robots", tr("Robots"), tr("Show or hide the robots that react"), key("Ctrl+6"), panels.robots);
+  reactions = add("reactions", tr("Laws"), tr("Show or hide the laws of the robots that react"),
+                  key("Ctrl+Alt+6"), panels.reactions);
   groups = add("groups", tr("Groups"), tr("Show or hide the groups of pairs"), key("Ctrl+7"), panels.groups);
   notes = add("notes", tr("Reservations"), tr("Show or hide what to know of the scene before believing it"),
               key("Ctrl+8"), panels.notes);
@@ -108,6 +111,8 @@ void DockSet::arrange() const {
   window_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   window_->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   window_->addDockWidget(Qt::LeftDockWidgetArea, scene);
+  window_->tabifyDockWidget(scene, reactions);
+  scene->raise();
   window_->addDockWidget(Qt::RightDockWidgetArea, plots);
   window_->addDockWidget(Qt::RightDockWidgetArea, margins);
   window_->splitDockWidget(plots, margins, Qt::Vertical);
@@ -132,7 +137,7 @@ void DockSet::arrange() const {
   window_->tabifyDockWidget(depth, history);
   for (QDockWidget* dock : {cycles, log, history, depth}) dock->hide();
   // Docks that were hidden take the front from those that stay.
-  for (QDockWidget* dock : {pairs, plots, margins}) dock->raise();
+  for (QDockWidget* dock : {scene, pairs, plots, margins}) dock->raise();
   for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
   window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth}, Qt::Horizontal);

@@ -21,7 +21,7 @@ class DockSet {
 
  public:
   /// To be increased when docks are added or removed, so that an old layout is not applied to a new window.
-  static constexpr int kLayoutVersion = 12;
+  static constexpr int kLayoutVersion = 13;
 
   /// The docks take the panels over. `window` and `actions` outlive this object.
   DockSet(QMainWindow& window, Actions& actions, const PanelSet& panels);
@@ -37,13 +37,13 @@ class DockSet {
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 
-  std::array<QDockWidget*, 19> all() const {
+  std::array<QDockWidget*, 20> all() const {
     return {scene,      pairs, timeline, plots,     margins, robots,     groups, notes,   events, bookmarks,
-            recordings, curve, cycles,   inspector, matrix,  separation, log,    history, depth};
+            recordings, curve, cycles,   inspector, matrix,  separation, log,    history, depth,  reactions};
   }
 
   QDockWidget *scene, *pairs, *timeline, *plots, *margins, *robots, *groups, *notes, *events, *bookmarks,
-      *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history, *depth;
+      *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history, *depth, *reactions;
 
  private:
   /// Hides the docks that a task does not need.

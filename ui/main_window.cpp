@@ -23,6 +23,7 @@
 #include "ui/kept_settings.hpp"
 #include "ui/language_commands.hpp"
 #include "ui/link_drag.hpp"
+#include "ui/link_poke.hpp"
 #include "ui/live_commands.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
@@ -48,6 +49,7 @@
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/pair_panel.hpp"
+#include "ui/panels/reaction_panel.hpp"
 #include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
@@ -141,6 +143,7 @@ void MainWindow::buildPanels() {
   panels_.margins = new MarginPanel(this);
   panels_.margin_tools = new MarginTools(panels_.margins, *actions_, this);
   panels_.robots = new RobotPanel(this);
+  panels_.reactions = new ReactionPanel(this);
   panels_.groups = new GroupPanel(this);
   panels_.notes = new NotePanel(this);
   panels_.events = new EventPanel(*review_, this);
@@ -180,6 +183,9 @@ void MainWindow::buildCommands() {
   commands_.live = new LiveCommands(*actions_, panels_, this);
   connect(commands_.live, &LiveCommands::said, this, &MainWindow::say);
   connect(commands_.drag, &LinkDrag::said, this, &MainWindow::say);
+  commands_.poke = new LinkPoke({*document_, follower_, *selection_, *viewport_, feed_->moment()},
+                                (*actions_)[Id::kPoke], this);
+  connect(commands_.poke, &LinkPoke::said, this, &MainWindow::say);
   connect(commands_.scene, &SceneEdits::said, this, &MainWindow::say);
   const auto* pictures =
       new PictureCommands(*actions_, {*viewport_, *panels_.plots, *commands_.videos, *axis_}, this);
@@ -205,6 +211,7 @@ void MainWindow::setSession(SessionPort* session) {
   follower_.attach(session_, feed_->moment(), document_->work());
   openPanels(outline);
   commands_.drag->open(session_ && !session_->live() ? session_ : nullptr);
+  commands_.poke->open(session_ && !session_->live() ? session_ : nullptr);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(feed_->moment());
   enableActions(outline);
@@ -248,6 +255,8 @@ void MainWindow::openPanels(const view::SceneOutline& outline) {
   docks_->notes->setWindowTitle(panels_.notes->title());
   panels_.inspector->setWork(document_->work());
   panels_.separation->setSettings(document_->work().separation);
+  panels_.reactions->setReactions(document_->work().reactions);
+  panels_.reactions->open(outline);
 }
 
 /// IN and OUT stay, as far as they are still there.

@@ -25,6 +25,7 @@ class Document;
 class FileCommands;
 class ImportCommands;
 class LinkDrag;
+class LinkPoke;
 class LiveCommands;
 class LogBook;
 class MarginCommands;
@@ -166,6 +167,7 @@ class MainWindow : public QMainWindow {
     ImportCommands* imports;
     LinkDrag* drag;
     LiveCommands* live;
+    LinkPoke* poke;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

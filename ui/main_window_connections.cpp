@@ -193,6 +193,11 @@ void MainWindow::connectSession() {
   connect((*actions_)[Id::kResetStops], &QAction::triggered, this, [this] {
     if (session_) session_->resetStops();
   });
+  const auto show_reset_key = [this] {
+    viewport_->setResetKey((*actions_)[Id::kResetStops]->shortcut().toString(QKeySequence::NativeText));
+  };
+  connect((*actions_)[Id::kResetStops], &QAction::changed, viewport_, show_reset_key);
+  show_reset_key();
   connect((*actions_)[Id::kReactionTorques], &QAction::toggled, this, [this](bool torques) {
     if (session_) session_->setTorques(torques);
   });

@@ -15,6 +15,7 @@
 #include "ui/panels/bookmark_panel.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
+#include "ui/panels/reaction_panel.hpp"
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
@@ -67,6 +68,7 @@ void MainWindow::followWork(const Work& before, const Work& after) {
   if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);
   if (before.view != after.view) showView();
   if (before.posed != after.posed || before.people != after.people) panels_.inspector->setWork(after);
+  if (before.reactions != after.reactions) panels_.reactions->setReactions(after.reactions);
   if (before.posed.keys() != after.posed.keys()) showTitle();
 }
 

@@ -11,6 +11,7 @@
 #include "ui/model/run_history.hpp"
 #include "ui/model/scene_tree_model.hpp"
 #include "ui/model/session_port.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/model/watched_series.hpp"
 #include "ui/panels/depth_panel.hpp"
 #include "ui/panels/group_panel.hpp"
@@ -77,6 +78,7 @@ void MomentFeed::open(const view::SceneOutline& outline, const std::vector<doubl
   panels.robots->open(outline);
   loops_ = snapshot_.loops;
   panels.timeline->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
+  panels.timeline->strip()->setStopText([&outline](const StopSpan& span) { return spanText(span, outline); });
   openPlots(outline);
   panels.groups->open(outline);
   panels.recordings->open(outline.recordings);

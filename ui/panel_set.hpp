@@ -18,6 +18,7 @@ class NotePanel;
 class PairMatrix;
 class PairPanel;
 class PlotPanel;
+class ReactionPanel;
 class RecordingPanel;
 class RobotPanel;
 class SceneTreePanel;
@@ -34,6 +35,7 @@ struct PanelSet {
   MarginPanel* margins{nullptr};
   MarginTools* margin_tools{nullptr};  ///< holds `margins`
   RobotPanel* robots{nullptr};
+  ReactionPanel* reactions{nullptr};
   GroupPanel* groups{nullptr};
   NotePanel* notes{nullptr};
   EventPanel* events{nullptr};

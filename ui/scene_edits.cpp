@@ -11,6 +11,7 @@
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/joint_editor.hpp"
 #include "ui/panels/pair_matrix.hpp"
+#include "ui/panels/reaction_panel.hpp"
 
 namespace abstand::ui {
 
@@ -20,6 +21,7 @@ SceneEdits::SceneEdits(const Sources& sources, const PanelSet& panels, QObject* 
   connect(panels.matrix, &PairMatrix::checkWanted, this, &SceneEdits::checkPair);
   connectGroups(panels);
   connectJoints(panels);
+  connectReactions(panels);
 }
 
 QString SceneEdits::nameOf(int object) const {
@@ -100,6 +102,24 @@ void SceneEdits::connectJoints(const PanelSet& panels) {
     const QString name = QString::fromStdString(outline_->robots[static_cast<std::size_t>(robot)].name);
     my_.document.edit(tr("let %1 follow its motion").arg(name), [&](Work& work) { work.posed.remove(name); });
   });
+}
+
+void SceneEdits::connectReactions(const PanelSet& panels) {
+  const ReactionPanel* laws = panels.reactions;
+  connect(laws, &ReactionPanel::edited, this,
+          [this](const QString& robot, const control::ReactionChange& change, const QString& what,
+                 const QString& merge_key) {
+            my_.document.edit(
+                tr("laws of %1: %2").arg(robot, what),
+                [&](Work& work) {
+                  if (change.empty())
+                    work.reactions.remove(robot);
+                  else
+                    work.reactions[robot] = change;
+                },
+                merge_key);
+          });
+  connect(laws, &ReactionPanel::released, &my_.document, &Document::endStep);
 }
 
 /// The other joints stay where they are shown.

@@ -45,6 +45,7 @@ class SceneEdits : public QObject {
  private:
   void connectGroups(const PanelSet& panels);
   void connectJoints(const PanelSet& panels);
+  void connectReactions(const PanelSet& panels);
   void showObjects(const std::vector<int>& objects, bool visible);
   void movePair(int pair, const QString& group);
   void checkPair(int a, int b, bool checked);

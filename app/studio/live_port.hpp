@@ -79,6 +79,13 @@ class LivePort final : public ui::SessionPort {
   void removePair(int pair) override { send(loop::command::RemovePair{pair}); }
   void poseJoint(int joint, double value) override { send(loop::command::PoseJoint{joint, value}); }
   void followMotion(int robot) override { send(loop::command::FollowMotion{robot}); }
+  void setReaction(int robot, const control::ReactionDescription& reaction) override {
+    send(live_->laws(robot, reaction));
+  }
+  void poke(int object, const Vector3d& p_B, const Vector3d& target_W) override {
+    send(loop::command::Poke{object, p_B, target_W});
+  }
+  void endPoke() override { send(loop::command::EndPoke{}); }
 
  private:
   void send(const loop::Command& command);

@@ -86,6 +86,8 @@ FakeSession::FakeSession() {
   snapshot_.movers.by_hand = {false};
   snapshot_.movers.person_age = {0.0};
   outline_.reacting = {"arm"};
+  outline_.reactions.resize(1);
+  outline_.reactions[0].torque.emplace();
   snapshot_.robots.resize(1);
   snapshot_.loop_start = 0.0;
   snapshot_.objects.resize(outline_.objects.size());
@@ -267,6 +269,25 @@ void FakeSession::followMotion(int robot) {
   hand_.clear();
   snapshot_.movers.by_hand[0] = false;
   compute(snapshot_.t);
+}
+
+void FakeSession::setReaction(int robot, const control::ReactionDescription& reaction) {
+  log.push_back("reaction " + std::to_string(robot));
+  reactions.push_back(reaction);
+}
+
+void FakeSession::poke(int object, const Vector3d& p_B, const Vector3d& target_W) {
+  log.push_back("poke " + std::to_string(object));
+  const auto i = static_cast<std::size_t>(object);
+  const Vector3d p_W = snapshot_.objects[i].X_WB * p_B;
+  snapshot_.movers.poke = {object, p_W, 400.0 * (target_W - p_W)};
+  fresh_ = true;
+}
+
+void FakeSession::endPoke() {
+  log.push_back("end poke");
+  snapshot_.movers.poke = {};
+  fresh_ = true;
 }
 
 void FakeSession::compute(double t) {

@@ -33,6 +33,9 @@ class FakeSession : public SessionPort {
   void removePair(int pair) override;
   void poseJoint(int joint, double value) override;
   void followMotion(int robot) override;
+  void setReaction(int robot, const control::ReactionDescription& reaction) override;
+  void poke(int object, const Vector3d& p_B, const Vector3d& target_W) override;
+  void endPoke() override;
 
   /// Computes every frame of `seconds` of wall time, when playing.
   void advance(double seconds);
@@ -52,6 +55,7 @@ class FakeSession : public SessionPort {
 
   AnalysisPort* recording{nullptr};  ///< of the whole recording; lives in the owner
   std::vector<scene::SceneNote> scene_notes;
+  std::vector<control::ReactionDescription> reactions;  ///< as they came
   double speed{1.0};
   bool loop{false};
   std::vector<std::string> log;  ///< commands as they came: "seek 1.5", "margin 3 0.04" ...

@@ -73,8 +73,8 @@ std::set<QString> textsOf(const QWidget& window) {
 /// The same in both languages, or not of the program but of Qt or the scene.
 bool isNoWord(const QString& text, const FakeSession& session) {
   static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{3}"));
-  static const QStringList kKept{"&English", "English", "&Deutsch", "Deutsch",
-                                 "Close",    "Float",   "JSON",     "YAML"};
+  static const QStringList kKept{"&English", "English", "&Deutsch", "Deutsch", "Close",
+                                 "Float",    "JSON",    "YAML",     "rad/s",   "N·m/rad"};
   if (!text.contains(kWord) || kKept.contains(text) || text.startsWith("qt_")) return true;
   for (const auto& group : session.outline().pair_groups)
     if (text == QString::fromStdString(group)) return true;

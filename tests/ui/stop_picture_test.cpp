@@ -122,7 +122,9 @@ TEST_F(StopDisplay, SlowedRobotDiffersFromStoppedRobot) {
   EXPECT_TRUE(showsCause());
   const QImage picture = window.viewport().picture();
   stop(StopState::kWaitingForReset);
-  EXPECT_TRUE(label("⚠ arm, waiting for reset: "));
+  const OverlayLabel* waiting = label("⚠ arm, waiting for reset: ");
+  ASSERT_TRUE(waiting);
+  EXPECT_TRUE(waiting->text.endsWith(" (reset: Shift+R)")) << waiting->text.toStdString();
   EXPECT_NE(window.viewport().picture(), picture);
 }
 

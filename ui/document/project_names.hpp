@@ -17,6 +17,9 @@ inline constexpr double kMaxMargin = 2.0;  ///< m
 /// The names of PairGroupState, in its order.
 inline const std::vector<std::string> kGroupStates{"running", "paused", "stopped"};
 
+/// A number without a limit, above or below.
+inline constexpr char kUnlimited[] = "inf", kUnlimitedBelow[] = "-inf";
+
 /// A switch of the view.
 struct ViewFlag {
   const char* name;

@@ -107,6 +107,41 @@ void readPosed(const YamlFields& in, Work& work) {
   }
 }
 
+double lawNumber(const YamlNode& node, const YamlFields& in, const std::string& label) {
+  if (node.kind == YamlNode::Kind::kScalar && node.quoted) {
+    const std::string word = config::yamlChoice(node, in.file(), label, {kUnlimited, kUnlimitedBelow});
+    return word == kUnlimited ? kInfinity : -kInfinity;
+  }
+  return config::yamlNumber(node, in.file(), label, YamlRange{-kInfinity, kInfinity});
+}
+
+/// Whether the numbers fit the laws is checked where the scene is known.
+void readReactions(const YamlFields& in, Work& work) {
+  const YamlNode* node = namesOf(in, "reactions");
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
+    const YamlFields fields(node->items[i], in.file(), "a reaction", {"laws", "numbers"});
+    control::ReactionChange change;
+    const YamlNode* laws = namesOf(fields, "laws");
+    for (std::size_t k = 0; laws && k < laws->keys.size(); ++k)
+      change.laws[laws->keys[k].text] =
+          config::yamlChoice(laws->items[k], in.file(), "`" + laws->keys[k].text + "`", {"true", "false"}) ==
+          "true";
+    const YamlNode* numbers = namesOf(fields, "numbers");
+    for (std::size_t k = 0; numbers && k < numbers->keys.size(); ++k) {
+      const std::string label = "`" + numbers->keys[k].text + "`";
+      const YamlNode& value = numbers->items[k];
+      config::JointNumbers& list = change.numbers[numbers->keys[k].text];
+      if (value.kind != YamlNode::Kind::kList) {
+        list = {lawNumber(value, fields, label)};
+        continue;
+      }
+      if (value.items.empty()) fail(in, value, "a number, or one for each joint");
+      for (const YamlNode& item : value.items) list.push_back(lawNumber(item, fields, label));
+    }
+    if (!change.empty()) work.reactions[QString::fromStdString(node->keys[i].text)] = change;
+  }
+}
+
 /// By object, m.
 QMap<QString, double> marginsUnder(const YamlFields& in, std::string_view key) {
   QMap<QString, double> margins;
@@ -203,7 +238,8 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
                       {kVersionKey,   "saved_as",     "scene",       "recording",      "reading",
                        "people",      "posed_robots", "margins",     "locked_margins", "compared_margins",
                        "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
-                       "range",       "separation",   "view",        "camera",         "time"});
+                       "range",       "separation",   "view",        "camera",         "time",
+                       "reactions"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -215,6 +251,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   readReading(in, folder, work.reading);
   readPeople(in, work);
   readPosed(in, work);
+  readReactions(in, work);
   work.margins = marginsUnder(in, "margins");
   work.locked = namesUnder(in, "locked_margins");
   if (in.find("compared_margins")) work.compared = marginsUnder(in, "compared_margins");

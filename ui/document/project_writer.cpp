@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/base/error.hpp"
@@ -76,6 +77,37 @@ void addPosed(JsonText& json, const QMap<QString, QVector<double>>& posed) {
   for (auto it = posed.begin(); it != posed.end(); ++it) {
     json.open(it.key().toStdString(), '[');
     for (const double q : *it) json.addNumber("", q);
+    json.close();
+  }
+  json.close();
+}
+
+void addLawNumber(JsonText& json, std::string_view name, double value) {
+  if (std::isfinite(value))
+    json.addNumber(name, value);
+  else
+    json.addText(name, value > 0.0 ? kUnlimited : kUnlimitedBelow);
+}
+
+void addReactions(JsonText& json, const QMap<QString, control::ReactionChange>& reactions) {
+  if (reactions.isEmpty()) return;
+  json.open("reactions", '{');
+  for (auto it = reactions.begin(); it != reactions.end(); ++it) {
+    json.open(it.key().toStdString(), '{');
+    json.open("laws", '{');
+    for (const auto& [law, on] : it->laws) json.addFlag(law, on);
+    json.close();
+    json.open("numbers", '{');
+    for (const auto& [key, numbers] : it->numbers) {
+      if (numbers.size() == 1) {
+        addLawNumber(json, key, numbers.front());
+        continue;
+      }
+      json.open(key, '[');
+      for (const double number : numbers) addLawNumber(json, "", number);
+      json.close();
+    }
+    json.close();
     json.close();
   }
   json.close();
@@ -163,6 +195,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addReading(json, work.reading, folder);
   addPeople(json, work.people);
   addPosed(json, work.posed);
+  addReactions(json, work.reactions);
   addMargins(json, "margins", work.margins);
   if (!work.locked.isEmpty()) addNames(json, "locked_margins", work.locked);
   if (work.compared) addMargins(json, "compared_margins", *work.compared);

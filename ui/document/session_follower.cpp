@@ -2,7 +2,19 @@
 
 #include <algorithm>
 
+#include "core/base/error.hpp"
+
 namespace abstand::ui {
+
+namespace {
+
+int dofOf(const view::SceneOutline& outline, const std::string& robot) {
+  for (const view::RobotCard& card : outline.robots)
+    if (card.name == robot) return card.joints;
+  return 0;
+}
+
+}  // namespace
 
 void SessionFollower::attach(SessionPort* port, const view::SceneSnapshot& first, const Work& work) {
   port_ = port;
@@ -40,6 +52,30 @@ void SessionFollower::follow(const Work& before, const Work& after) {
     for (int g = 0; g < static_cast<int>(groups_.size()); ++g)
       if (state(before, g) != state(after, g)) port_->setGroup(g, state(after, g));
   if (before.posed != after.posed) followPosed(before, after);
+  if (before.reactions != after.reactions) followReactions(before, after);
+}
+
+void SessionFollower::followReactions(const Work& before, const Work& after) {
+  const std::vector<std::string>& robots = port_->outline().reacting;
+  for (int r = 0; r < static_cast<int>(robots.size()); ++r) {
+    const QString name = QString::fromStdString(robots[static_cast<std::size_t>(r)]);
+    if (before.reactions.value(name) != after.reactions.value(name))
+      port_->setReaction(r, reaction(after, r));
+  }
+}
+
+control::ReactionDescription SessionFollower::reaction(const Work& work, int robot, QString* problem) const {
+  const view::SceneOutline& outline = port_->outline();
+  const auto r = static_cast<std::size_t>(robot);
+  const int joints = dofOf(outline, outline.reacting[r]);
+  const auto change = work.reactions.find(QString::fromStdString(outline.reacting[r]));
+  if (change == work.reactions.end()) return outline.reactions[r];
+  try {
+    return control::changedReaction(outline.reactions[r], *change, joints);
+  } catch (const UsageError& e) {
+    if (problem) *problem = QString::fromStdString(e.what());
+    return outline.reactions[r];
+  }
 }
 
 QVector<double> SessionFollower::posed(const Work& work, int robot) const {
@@ -99,7 +135,14 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
   if (work.compared)
     for (const QString& name : work.compared->keys()) check(objects, name);
   for (const QString& name : work.groups.keys()) check(groups, name);
-  QSet<QString> robots, people;
+  QSet<QString> robots, people, reacting;
+  for (const std::string& robot : port_->outline().reacting) reacting.insert(QString::fromStdString(robot));
+  for (const QString& name : work.reactions.keys()) check(reacting, name);
+  for (int r = 0; r < static_cast<int>(port_->outline().reacting.size()); ++r) {
+    QString problem;
+    reaction(work, r, &problem);
+    if (!problem.isEmpty()) unknown.insert(problem);
+  }
   for (const view::RobotCard& robot : port_->outline().robots)
     robots.insert(QString::fromStdString(robot.name));
   for (const view::PersonCard& person : port_->outline().people)

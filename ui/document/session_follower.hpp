@@ -25,12 +25,16 @@ class SessionFollower {
   /// rad or m: joints of a robot (index of the outline) that `work` poses by hand; empty: it does not, or not
   /// with this number of joints.
   QVector<double> posed(const Work& work, int robot) const;
+  /// The reaction of a robot (index of SceneOutline::reacting) as `work` has it; that of the scene, and why,
+  /// if the change does not fit the robot.
+  control::ReactionDescription reaction(const Work& work, int robot, QString* problem = nullptr) const;
   /// Names of objects, groups, robots and people in `work` that the scene does not have, sorted.
   QStringList unknownNames(const Work& work) const;
 
  private:
   int group(const Work& work, int pair) const;
   void followPosed(const Work& before, const Work& after);
+  void followReactions(const Work& before, const Work& after);
   view::PairGroupState state(const Work& work, int group) const;
 
   SessionPort* port_{nullptr};

@@ -9,6 +9,7 @@
 #include <QVector>
 #include <optional>
 
+#include "core/control/reaction_change.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
@@ -53,15 +54,16 @@ struct Work {
   ReadingOptions reading;
   QMap<QString, PersonOptions> people;   ///< those that differ from the scene
   QMap<QString, QVector<double>> posed;  ///< rad or m, all joints of each robot that is posed by hand
-  QMap<QString, double> margins;         ///< m, by object
-  QSet<QString> locked;                  ///< objects whose margin stays as it is
-  std::optional<QMap<QString, double>> compared;  ///< m, by object: what the margins are compared with
-  QMap<QString, view::PairGroupState> groups;     ///< by name of a pair group
-  QMap<QPair<QString, QString>, QString> moved;   ///< pair -> group that it was moved to; empty: none
-  QSet<QPair<QString, QString>> added;            ///< pairs that the scene leaves out and that are checked
-  QSet<QString> hidden;                           ///< objects that the 3D view leaves out
-  QVector<Bookmark> bookmarks;                    ///< in order of time
-  std::optional<TimeRange> range;                 ///< between the marks IN and OUT; none: the whole recording
+  QMap<QString, control::ReactionChange> reactions;  ///< of robots with a reaction that differ from the scene
+  QMap<QString, double> margins;                     ///< m, by object
+  QSet<QString> locked;                              ///< objects whose margin stays as it is
+  std::optional<QMap<QString, double>> compared;     ///< m, by object: what the margins are compared with
+  QMap<QString, view::PairGroupState> groups;        ///< by name of a pair group
+  QMap<QPair<QString, QString>, QString> moved;      ///< pair -> group that it was moved to; empty: none
+  QSet<QPair<QString, QString>> added;               ///< pairs that the scene leaves out and that are checked
+  QSet<QString> hidden;                              ///< objects that the 3D view leaves out
+  QVector<Bookmark> bookmarks;                       ///< in order of time
+  std::optional<TimeRange> range;  ///< between the marks IN and OUT; none: the whole recording
   SeparationSettings separation;
   ViewOptions view;
 

@@ -94,6 +94,14 @@ class SessionPort {
   virtual void poseJoint(int joint, double value) = 0;
   /// Gives a robot (index of SceneOutline::robots) that was posed by hand back to its motion.
   virtual void followMotion(int robot) = 0;
+  /// Laws and numbers of a robot (index of SceneOutline::reacting), from the next cycle on; active stops stay
+  /// until they are reset. The reaction fits the robot (control::changedReaction).
+  virtual void setReaction(int robot, const control::ReactionDescription& reaction) = 0;
+  /// The user pulls the point `p_B` (m, frame of the body) of an object (index of the outline) to `target_W`
+  /// (m, world) with the force of MoverSnapshot::poke, which acts on the reaction of its robot like that of a
+  /// contact. To be sent again at least ten times a second: a poke that is not renewed ends by itself.
+  virtual void poke(int object, const Vector3d& p_B, const Vector3d& target_W) = 0;
+  virtual void endPoke() = 0;
 };
 
 }  // namespace abstand::ui

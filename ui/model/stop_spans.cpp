@@ -21,10 +21,10 @@ bool StopSpans::add(const view::SceneSnapshot& snapshot) {
     if (!stands && open_[r] < 0) continue;
     if (open_[r] < 0) {
       open_[r] = static_cast<int>(spans_.size());
-      spans_.push_back({robot.since, robot.since});
+      spans_.push_back({{robot.since, robot.since}, static_cast<int>(r), robot.state, robot.cause});
     }
     // Stops may follow each other: the span goes on.
-    TimeRange& span = spans_[static_cast<std::size_t>(open_[r])];
+    TimeRange& span = spans_[static_cast<std::size_t>(open_[r])].range;
     span.to = std::max(span.from, stands ? snapshot.t : robot.since);
     if (!stands) open_[r] = -1;
     changed = true;

@@ -8,17 +8,25 @@
 
 namespace abstand::ui {
 
+/// One stand of a robot.
+struct StopSpan {
+  TimeRange range;  ///< s, from the change to a stop until the robot ran again or was seen last
+  int robot{-1};    ///< index of SceneOutline::reacting
+  safety::StopState state{safety::StopState::kProtectiveStop};  ///< in which it began
+  safety::StopCause cause;
+};
+
 /// Gathers the stops of the robots that react from one snapshot to the next. GUI thread only.
 class StopSpans {
  public:
   /// True where something has changed. A new beginning of the closed loop forgets what was before.
   bool add(const view::SceneSnapshot& snapshot);
-  /// s, from the change to a stop until the robot ran again or was seen last; of all robots.
-  const std::vector<TimeRange>& spans() const { return spans_; }
+  /// Of all robots, in the order in which they began to be seen.
+  const std::vector<StopSpan>& spans() const { return spans_; }
 
  private:
   long loops_{-1};
-  std::vector<TimeRange> spans_;
+  std::vector<StopSpan> spans_;
   std::vector<int> open_;  ///< of each robot: the number of its span that is under way, or -1
 };
 

@@ -153,6 +153,15 @@ QString stopText(const view::SceneOutline& outline, const view::SceneSnapshot& s
            lengthText(cause.value));
 }
 
+QString spanText(const StopSpan& span, const view::SceneOutline& outline) {
+  const auto robot = static_cast<std::size_t>(span.robot);
+  const QString name =
+      robot < outline.reacting.size() ? QString::fromStdString(outline.reacting[robot]) : QString();
+  return tr("%1 stood from %2 to %3 when this was played, %4: %5")
+      .arg(name, secondsWithUnit(span.range.from), secondsWithUnit(span.range.to), stateText(span.state),
+           causeText(span.cause, outline, robot));
+}
+
 QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot) {
   const QString name =
       robot < outline.reacting.size() ? QString::fromStdString(outline.reacting[robot]) : QString();

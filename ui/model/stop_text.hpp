@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/stop_spans.hpp"
 
 namespace abstand::ui {
 
@@ -18,6 +19,8 @@ QString causeText(const safety::StopCause& cause, const view::SceneOutline& outl
 /// Why a robot does not run as planned: "protective stop: left_arm/link5 – operator/hand_left at 39.8 mm";
 /// empty while it runs. `robot`: as above, of the snapshot.
 QString stopText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, std::size_t robot);
+/// "left_arm stood from 6.574 s to 7.102 s when this was played, protective stop: distance …"
+QString spanText(const StopSpan& span, const view::SceneOutline& outline);
 /// One line of the log: "6.574 s  left_arm: running → protective stop: distance …"
 QString entryText(const safety::StopEntry& entry, const view::SceneOutline& outline, std::size_t robot);
 /// "6.574 s  left_arm: joint A2 beyond its velocity limit: 2.10 rad/s, limit 1.92 rad/s"

@@ -72,7 +72,7 @@ void TimeStrip::setBookmarks(std::vector<double> times) {
   update();
 }
 
-void TimeStrip::setStops(std::vector<TimeRange> stops) {
+void TimeStrip::setStops(std::vector<StopSpan> stops) {
   stops_ = std::move(stops);
   update();
 }
@@ -212,8 +212,8 @@ void TimeStrip::paintView(QPainter& painter) const {
 }
 
 void TimeStrip::paintStops(QPainter& painter) const {
-  for (const TimeRange& stop : stops_) {
-    const QRect bar(QPoint(xOf(stop.from), band().top()), QPoint(xOf(stop.to), band().top() + 4));
+  for (const StopSpan& stop : stops_) {
+    const QRect bar(QPoint(xOf(stop.range.from), band().top()), QPoint(xOf(stop.range.to), band().top() + 4));
     painter.fillRect(bar.adjusted(0, 0, 0, 1), palette().color(QPalette::Base));
     painter.fillRect(bar, QColor(kVermillion));
   }
@@ -251,11 +251,10 @@ void TimeStrip::leaveEvent(QEvent*) {
 void TimeStrip::resizeEvent(QResizeEvent*) { rebuild(); }
 
 QString TimeStrip::textAt(double t) const {
-  for (const TimeRange& stop : stops_)
-    if (stop.contains(t))
-      return tr("%1\nA robot stood from %2 to %3 when this was played")
-          .arg(momentAt(t), secondsWithUnit(stop.from), secondsWithUnit(stop.to));
-  return momentAt(t);
+  QString text = momentAt(t);
+  for (const StopSpan& stop : stops_)
+    if (stop.range.contains(t) && stop_text_) text += QLatin1Char('\n') + stop_text_(stop);
+  return text;
 }
 
 QString TimeStrip::momentAt(double t) const {

@@ -3,10 +3,12 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "ui/model/frame_series.hpp"
 #include "ui/model/recording_review.hpp"
+#include "ui/model/stop_spans.hpp"
 #include "ui/model/time_axis.hpp"
 
 namespace abstand::ui {
@@ -30,7 +32,9 @@ class TimeStrip : public QWidget {
   /// s: marked above the strip.
   void setBookmarks(std::vector<double> times);
   /// In which robots stood, as far as it was played: a bar along the upper edge.
-  void setStops(std::vector<TimeRange> stops);
+  void setStops(std::vector<StopSpan> stops);
+  /// What the tool tip says of a stop; asked for while the pointer is over it.
+  void setStopText(std::function<QString(const StopSpan&)> text) { stop_text_ = std::move(text); }
   /// Repaints when the series have grown.
   void refresh();
 
@@ -71,7 +75,8 @@ class TimeStrip : public QWidget {
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
   std::vector<double> bookmarks_;  // s
-  std::vector<TimeRange> stops_;
+  std::vector<StopSpan> stops_;
+  std::function<QString(const StopSpan&)> stop_text_;
   QImage heat_;                // one row, a pixel a column
   std::vector<bool> contact_;  // by column: contact, or inside a margin
   long shown_revision_{-1};

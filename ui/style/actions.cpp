@@ -86,6 +86,8 @@ const Spec kSpecs[] = {
      TEXT("Pose the robot so that the selected link moves 10 mm towards the camera"), "Alt+Shift+PgUp"},
     {Id::kLinkFarther, In::kEdit, TEXT("Move link farther"),
      TEXT("Pose the robot so that the selected link moves 10 mm away from the camera"), "Alt+Shift+PgDown"},
+    {Id::kPoke, In::kEdit, TEXT("Poke link"),
+     TEXT("Push the selected link away from the camera for half a second"), "Alt+Shift+K"},
 
     {Id::kForces, In::kView, TEXT("&Forces"), TEXT("Show contact forces as arrows"), "C", Kind::kOn,
      Glyph::kForce},

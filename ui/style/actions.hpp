@@ -43,6 +43,7 @@ enum class ActionId {
   kLinkDown,
   kLinkNearer,
   kLinkFarther,
+  kPoke,
   kForces,
   kTorques,
   kJointTorques,

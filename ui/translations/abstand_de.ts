@@ -159,6 +159,14 @@
         <source>Show or hide the depth image with the fitted body</source>
         <translation>Tiefenbild mit dem angepassten Körper zeigen oder verbergen</translation>
     </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>Show or hide the laws of the robots that react</source>
+        <translation>Gesetze der reagierenden Roboter ein- oder ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>ViewerPort</name>
@@ -2330,6 +2338,434 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Show what the server computes now, after a look at what was</source>
         <translation>Zeigen, was der Server jetzt berechnet, nach einem Blick zurück</translation>
     </message>
+    <message>
+        <source>Torque</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>Joint efforts of contacts and pokes, times a gain, reach the motors.</source>
+        <translation>Gelenkmomente von Kontakten und Stößen wirken, mal einer Verstärkung, auf die Motoren.</translation>
+    </message>
+    <message>
+        <source>Repulsion</source>
+        <translation>Abstoßung</translation>
+    </message>
+    <message>
+        <source>A potential around the links pushes the robot away from bodies.</source>
+        <translation>Ein Potential um die Glieder drückt den Roboter von Körpern weg.</translation>
+    </message>
+    <message>
+        <source>Held object</source>
+        <translation>Gehaltener Gegenstand</translation>
+    </message>
+    <message>
+        <source>A held object stays on the surface while the hand is pressed in.</source>
+        <translation>Ein gehaltener Gegenstand bleibt auf der Oberfläche, während die Hand hineingedrückt wird.</translation>
+    </message>
+    <message>
+        <source>Admittance</source>
+        <translation>Admittanz</translation>
+    </message>
+    <message>
+        <source>Turns torques into motion, for a robot that is controlled by positions.</source>
+        <translation>Wandelt Momente in Bewegung um, für einen positionsgeregelten Roboter.</translation>
+    </message>
+    <message>
+        <source>Speed and separation</source>
+        <translation>Geschwindigkeit und Abstand</translation>
+    </message>
+    <message>
+        <source>Slows the planned motion so that a person keeps the protective distance of ISO/TS 15066.</source>
+        <translation>Verlangsamt die geplante Bewegung, damit der Schutzabstand nach ISO/TS 15066 zu Personen bleibt.</translation>
+    </message>
+    <message>
+        <source>Braking</source>
+        <translation>Bremsen</translation>
+    </message>
+    <message>
+        <source>Stops the robot if a person could reach its braking path.</source>
+        <translation>Hält den Roboter an, wenn eine Person seinen Bremsweg erreichen könnte.</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Keeps the robot on its planned motion; always active.</source>
+        <translation>Hält den Roboter auf seiner geplanten Bewegung; immer aktiv.</translation>
+    </message>
+    <message>
+        <source>Stop conditions</source>
+        <translation>Haltebedingungen</translation>
+    </message>
+    <message>
+        <source>What stops the robot, and how it goes on; always active.</source>
+        <translation>Was den Roboter anhält und wie es weitergeht; immer aktiv.</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Factor on the joint efforts of contacts.</source>
+        <translation>Faktor auf die Gelenkmomente von Kontakten.</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>Größtes Moment</translation>
+    </message>
+    <message>
+        <source>Limit of the sum of all torques on a joint.</source>
+        <translation>Grenze der Summe aller Momente an einem Gelenk.</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>The force begins at this distance.</source>
+        <translation>Die Kraft beginnt bei diesem Abstand.</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force at distance 0 and inside.</source>
+        <translation>Kraft beim Abstand 0 und innen.</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Damping ratio of the approach; 1: critical.</source>
+        <translation>Dämpfungsgrad der Annäherung; 1: aperiodischer Grenzfall.</translation>
+    </message>
+    <message>
+        <source>Effective mass where no mass matrix is known.</source>
+        <translation>Effektive Masse, wo keine Massenmatrix bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Stop distance</source>
+        <translation>Halteabstand</translation>
+    </message>
+    <message>
+        <source>An approach must have ended at this distance; it must be below the range.</source>
+        <translation>Bei diesem Abstand muss eine Annäherung beendet sein; er muss unter der Reichweite liegen.</translation>
+    </message>
+    <message>
+        <source>Stop share</source>
+        <translation>Halteanteil</translation>
+    </message>
+    <message>
+        <source>Share of the potential energy that a moving link may use up; above it the brakes engage.</source>
+        <translation>Anteil der potentiellen Energie, den ein bewegtes Glied aufbrauchen darf; darüber fallen die Bremsen ein.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Spring between object and hand.</source>
+        <translation>Feder zwischen Gegenstand und Hand.</translation>
+    </message>
+    <message>
+        <source>Rotation stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>Torsion spring between object and hand.</source>
+        <translation>Drehfeder zwischen Gegenstand und Hand.</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Limit of the force of the spring.</source>
+        <translation>Grenze der Kraft der Feder.</translation>
+    </message>
+    <message>
+        <source>Limit of the torque of the spring.</source>
+        <translation>Grenze des Moments der Feder.</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>Distance kept between object and surface.</source>
+        <translation>Abstand, der zwischen Gegenstand und Oberfläche bleibt.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Largest displacement of the object in one cycle.</source>
+        <translation>Größte Verschiebung des Gegenstands in einem Zyklus.</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Virtual inertia of a joint.</source>
+        <translation>Virtuelle Trägheit eines Gelenks.</translation>
+    </message>
+    <message>
+        <source>Virtual damper of a joint.</source>
+        <translation>Virtueller Dämpfer eines Gelenks.</translation>
+    </message>
+    <message>
+        <source>Virtual spring of a joint; 0: it stays where it was pushed.</source>
+        <translation>Virtuelle Feder eines Gelenks; 0: es bleibt, wohin es gedrückt wurde.</translation>
+    </message>
+    <message>
+        <source>Largest velocity</source>
+        <translation>Größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Limit of the velocity that is added.</source>
+        <translation>Grenze der hinzugefügten Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Largest offset</source>
+        <translation>Größter Versatz</translation>
+    </message>
+    <message>
+        <source>Limit of the way from the planned position.</source>
+        <translation>Grenze des Wegs von der geplanten Stellung.</translation>
+    </message>
+    <message>
+        <source>Reaction time</source>
+        <translation>Reaktionszeit</translation>
+    </message>
+    <message>
+        <source>Of sensor, network and controller together.</source>
+        <translation>Von Sensor, Netz und Steuerung zusammen.</translation>
+    </message>
+    <message>
+        <source>Stopping time</source>
+        <translation>Anhaltezeit</translation>
+    </message>
+    <message>
+        <source>Time that the robot needs to stand.</source>
+        <translation>Zeit, die der Roboter bis zum Stillstand braucht.</translation>
+    </message>
+    <message>
+        <source>Deceleration</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>If it is not 0, the stopping time is the speed divided by it.</source>
+        <translation>Wenn sie nicht 0 ist, ist die Anhaltezeit die Geschwindigkeit geteilt durch sie.</translation>
+    </message>
+    <message>
+        <source>Intrusion</source>
+        <translation>Eindringen</translation>
+    </message>
+    <message>
+        <source>How far a person intrudes before the sensor sees it.</source>
+        <translation>Wie weit eine Person eindringt, bevor der Sensor es sieht.</translation>
+    </message>
+    <message>
+        <source>Error of the person</source>
+        <translation>Fehler der Person</translation>
+    </message>
+    <message>
+        <source>Error of the measured position of a person.</source>
+        <translation>Fehler der gemessenen Lage einer Person.</translation>
+    </message>
+    <message>
+        <source>Error of the robot</source>
+        <translation>Fehler des Roboters</translation>
+    </message>
+    <message>
+        <source>Error of the position of the robot.</source>
+        <translation>Fehler der Lage des Roboters.</translation>
+    </message>
+    <message>
+        <source>Person&apos;s speed</source>
+        <translation>Tempo der Person</translation>
+    </message>
+    <message>
+        <source>Assumed speed of a walking person.</source>
+        <translation>Angenommene Geschwindigkeit einer gehenden Person.</translation>
+    </message>
+    <message>
+        <source>Speed when near</source>
+        <translation>Tempo in der Nähe</translation>
+    </message>
+    <message>
+        <source>Assumed speed of a person who is near.</source>
+        <translation>Angenommene Geschwindigkeit einer nahen Person.</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>Within this distance a person is near.</source>
+        <translation>Innerhalb dieses Abstands ist eine Person nah.</translation>
+    </message>
+    <message>
+        <source>Person&apos;s acceleration</source>
+        <translation>Beschleunigung der Person</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of a person; 0: measured speeds are not used.</source>
+        <translation>Größte Beschleunigung einer Person; 0: gemessene Geschwindigkeiten werden nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigabe</translation>
+    </message>
+    <message>
+        <source>How fast the share of the speed rises again.</source>
+        <translation>Wie schnell der Anteil der Geschwindigkeit wieder steigt.</translation>
+    </message>
+    <message>
+        <source>Smallest share</source>
+        <translation>Kleinster Anteil</translation>
+    </message>
+    <message>
+        <source>Smaller shares of the planned speed count as 0.</source>
+        <translation>Kleinere Anteile der geplanten Geschwindigkeit zählen als 0.</translation>
+    </message>
+    <message>
+        <source>Of a joint while it brakes.</source>
+        <translation>Eines Gelenks, während es bremst.</translation>
+    </message>
+    <message>
+        <source>Until the joints begin to brake.</source>
+        <translation>Bis die Gelenke zu bremsen beginnen.</translation>
+    </message>
+    <message>
+        <source>Required distance until the robot stands.</source>
+        <translation>Geforderter Abstand, bis der Roboter steht.</translation>
+    </message>
+    <message>
+        <source>A person moves at most this fast meanwhile.</source>
+        <translation>So schnell bewegt sich eine Person währenddessen höchstens.</translation>
+    </message>
+    <message>
+        <source>A person accelerates at most this much meanwhile.</source>
+        <translation>So stark beschleunigt eine Person währenddessen höchstens.</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>How fast and how stiffly the robot returns to its plan.</source>
+        <translation>Wie schnell und wie steif der Roboter zu seinem Plan zurückkehrt.</translation>
+    </message>
+    <message>
+        <source>Damping ratio of the return; 1: no overshoot.</source>
+        <translation>Dämpfungsgrad der Rückkehr; 1: kein Überschwingen.</translation>
+    </message>
+    <message>
+        <source>A smaller certified distance stops the robot.</source>
+        <translation>Ein kleinerer gesicherter Abstand hält den Roboter an.</translation>
+    </message>
+    <message>
+        <source>Age of joint values</source>
+        <translation>Alter der Gelenkwerte</translation>
+    </message>
+    <message>
+        <source>Older joint values stop the robot.</source>
+        <translation>Ältere Gelenkwerte halten den Roboter an.</translation>
+    </message>
+    <message>
+        <source>Age of a person</source>
+        <translation>Alter einer Person</translation>
+    </message>
+    <message>
+        <source>An older pose of a person stops the robot.</source>
+        <translation>Eine ältere Haltung einer Person hält den Roboter an.</translation>
+    </message>
+    <message>
+        <source>Joint speed</source>
+        <translation>Gelenktempo</translation>
+    </message>
+    <message>
+        <source>A faster joint stops the robot.</source>
+        <translation>Ein schnelleres Gelenk hält den Roboter an.</translation>
+    </message>
+    <message>
+        <source>Resume after</source>
+        <translation>Weiter nach</translation>
+    </message>
+    <message>
+        <source>A protective stop ends by itself after this time without a cause; ∞: it waits for a reset.</source>
+        <translation>Ein Sicherheitshalt endet nach dieser Zeit ohne Ursache von selbst; ∞: er wartet auf das Quittieren.</translation>
+    </message>
+    <message>
+        <source>Standstill</source>
+        <translation>Stillstand</translation>
+    </message>
+    <message>
+        <source>A robot stands if no joint is faster.</source>
+        <translation>Ein Roboter steht, wenn kein Gelenk schneller ist.</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Beruhigung</translation>
+    </message>
+    <message>
+        <source>Time of standstill before a reset is accepted.</source>
+        <translation>Zeit des Stillstands, bevor ein Quittieren angenommen wird.</translation>
+    </message>
+    <message>
+        <source>Slow to</source>
+        <translation>Verlangsamen auf</translation>
+    </message>
+    <message>
+        <source>Share of the planned speed while something asks to slow down.</source>
+        <translation>Anteil der geplanten Geschwindigkeit, während etwas Verlangsamung verlangt.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>Expected a number up to %1, or −∞ for no limit.</source>
+        <translation>Erwartet wird eine Zahl bis %1, oder −∞ für keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Expected a number above %1, or ∞ for no limit.</source>
+        <translation>Erwartet wird eine Zahl über %1, oder ∞ für keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Expected a number from %1 on, or ∞ for no limit.</source>
+        <translation>Erwartet wird eine Zahl ab %1, oder ∞ für keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Expected a number above %1 and at most %2.</source>
+        <translation>Erwartet wird eine Zahl über %1 und höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Expected a number from %1 to %2.</source>
+        <translation>Erwartet wird eine Zahl von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Or %1 numbers, one for each joint: 1; 2; …</source>
+        <translation>Oder %1 Zahlen, eine für jedes Gelenk: 1; 2; …</translation>
+    </message>
+    <message>
+        <source>%1 stood from %2 to %3 when this was played, %4: %5</source>
+        <translation>%1 stand von %2 bis %3, als dies gespielt wurde, %4: %5</translation>
+    </message>
+    <message>
+        <source>Poke link</source>
+        <translation>Glied stoßen</translation>
+    </message>
+    <message>
+        <source>Push the selected link away from the camera for half a second</source>
+        <translation>Das gewählte Glied eine halbe Sekunde lang von der Kamera wegdrücken</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3279,6 +3715,29 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     </message>
 </context>
 <context>
+    <name>abstand::ui::LawRow</name>
+    <message>
+        <source>%1: back to the scene file</source>
+        <translation>%1: zurück zur Szenendatei</translation>
+    </message>
+    <message>
+        <source>Back to the scene file: %1</source>
+        <translation>Zurück zur Szenendatei: %1</translation>
+    </message>
+    <message>
+        <source>No unit.</source>
+        <translation>Keine Einheit.</translation>
+    </message>
+    <message>
+        <source>Unit: %1.</source>
+        <translation>Einheit: %1.</translation>
+    </message>
+    <message>
+        <source>In scene files: %1; in this one: %2.</source>
+        <translation>In Szenendateien: %1; in dieser: %2.</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::LinkDrag</name>
     <message>
         <source>Only links of robots can be moved</source>
@@ -3299,6 +3758,53 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Out of reach by %1: a joint limit or the length of the arm</source>
         <translation>Um %1 außer Reichweite: eine Gelenkgrenze oder die Länge des Arms</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::LinkPoke</name>
+    <message>
+        <source>Only links of robots can be poked</source>
+        <translation>Nur Glieder von Robotern lassen sich stoßen</translation>
+    </message>
+    <message>
+        <source>%1 cannot react to a poke: the scene file gives it no reaction</source>
+        <translation>%1 kann auf einen Stoß nicht reagieren: die Szenendatei gibt ihm keine Reaktion</translation>
+    </message>
+    <message>
+        <source>%1 cannot react to a poke: %2</source>
+        <translation>%1 kann auf einen Stoß nicht reagieren: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not react to a poke: React is off</source>
+        <translation>%1 reagiert nicht auf einen Stoß: Reagieren ist aus</translation>
+    </message>
+    <message>
+        <source>%1 does not react to a poke: it is posed by hand</source>
+        <translation>%1 reagiert nicht auf einen Stoß: er ist von Hand gestellt</translation>
+    </message>
+    <message>
+        <source>No joint moves this link</source>
+        <translation>Kein Gelenk bewegt dieses Glied</translation>
+    </message>
+    <message>
+        <source>%1 does not yield to a poke: its law Torque is off (panel Laws)</source>
+        <translation>%1 weicht einem Stoß nicht aus: sein Gesetz Moment ist aus (Feld Gesetze)</translation>
+    </message>
+    <message>
+        <source>%1 does not yield to a poke: reaction torques are off</source>
+        <translation>%1 weicht einem Stoß nicht aus: die Reaktionsmomente sind aus</translation>
+    </message>
+    <message>
+        <source>%1 does not yield to a poke: its brakes are engaged</source>
+        <translation>%1 weicht einem Stoß nicht aus: seine Bremsen sind eingefallen</translation>
+    </message>
+    <message>
+        <source>Poke: press Play to see the robot yield</source>
+        <translation>Stoß: Wiedergabe starten, um den Roboter ausweichen zu sehen</translation>
+    </message>
+    <message>
+        <source>Select one link of a robot first</source>
+        <translation>Zuerst ein Glied eines Roboters auswählen</translation>
     </message>
 </context>
 <context>
@@ -4142,6 +4648,56 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
     </message>
 </context>
 <context>
+    <name>abstand::ui::ReactionPanel</name>
+    <message>
+        <source>Back to the scene file</source>
+        <translation>Zurück zur Szenendatei</translation>
+    </message>
+    <message>
+        <source>Robot whose laws are shown</source>
+        <translation>Roboter, dessen Gesetze zu sehen sind</translation>
+    </message>
+    <message>
+        <source>All laws and numbers of this robot as in the scene file</source>
+        <translation>Alle Gesetze und Zahlen dieses Roboters wie in der Szenendatei</translation>
+    </message>
+    <message>
+        <source>Laws and numbers</source>
+        <translation>Gesetze und Zahlen</translation>
+    </message>
+    <message>
+        <source>back to the scene file</source>
+        <translation>zurück zur Szenendatei</translation>
+    </message>
+    <message>
+        <source>On or off in the scene file only: it decides how the robot is driven.</source>
+        <translation>Nur in der Szenendatei an oder aus: es entscheidet, wie der Roboter angetrieben wird.</translation>
+    </message>
+    <message>
+        <source>No robot of this scene has a reaction.</source>
+        <translation>Kein Roboter dieser Szene hat eine Reaktion.</translation>
+    </message>
+    <message>
+        <source>As in the scene file</source>
+        <translation>Wie in der Szenendatei</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differences from the scene file</source>
+        <translation>
+            <numerusform>%n Abweichung von der Szenendatei</numerusform>
+            <numerusform>%n Abweichungen von der Szenendatei</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 an</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 aus</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::RecordingPanel</name>
     <message>
         <source>%1 (guessed)</source>
@@ -4498,6 +5054,10 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     <message>
         <source>The server decides which pairs are checked</source>
         <translation>Der Server entscheidet, welche Paare geprüft werden</translation>
+    </message>
+    <message>
+        <source>laws of %1: %2</source>
+        <translation>Gesetze von %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4942,12 +5502,6 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>%1
-A robot stood from %2 to %3 when this was played</source>
-        <translation>%1
-Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
-    </message>
-    <message>
         <source>%1: not computed yet</source>
         <translation>%1: noch nicht berechnet</translation>
     </message>
@@ -5099,6 +5653,14 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
         <source>Joint force of contacts: %1 ≙ %2 N</source>
         <translation>Gelenkkraft der Kontakte: %1 ≙ %2 N</translation>
     </message>
+    <message>
+        <source> (reset: %1)</source>
+        <translation> (quittieren: %1)</translation>
+    </message>
+    <message>
+        <source>Poke: %1 N</source>
+        <translation>Stoß: %1 N</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::WatchedSeries</name>
@@ -5233,6 +5795,14 @@ Ein Roboter stand von %2 bis %3, als dies wiedergegeben wurde</translation>
     <message>
         <source>Pull a link of a robot</source>
         <translation>Ein Glied eines Roboters ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl, Shift and left button</source>
+        <translation>Strg, Umschalt und linke Taste</translation>
+    </message>
+    <message>
+        <source>Poke a robot that reacts: 4 N per cm, at most 150 N</source>
+        <translation>Einen reagierenden Roboter stoßen: 4 N je cm, höchstens 150 N</translation>
     </message>
 </context>
 <context>

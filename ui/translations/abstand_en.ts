@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>abstand::ui::ReactionPanel</name>
+    <message numerus="yes">
+        <source>%n differences from the scene file</source>
+        <translation>
+            <numerusform>%n difference from the scene file</numerusform>
+            <numerusform>%n differences from the scene file</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::RecordingPanel</name>
     <message numerus="yes">
         <source>%1 s, %n frames</source>

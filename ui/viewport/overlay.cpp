@@ -19,20 +19,26 @@ constexpr int kMarkWidth = 34;                                            // px,
 constexpr double kLegendPad = 30.0, kMinLegend = 60.0;  // px, about its marks and texts; of its texts
 constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
 constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label covers
-constexpr double kValueDrop = 30.0;  // px from a point down to a value
+constexpr double kLineWidth = 2.0, kArrowWidth = 3.5, kArrowHead = 14.0;  // px
+constexpr double kValueDrop = 30.0;                                       // px from a point down to a value
 
-void arrow(QPainter& p, QPointF from, QPointF to, double head) {
-  p.drawLine(from, to);
+/// In the colour of the brush, without an edge.
+void arrowHead(QPainter& p, QPointF from, QPointF to, double head) {
   const QPointF d = to - from;
   const double length = std::hypot(d.x(), d.y());
   if (length < 1.0) return;
   const QPointF u = d / length;
   const QPointF side(-u.y(), u.x());
-  p.save();
-  p.setBrush(p.pen().color());
   p.setPen(Qt::NoPen);
   p.drawPolygon(
       QVector<QPointF>{to + u * 2.0, to - u * head + side * head * 0.5, to - u * head - side * head * 0.5});
+}
+
+void arrow(QPainter& p, QPointF from, QPointF to, double head) {
+  p.drawLine(from, to);
+  p.save();
+  p.setBrush(p.pen().color());
+  arrowHead(p, from, to, head);
   p.restore();
 }
 
@@ -93,14 +99,18 @@ void Overlay::paintEvent(QPaintEvent*) {
   }
   for (const OverlaySegment& segment : content_.segments) {
     // A light rim keeps the line apart from bodies of any colour.
-    painter.setPen(QPen(QColor(255, 255, 255, 170), 4.0, Qt::SolidLine, Qt::RoundCap));
+    const double width = segment.arrow ? kArrowWidth : kLineWidth;
+    painter.setPen(QPen(QColor(255, 255, 255, 170), width + 2.0, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(segment.a, segment.b);
-    painter.setPen(QPen(segment.colour, 2.0, segment.dashed ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
+    painter.setPen(QPen(segment.colour, width, segment.dashed ? Qt::DashLine : Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(segment.a, segment.b);
     painter.setPen(QPen(Qt::white, 1.2));
     painter.setBrush(segment.colour);
     painter.drawEllipse(segment.a, 4.0, 4.0);
-    painter.drawEllipse(segment.b, 4.0, 4.0);
+    if (segment.arrow)
+      arrowHead(painter, segment.a, segment.b, kArrowHead);
+    else
+      painter.drawEllipse(segment.b, 4.0, 4.0);
   }
   paintLabels(painter);
   paintAxes(painter);

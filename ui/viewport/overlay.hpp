@@ -25,6 +25,7 @@ struct OverlaySegment {
   QPointF a, b;
   QColor colour;
   bool dashed{false};
+  bool arrow{false};  ///< with a head at b, and thicker
 };
 
 struct LegendLine {
@@ -46,6 +47,7 @@ struct OverlayContent {
   std::vector<LegendLine> legend;
   std::array<QPointF, 3> axes;  ///< x, y, z on the screen, length at most 1
   QString message;              ///< in the middle of an empty view
+  QString reset_key;            ///< that resets stopped robots, for their labels; empty: none
 };
 
 /// Lets all mouse events through.

@@ -317,6 +317,13 @@ void Viewport::setCameraView(const CameraView& view) {
   impl_->askForFrame();
 }
 
+void Viewport::setResetKey(const QString& key) {
+  QString& shown = impl_->overlay->content().reset_key;
+  if (shown == key) return;
+  shown = key;
+  impl_->askForFrame();
+}
+
 void Viewport::setMessage(const QString& text) {
   impl_->overlay->content().message = text;
   impl_->overlay->update();
@@ -354,14 +361,18 @@ void Viewport::hidePull() {
   impl_->askForFrame();
 }
 
-void Viewport::grabBody(const QPoint& at) {
+void Viewport::grabBody(const QPoint& at, bool poke) {
   Impl& my = *impl_;
   const double scale = my.gl->devicePixelRatioF();
   Vector3d p_W;
   const int object = my.objects.pick(at.x() * scale, (my.gl->height() - 1 - at.y()) * scale, &p_W);
   if (object < 0) return;
   my.mouse.held = p_W;
-  Q_EMIT bodyGrabbed(object, p_W);
+  my.mouse.pokes = poke;
+  if (poke)
+    Q_EMIT bodyPoked(object, p_W);
+  else
+    Q_EMIT bodyGrabbed(object, p_W);
 }
 
 void Viewport::moveMouse(const QMouseEvent& mouse) {
@@ -370,7 +381,11 @@ void Viewport::moveMouse(const QMouseEvent& mouse) {
   my.mouse.last = mouse.pos();
   if (my.mouse.held) {
     my.camera.update();
-    Q_EMIT bodyPulled(my.camera.atDepthOf(*my.mouse.held, mouse.pos()));
+    const Vector3d to = my.camera.atDepthOf(*my.mouse.held, mouse.pos());
+    if (my.mouse.pokes)
+      Q_EMIT pokeMoved(to);
+    else
+      Q_EMIT bodyPulled(to);
   } else if (mouse.buttons() & Qt::LeftButton && !(mouse.modifiers() & Qt::ShiftModifier)) {
     orbit(moved.x(), moved.y());
   } else if (mouse.buttons() != Qt::NoButton) {
@@ -383,7 +398,10 @@ void Viewport::releaseMouse(const QMouseEvent& mouse) {
   if (mouse.button() != Qt::LeftButton) return;
   if (my.mouse.held) {
     my.mouse.held.reset();
-    Q_EMIT bodyReleased();
+    if (my.mouse.pokes)
+      Q_EMIT pokeEnded();
+    else
+      Q_EMIT bodyReleased();
     return;
   }
   if ((mouse.pos() - my.mouse.pressed).manhattanLength() > kClickSlack) return;
@@ -411,8 +429,9 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       my.mouse.pressed = my.mouse.last = mouse->pos();
-      if (mouse->button() == Qt::LeftButton && mouse->modifiers() == Qt::ControlModifier)
-        grabBody(mouse->pos());
+      const bool poke = mouse->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier);
+      if (mouse->button() == Qt::LeftButton && (poke || mouse->modifiers() == Qt::ControlModifier))
+        grabBody(mouse->pos(), poke);
       return true;
     }
     case QEvent::MouseMove:

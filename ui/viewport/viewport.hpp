@@ -17,8 +17,8 @@ class Overlay;
 class Selection;
 
 /// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or
-/// right: pan; wheel: zoom; Ctrl and
-/// left: a body is pulled. Without OpenGL it says so and the rest of the window works. GUI thread only.
+/// right: pan; wheel: zoom; Ctrl and left: a body is pulled; Ctrl, Shift and left: it is poked. Without
+/// OpenGL it says so and the rest of the window works. GUI thread only.
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -59,6 +59,8 @@ class Viewport : public QWidget {
   /// Where the camera stands; without OpenGL where it would.
   CameraView cameraView() const;
   void setCameraView(const CameraView& view);
+  /// The key that the labels of robots tell that wait for a reset.
+  void setResetKey(const QString& key);
   /// In the middle of the view while no scene is open.
   void setMessage(const QString& text);
 
@@ -84,6 +86,10 @@ class Viewport : public QWidget {
   void bodyGrabbed(int object, const abstand::Vector3d& p_W);
   void bodyPulled(const abstand::Vector3d& p_W);
   void bodyReleased();
+  /// The same for a force on the body.
+  void bodyPoked(int object, const abstand::Vector3d& p_W);
+  void pokeMoved(const abstand::Vector3d& target_W);
+  void pokeEnded();
   /// A picture is drawn; it took so long (s) on this thread.
   void drawn(double seconds);
 
@@ -93,7 +99,7 @@ class Viewport : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void grabBody(const QPoint& at);
+  void grabBody(const QPoint& at, bool poke);
   void moveMouse(const QMouseEvent& mouse);
   void releaseMouse(const QMouseEvent& mouse);
 

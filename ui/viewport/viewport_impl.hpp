@@ -71,7 +71,8 @@ struct Viewport::Impl {
   long shown_step{-1};
   struct {
     QPoint pressed, last;
-    std::optional<Vector3d> held;  ///< m, world: the point that the user pulls
+    std::optional<Vector3d> held;  ///< m, world: the point that the user pulls or pokes
+    bool pokes{false};
     /// m, world: a line from a point to where it shall be
     std::optional<std::pair<Vector3d, Vector3d>> pull;
   } mouse;
@@ -80,6 +81,7 @@ struct Viewport::Impl {
   void addClosest();
   void addContactLabels();
   void addRobotLabels();
+  void addPoke();
   void addLegend();
 
   /// Which lines are drawn.

@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kClosestPairs = 4;  // lines; more hide the scene
 constexpr std::size_t kContactLabels = 4;
-constexpr double kFarLine = 1.5;  // m; farther apart nothing is near
+constexpr double kPokeMetresPerNewton = 1.0 / 400.0;  // the spring of a poke: its arrow ends at the pointer
+constexpr double kFarLine = 1.5;                      // m; farther apart nothing is near
 
 QPointF axis(const Camera& camera, const Vector3d& direction) {
   const Vector3d s = camera.onScreen(direction);
@@ -42,6 +43,7 @@ void Viewport::Impl::fillOverlay() {
     if (options.labels) addRobotLabels();
     if (options.labels) addContactLabels();
   }
+  addPoke();
   if (mouse.pull)
     content.segments.push_back(
         {camera.project(mouse.pull->first), camera.project(mouse.pull->second), QColor(kAccent), true});
@@ -137,14 +139,30 @@ void Viewport::Impl::addRobotLabels() {
     if (why.isEmpty()) continue;
     const QString name = QString::fromStdString(outline->reacting[r]);
     const bool stopped = isStop(snapshot.robots[r].state);
-    add(outline->reacting[r], (stopped ? Viewport::tr("⚠ %1, %2") : Viewport::tr("▲ %1, %2")).arg(name, why),
-        stopped ? OverlayLabel::Style::kContact : OverlayLabel::Style::kNear);
+    QString text = (stopped ? Viewport::tr("⚠ %1, %2") : Viewport::tr("▲ %1, %2")).arg(name, why);
+    if (snapshot.robots[r].state == safety::StopState::kWaitingForReset && !content.reset_key.isEmpty())
+      text += Viewport::tr(" (reset: %1)").arg(content.reset_key);
+    add(outline->reacting[r], text, stopped ? OverlayLabel::Style::kContact : OverlayLabel::Style::kNear);
   }
   for (std::size_t r = 0; r < outline->robots.size(); ++r)
     if (isByHand(snapshot, static_cast<int>(r)))
       add(outline->robots[r].name,
           Viewport::tr("%1 is posed by hand").arg(QString::fromStdString(outline->robots[r].name)),
           OverlayLabel::Style::kPlain);
+}
+
+/// The force that the user applies, as an arrow on the screen with its size.
+void Viewport::Impl::addPoke() {
+  const view::PokeSnapshot& poke = snapshot.movers.poke;
+  if (poke.object < 0 || !poke.p_W.allFinite() || !poke.force_W.allFinite()) return;
+  double depth = 0.0, tip_depth = 0.0;
+  const QPointF from = camera.project(poke.p_W, &depth);
+  const QPointF to = camera.project(poke.p_W + kPokeMetresPerNewton * poke.force_W, &tip_depth);
+  if (depth <= 0.0 || tip_depth <= 0.0) return;
+  OverlayContent& content = overlay->content();
+  content.segments.push_back({from, to, QColor(kViolet), false, true});
+  content.labels.push_back(
+      {to, Viewport::tr("Poke: %1 N").arg(fixed(poke.force_W.norm(), 0)), OverlayLabel::Style::kPlain, true});
 }
 
 void Viewport::Impl::addContactLabels() {

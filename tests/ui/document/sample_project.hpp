@@ -20,6 +20,13 @@ inline Project sampleProject() {
   work.people = {{"operator", {1.0 / 0.6, 95.0, 81.5, "f"}},
                  {"visitor", {std::nullopt, 5.0, std::nullopt, ""}}};
   work.posed = {{"arm", {0.1, -1.0 / 3.0, 0.0}}};
+  control::ReactionChange change;
+  change.laws = {{"repulsion", false}, {"speed", true}};
+  change.numbers = {{"torque.gain", {1.0 / 3.0}},
+                    {"torque.limit", {20.0, kInfinity, 0.1}},
+                    {"stop.distance", {-kInfinity}},
+                    {"stop.resume_after", {kInfinity}}};
+  work.reactions = {{"arm", change}};
   work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
   work.locked = {"operator/hand_left", "table"};
   work.compared = QMap<QString, double>{{"operator/head", 0.07}};

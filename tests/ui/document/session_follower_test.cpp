@@ -56,6 +56,29 @@ TEST_F(SessionFollowerTest, SendsGroupsAndMovedPairs) {
   EXPECT_EQ(session.log, (Log{"add 0 0", "run 1"}));
 }
 
+TEST_F(SessionFollowerTest, SendsReactionsThatFitAndNamesOthers) {
+  attach({});
+  EXPECT_TRUE(session.reactions.empty());
+  Work work;
+  work.reactions["arm"].numbers["torque.gain"] = {3.0};
+  follower.follow({}, work);
+  EXPECT_EQ(session.log, Log{"reaction 0"});
+  EXPECT_EQ(session.reactions.back().torque->gain, 3.0);
+  EXPECT_TRUE(follower.unknownNames(work).isEmpty());
+  follower.follow(work, {});
+  EXPECT_EQ(session.reactions.back().torque->gain, 1.0) << "that of the scene";
+  // Of another scene: the robot keeps the scene's laws as a whole.
+  Work other;
+  other.reactions["arm"].numbers = {{"torque.gain", {3.0}}, {"torque.limit", {1.0, 2.0}}};
+  other.reactions["crane"].laws["torque"] = false;
+  follower.follow({}, other);
+  EXPECT_EQ(session.reactions.back().torque->gain, 1.0);
+  const QStringList unknown = follower.unknownNames(other);
+  ASSERT_EQ(unknown.size(), 2);
+  EXPECT_EQ(unknown[0], "crane");
+  EXPECT_TRUE(unknown[1].startsWith("torque.limit: found 2 numbers")) << unknown[1].toStdString();
+}
+
 TEST_F(SessionFollowerTest, SendsPosedRobotsPerJoint) {
   Work work;
   work.posed["arm"] = {0.1, 0.2, 0.3, 0.4, 0.5};

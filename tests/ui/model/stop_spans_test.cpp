@@ -17,15 +17,39 @@ view::SceneSnapshot snapshotAt(double t, StopState state, double since) {
   return snapshot;
 }
 
+std::vector<TimeRange> rangesOf(const StopSpans& stops) {
+  std::vector<TimeRange> ranges;
+  for (const StopSpan& span : stops.spans()) ranges.push_back(span.range);
+  return ranges;
+}
+
+TEST(StopSpans, KeepRobotStateAndCauseOfTheirBeginning) {
+  StopSpans stops;
+  view::SceneSnapshot snapshot = snapshotAt(2.0, StopState::kRunning, 0.0);
+  snapshot.robots.resize(2);
+  snapshot.robots[1].state = StopState::kEmergencyStop;
+  snapshot.robots[1].since = 1.5;
+  snapshot.robots[1].cause = {safety::StopReason::kEnergy, 2.0, 1.0, 4, -1};
+  ASSERT_TRUE(stops.add(snapshot));
+  snapshot.t = 3.0;
+  snapshot.robots[1].state = StopState::kWaitingForReset;
+  ASSERT_TRUE(stops.add(snapshot));
+  ASSERT_EQ(stops.spans().size(), 1u);
+  EXPECT_EQ(stops.spans()[0].robot, 1);
+  EXPECT_EQ(stops.spans()[0].state, StopState::kEmergencyStop);
+  EXPECT_EQ(stops.spans()[0].cause.pair, 4);
+  EXPECT_EQ(stops.spans()[0].range, (TimeRange{1.5, 3.0}));
+}
+
 TEST(StopSpans, LastFromStopUntilResume) {
   StopSpans stops;
   EXPECT_FALSE(stops.add(snapshotAt(1.0, StopState::kRunning, 0.0)));
   EXPECT_TRUE(stops.add(snapshotAt(2.0, StopState::kProtectiveStop, 1.5)));
-  EXPECT_EQ(stops.spans(), (std::vector<TimeRange>{{1.5, 2.0}}));
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{1.5, 2.0}}));
   EXPECT_TRUE(stops.add(snapshotAt(3.0, StopState::kWaitingForReset, 2.5)));
-  EXPECT_EQ(stops.spans(), (std::vector<TimeRange>{{1.5, 3.0}})) << "still the same stand";
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{1.5, 3.0}})) << "still the same stand";
   EXPECT_TRUE(stops.add(snapshotAt(4.0, StopState::kRunning, 3.25)));
-  EXPECT_EQ(stops.spans(), (std::vector<TimeRange>{{1.5, 3.25}}));
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{1.5, 3.25}}));
   EXPECT_FALSE(stops.add(snapshotAt(5.0, StopState::kRunning, 3.25)));
   EXPECT_TRUE(stops.add(snapshotAt(6.0, StopState::kProtectiveStop, 5.5)));
   EXPECT_EQ(stops.spans().size(), 2u);
