@@ -31,10 +31,11 @@ std::string sourcesText(const contact::RegionLimits& r) {
   };
   std::vector<std::pair<std::string, std::string>> groups;  // source, names
   for (const auto& [name, value] : values) {
+    const std::string& source = value->source;
     const auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == value->source; });
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == source; });
     if (group == groups.end())
-      groups.emplace_back(value->source, name);
+      groups.emplace_back(source, name);
     else
       group->second += std::string(", ") + name;
   }

@@ -41,6 +41,7 @@ void adapt(view::SceneOutline& outline) {
   outline.recordings.clear();
   outline.falls = false;
   outline.reacting.clear();
+  outline.reactions.clear();
   for (view::RobotCard& robot : outline.robots) {
     outline.reacting.push_back(robot.name);
     robot.motion.clear();

@@ -136,7 +136,8 @@ struct SceneOutline {
   std::vector<JointInfo> joints;
   std::vector<std::string> pair_groups;
   std::vector<std::string> reacting;                    ///< mechanisms with a `reaction`
-  std::vector<control::ReactionDescription> reactions;  ///< of these, as in the scene file
+  std::vector<control::ReactionDescription> reactions;  ///< of these, as in the scene file; empty: not
+                                                        ///< known here, for a server decides
   bool falls{false};                                    ///< some objects have a mass
   std::string cannot_react;                             ///< why the closed loop cannot run; empty: it can
   std::vector<geometry::TriangleMesh> meshes;           ///< one for each object, body frame, for drawing

@@ -57,7 +57,7 @@ void SessionFollower::follow(const Work& before, const Work& after) {
 
 void SessionFollower::followReactions(const Work& before, const Work& after) {
   const std::vector<std::string>& robots = port_->outline().reacting;
-  for (int r = 0; r < static_cast<int>(robots.size()); ++r) {
+  for (int r = 0; r < static_cast<int>(port_->outline().reactions.size()); ++r) {
     const QString name = QString::fromStdString(robots[static_cast<std::size_t>(r)]);
     if (before.reactions.value(name) != after.reactions.value(name))
       port_->setReaction(r, reaction(after, r));
@@ -138,7 +138,7 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
   QSet<QString> robots, people, reacting;
   for (const std::string& robot : port_->outline().reacting) reacting.insert(QString::fromStdString(robot));
   for (const QString& name : work.reactions.keys()) check(reacting, name);
-  for (int r = 0; r < static_cast<int>(port_->outline().reacting.size()); ++r) {
+  for (int r = 0; r < static_cast<int>(port_->outline().reactions.size()); ++r) {
     QString problem;
     reaction(work, r, &problem);
     if (!problem.isEmpty()) unknown.insert(problem);

@@ -82,7 +82,8 @@ void ReactionPanel::open(const view::SceneOutline& outline) {
   const QString before = robot();
   outline_ = &outline;
   robots_->clear();
-  for (const std::string& name : outline.reacting) robots_->addItem(QString::fromStdString(name));
+  for (std::size_t r = 0; r < outline.reactions.size(); ++r)
+    robots_->addItem(QString::fromStdString(outline.reacting[r]));
   robots_->setCurrentIndex(std::max(0, robots_->findText(before)));
   build();
 }
@@ -150,7 +151,8 @@ void ReactionPanel::addLaw(const control::LawState& law, int joints) {
 
 void ReactionPanel::refresh() {
   if (!scene()) {
-    head_->setText(tr("No robot of this scene has a reaction."));
+    head_->setText(outline_->reacting.empty() ? tr("No robot of this scene has a reaction.")
+                                              : tr("The laws are those of the server."));
     return;
   }
   int differing = 0;

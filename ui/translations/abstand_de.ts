@@ -4678,6 +4678,10 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
         <translation>Kein Roboter dieser Szene hat eine Reaktion.</translation>
     </message>
     <message>
+        <source>The laws are those of the server.</source>
+        <translation>Es gelten die Gesetze des Servers.</translation>
+    </message>
+    <message>
         <source>As in the scene file</source>
         <translation>Wie in der Szenendatei</translation>
     </message>
