@@ -26,7 +26,8 @@ void steps(ClosedLoop& loop, int count) {
   for (int i = 0; i < count; ++i) loop.step();
 }
 
-const double kG = mechanism::kGravity.norm();
+// m/s^2: the norm of mechanism::kGravity, which may not be initialized yet when this file is.
+constexpr double kG = 9.80665;
 
 class FallingObjects : public ::testing::Test {
  protected:
