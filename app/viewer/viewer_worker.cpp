@@ -11,7 +11,7 @@
 namespace abstand::viewer {
 namespace {
 
-constexpr int kRound_ms = 50;        // longest wait
+constexpr int kRoundMs = 50;         // ms, longest wait
 constexpr double kAliveAfter = 0.1;  // s without a moment
 // Frames that the system holds for a slow viewer: what it sees is at most so much late.
 constexpr std::size_t kHeldFrames = 4;
@@ -40,7 +40,7 @@ void ViewerHost::Worker::run(int wake) {
     waits.assign({{wake, POLLIN, 0}, {listener_.get(), POLLIN, 0}});
     for (const Viewer& v : viewers_)
       waits.push_back({v.socket.get(), static_cast<short>(v.end > v.begin ? POLLIN | POLLOUT : POLLIN), 0});
-    ::poll(waits.data(), waits.size(), kRound_ms);
+    ::poll(waits.data(), waits.size(), kRoundMs);
     std::uint64_t events = 0;
     if (::read(wake, &events, sizeof events) < 0) events = 0;
     const double now = steady();
