@@ -112,10 +112,9 @@ void ClosedLoop::setPoke(const std::optional<Poke>& poke) {
   }
 }
 
-void ClosedLoop::pushPoked() {
-  if (!poked_ || byHand(poked_->mechanism)) return;
-  const Vector3d p_W = session_.scene().object(poked_->poke.object).X_WB * poked_->poke.p_B;
-  robots_[poked_->mechanism]->push({poked_->frame, p_W, poked_->poke.force(p_W)});
+std::optional<Vector3d> ClosedLoop::pokedPoint() const {
+  if (!poked_ || byHand(poked_->mechanism)) return std::nullopt;
+  return session_.scene().object(poked_->poke.object).X_WB * poked_->poke.p_B;
 }
 
 void ClosedLoop::react(double age) {
@@ -123,7 +122,8 @@ void ClosedLoop::react(double age) {
   double person_age = 0.0;
   for (const auto& human : session_.humans()) person_age = std::max(person_age, human->recordedAge());
   const scene::Scene& scene = session_.scene();
-  pushPoked();
+  if (const auto p_W = pokedPoint())
+    robots_[poked_->mechanism]->push({poked_->frame, *p_W, poked_->poke.force(*p_W)});
   for (std::size_t m = 0; m < robots_.size(); ++m) {
     if (!robots_[m]) continue;
     if (byHand(m))
@@ -164,11 +164,8 @@ void ClosedLoop::setTorques(bool on) {
 void ClosedLoop::capture(view::SceneSnapshot& out) const {
   out.loop_start = start_;
   out.movers.poke = {};
-  if (poked_ && !byHand(poked_->mechanism)) {
-    const Poke& poke = poked_->poke;
-    const Vector3d p_W = session_.scene().object(poke.object).X_WB * poke.p_B;
-    out.movers.poke = {static_cast<int>(poke.object.index()), p_W, poke.force(p_W)};
-  }
+  if (const auto p_W = pokedPoint())
+    out.movers.poke = {static_cast<int>(poked_->poke.object.index()), *p_W, poked_->poke.force(*p_W)};
   std::size_t n = 0;
   for (const auto& robot : robots_) n += robot ? 1 : 0;
   out.robots.resize(n);

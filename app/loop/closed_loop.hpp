@@ -73,7 +73,8 @@ class ClosedLoop {
   bool byHand(std::size_t mechanism) const { return session_.mechanisms()[mechanism]->byHand(); }
   void standStill(std::size_t mechanism);
   void push(PairId id);
-  void pushPoked();
+  /// m, world: where the poke acts; none if there is no poke, or the robot is posed by hand.
+  std::optional<Vector3d> pokedPoint() const;
 
   session::Session& session_;
   physics::PhysicsWorld world_;

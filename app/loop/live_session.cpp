@@ -213,6 +213,10 @@ void LiveSession::setPoke(const command::Poke& wanted) {
   if (closed_) closed_->setPoke(wishes_.poke);
 }
 
+void LiveSession::expirePoke() {
+  if (wishes_.poke && clock_->now() > wishes_.poke_end) endPoke();
+}
+
 void LiveSession::endPoke() {
   wishes_.poke.reset();
   if (closed_) closed_->setPoke(std::nullopt);
@@ -388,7 +392,7 @@ void LiveSession::playRecorded(Timing&) {
 void LiveSession::playClosed(Timing& timing) {
   const double until = clock_->now() + kMaxRound;
   while (pace_.due() >= ClosedLoop::kStep && playing_ && !stop_) {
-    if (wishes_.poke && clock_->now() > wishes_.poke_end) endPoke();
+    expirePoke();
     // The last cycle is the one nearest to the end.
     if (closed_->time() > outline_.end + 0.5 * ClosedLoop::kStep) end();
     if (!playing_) return;
@@ -408,7 +412,7 @@ void LiveSession::loop(Timing& timing) {
     commands_.drainInto(pending_);
     for (const Command& c : pending_) handle(c, timing);
     const bool commanded = !pending_.empty();
-    if (wishes_.poke && clock_->now() > wishes_.poke_end) endPoke();
+    expirePoke();
     if (playing_) play(timing);
     if (needs_cycle_) cycle(timing);
     ++rounds_since_snapshot;

@@ -132,6 +132,7 @@ class LiveSession {
   void followMotion(int robot);
   void exchangeLaws(int robot, control::Reaction& next);
   void setPoke(const command::Poke& wanted);
+  void expirePoke();
   void endPoke();
   int mechanismOf(int robot) const;
   std::optional<PairId> pair(int index) const;
