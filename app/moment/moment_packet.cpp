@@ -3,12 +3,6 @@
 #include "app/moment/moment_fields.hpp"
 
 namespace abstand::moment {
-namespace {
-
-constexpr std::size_t kForceBytes = 80;  // of a pair that touches
-
-}  // namespace
-
 Moment makeMoment(const SceneCard& card) {
   Moment moment;
   view::SceneSnapshot& s = moment.shown;
@@ -35,7 +29,10 @@ std::size_t minMomentBytes(const SceneCard& card) {
 }
 
 std::size_t maxMomentBytes(const SceneCard& card) {
-  return minMomentBytes(card) + kForceBytes * card.pairs.size();
+  const query::PairResult touching;
+  CountFields force;
+  exchangeForce(force, touching);
+  return minMomentBytes(card) + force.bytes() * card.pairs.size();
 }
 
 std::size_t writeMoment(const FrameHeader& header, const Moment& moment, std::span<std::byte> into) noexcept {

@@ -9,7 +9,7 @@
 namespace abstand::studio {
 namespace {
 
-constexpr int kLookEvery_ms = 30;
+constexpr int kLookEveryMs = 30;
 constexpr double kAnswerWithin = 5.0;  // s
 
 }  // namespace
@@ -42,7 +42,7 @@ void LiveOpening::connectTo(const QString& address, const QString& scene) {
   until_ = viewer::steadySeconds() + kAnswerWithin;
   timer_.disconnect();
   connect(&timer_, &QTimer::timeout, this, &LiveOpening::look);
-  timer_.start(kLookEvery_ms);
+  timer_.start(kLookEveryMs);
 }
 
 void LiveOpening::look() {

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 
+#include "app/viewer/viewer_link.hpp"
 #include "app/viewer/watch_frame.hpp"
 
 namespace abstand::viewer {
@@ -17,10 +17,6 @@ constexpr double kAliveAfter = 0.1;  // s without a moment
 constexpr std::size_t kHeldFrames = 4;
 // Part of a period by which a moment may come early, so that the rates of loop and viewer do not beat.
 constexpr double kEarly = 0.2;
-
-double steady() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 }  // namespace
 
@@ -43,7 +39,7 @@ void ViewerHost::Worker::run(int wake) {
     ::poll(waits.data(), waits.size(), kRoundMs);
     std::uint64_t events = 0;
     if (::read(wake, &events, sizeof events) < 0) events = 0;
-    const double now = steady();
+    const double now = steadySeconds();
     const bool fresh = shared_.offers.fresh();
     if (fresh) {
       shared_.offers.latest();
