@@ -77,6 +77,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
                           const tune::TuneOptions& options) {
   tune::TuneAnswer answer;
   answer.options = options;
+  tune::HeldFrames held;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const tune::PlanItem& item = items[i];
     try {
@@ -91,13 +92,13 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
       const std::filesystem::path file = folder / (std::to_string(i) + ".h5");
       tune::ResultWriter writer(file, {}, hdf5::Compression::kNone);
       tune::TuneOptions tune = options;
-      tune.pass.keep_frames = false;
       tune.pass.on_frame = [&](const tune::SettledFrame& frame, const tune::PassResult& names) {
         writer.frame(frame, names);
       };
       answer.recordings.push_back(tune::tuneRecording(*session, tune, run, item.name));
       writer.commit(answer.recordings.back(), tune);
       answer.recordings.back().file = file;
+      held.take(answer.recordings.back());
       answer.interrupted = answer.recordings.back().interrupted;
       if (args.worst_phase && !answer.interrupted) {
         tune::WorstPhaseOptions phases;

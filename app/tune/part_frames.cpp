@@ -15,6 +15,12 @@ PartFrames::PartFrames(const TunedRecording& recording) {
     parts_ = std::make_shared<const std::vector<PartClearance>>(readFrames(recording));
 }
 
+void HeldFrames::take(TunedRecording& recording) {
+  held_ += recording.frames * recording.pass.parts.size();
+  if (held_ <= max_) return;
+  for (PartClearance& part : recording.pass.parts) dropFrames(part);
+}
+
 std::size_t firstJudgedFrame(const PartFrames& frames, const margin::MarginOptions& options) {
   std::size_t first = 0;
   for (const PartClearance& p : frames.parts())

@@ -20,6 +20,21 @@ class PartFrames {
   std::shared_ptr<const std::vector<PartClearance>> parts_;
 };
 
+/// Decides which of many recordings, whose frames are in result files too, keep them in memory: the first
+/// ones. Memory then does not grow with the number of recordings.
+class HeldFrames {
+ public:
+  /// Frames of single parts, of about 140 bytes each.
+  static constexpr std::size_t kUsual = 2'000'000;
+
+  explicit HeldFrames(std::size_t max = kUsual) : max_(max) {}
+  /// Empties the lists of the recording if the frames so far are more than the maximum.
+  void take(TunedRecording& recording);
+
+ private:
+  std::size_t max_, held_{0};
+};
+
 /// First frame from which every part can be judged (margin::firstJudgedFrame); the number of frames if there
 /// is none.
 std::size_t firstJudgedFrame(const PartFrames& frames, const margin::MarginOptions& options);

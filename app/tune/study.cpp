@@ -125,7 +125,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders, std::size_t hel
     fs::path file;
   };
   std::vector<Kept> kept;
-  std::size_t held = 0;
+  HeldFrames held(held_frames);
   for (const fs::path& file : files) {
     StoredResult stored = readResult(file);
     // The same result of two shards counts once.
@@ -139,9 +139,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders, std::size_t hel
     if (!kept.empty() && kept.front().stored.version != stored.version)
       throw ParseError({file.string()}, "found a result of another version than " +
                                             kept.front().file.string() + ", expected results of one version");
-    held += stored.tuned.frames * stored.tuned.pass.parts.size();
-    if (held > held_frames)
-      for (PartClearance& part : stored.tuned.pass.parts) dropFrames(part);
+    held.take(stored.tuned);
     kept.push_back({std::move(stored), file});
   }
   std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {

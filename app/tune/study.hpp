@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/tune/margin_table.hpp"
+#include "app/tune/part_frames.hpp"
 #include "app/tune/plan.hpp"
 
 namespace abstand::tune {
@@ -52,10 +53,8 @@ struct MergedResults {
   std::vector<TunedRecording> recordings;
   TuneOptions options;
 };
-/// Frames of parts that mergeResults() holds in memory, about 140 bytes each. Those of further recordings
-/// stay in their files (PartFrames), so that memory does not grow with the number of recordings.
-inline constexpr std::size_t kHeldFrames = 2'000'000;
+/// `held_frames`: of HeldFrames.
 MergedResults mergeResults(const std::vector<std::filesystem::path>& folders,
-                           std::size_t held_frames = kHeldFrames);
+                           std::size_t held_frames = HeldFrames::kUsual);
 
 }  // namespace abstand::tune

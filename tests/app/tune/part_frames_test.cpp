@@ -45,7 +45,7 @@ class MergedFrames : public ::testing::Test {
 };
 
 TEST_F(MergedFrames, GiveTheSameAnswerFromFiles) {
-  const TuneAnswer held = answerOf(folder_, kHeldFrames), files = answerOf(folder_, 0);
+  const TuneAnswer held = answerOf(folder_, HeldFrames::kUsual), files = answerOf(folder_, 0);
   for (const TunedRecording& r : held.recordings) EXPECT_EQ(r.pass.parts.front().track.frames(), r.frames);
   for (const TunedRecording& r : files.recordings) EXPECT_EQ(r.pass.parts.front().track.frames(), 0u);
   ASSERT_EQ(held.table.rows.size(), files.table.rows.size());
