@@ -1,15 +1,12 @@
 // Laws of a robot that are changed while it plays, and pokes.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
-#include "app/loop/live_session.hpp"
 #include "core/base/error.hpp"
 #include "core/control/reaction_change.hpp"
 #include "tests/app/loop/manual_clock.hpp"
-#include "tests/app/loop/slide_scene.hpp"
+#include "tests/app/loop/watched_session.hpp"
 
 namespace abstand::loop {
 namespace live_laws_test {
@@ -17,23 +14,13 @@ namespace live_laws_test {
 using testing::SlideScene;
 using testing::thingComesTo;
 
-struct Laws {
+struct Laws : testing::WatchedSession {
   explicit Laws(const std::string& reaction, double to = 0.05, const std::string& more = "")
-      : slide(reaction, thingComesTo(to), more), live(std::move(slide.session), 0.0) {}
+      : WatchedSession(reaction, more, to) {}
 
-  /// Generous: a sanitizer build on a loaded machine is slow, and nothing here is about time.
-  template <class Condition>
-  bool waitFor(Condition condition) {
-    for (int i = 0; i < 6000; ++i) {
-      live.takeSnapshot(seen);
-      if (seen.step > 0 && condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-  }
   bool stepTo(double t) {
     live.send(command::Step{static_cast<int>(std::lround((t - seen.t) * 1e3))});
-    return waitFor([&] { return std::abs(seen.t - t) < 1e-9; });
+    return waitForTime(t);
   }
   void change(const control::ReactionChange& change) {
     live.send(live.laws(0, control::changedReaction(live.outline().reactions[0], change, 1)));
@@ -43,10 +30,6 @@ struct Laws {
     one.numbers[key] = {value};
     change(one);
   }
-
-  SlideScene slide;
-  LiveSession live;
-  view::SceneSnapshot seen;
 };
 
 /// A slide that stays where it is, so that all distances stay: torques do not reach the motors, efforts stay.

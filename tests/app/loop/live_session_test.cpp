@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <thread>
 
 #include "core/base/error.hpp"
-#include "tests/app/loop/slide_scene.hpp"
+#include "tests/app/loop/watched_session.hpp"
 
 namespace abstand::loop {
 namespace live_session_test {
@@ -18,29 +17,7 @@ using testing::thingComesTo;
 
 constexpr const char* kYield = "{repulsion: {range: 0.2, force: 100}, stop: {distance: 0.12}}";
 
-struct Live {
-  explicit Live(const std::string& reaction, const std::string& more = "", double to = 0.05, double t = 0.0)
-      : slide(reaction, thingComesTo(to), more), live(std::move(slide.session), t) {}
-
-  /// Sees snapshots until the condition holds. Generous: a sanitizer build on a loaded machine is slow, and
-  /// nothing here is about time.
-  template <class Condition>
-  bool waitFor(Condition condition) {
-    for (int i = 0; i < 6000; ++i) {
-      live.takeSnapshot(seen);
-      if (seen.step > 0 && condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-  }
-  bool waitForTime(double t) {
-    return waitFor([&] { return std::abs(seen.t - t) < 1e-9; });
-  }
-
-  SlideScene slide;
-  LiveSession live;
-  view::SceneSnapshot seen;
-};
+using Live = testing::WatchedSession;
 
 TEST(LiveSession, StepsMatchClosedLoop) {
   Live l(kYield);

@@ -1,42 +1,24 @@
 // Robots that are posed by hand while everything else goes on.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <thread>
 
-#include "app/loop/live_session.hpp"
-#include "tests/app/loop/slide_scene.hpp"
+#include "tests/app/loop/watched_session.hpp"
 
 namespace abstand::loop {
 namespace posed_by_hand_test {
 
 using testing::SlideScene;
-using testing::thingComesTo;
 
 constexpr const char* kStops = "{stop: {distance: 0.12}}";
 
-struct Hand {
-  explicit Hand(const std::string& more)
-      : slide(kStops, thingComesTo(0.3), more), live(std::move(slide.session), 0.0) {}
+struct Hand : testing::WatchedSession {
+  explicit Hand(const std::string& more) : WatchedSession(kStops, more, 0.3) {}
 
-  template <class Condition>
-  bool waitFor(Condition condition) {
-    for (int i = 0; i < 6000; ++i) {
-      live.takeSnapshot(seen);
-      if (seen.step > 0 && condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-  }
   bool goTo(double t) {
     live.send(command::Seek{t});
-    return waitFor([&] { return std::abs(seen.t - t) < 1e-9; });
+    return waitForTime(t);
   }
-
-  SlideScene slide;
-  LiveSession live;
-  view::SceneSnapshot seen;
 };
 
 TEST(PosedByHand, NonReactingRobotKeepsPoseWhileTimeRuns) {
