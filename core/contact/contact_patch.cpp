@@ -105,6 +105,7 @@ class PatchSearch {
       const PatchTriangle c = triangle(t);
       if (std::max({c[0].z(), c[1].z(), c[2].z()}) < level) continue;
       PatchPolygon polygon;
+      polygon.corners.fill(Vector3d::Zero());  // all of them are copied
       for (const Vector3d& corner : c) polygon.add(corner);
       if (polygon.area() < 0.0) patch.back.push_back(polygon);
     }

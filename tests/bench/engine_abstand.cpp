@@ -7,6 +7,9 @@
 namespace abstand::bench {
 namespace {
 
+/// The default tolerance of the library, include/abstand/query.hpp.
+constexpr query::PairOptions kOptions{.far_share = query::farShareOf(query::kFarTolerance)};
+
 class Abstand final : public Engine {
  public:
   explicit Abstand(const BenchScene& scene)
@@ -17,18 +20,18 @@ class Abstand final : public Engine {
     switch (work) {
       case Work::kDistance:
         // Force and torques come with it.
-        pairs_.distances(poses, {}, results_);
+        pairs_.distances(poses, kOptions, results_);
         for (std::size_t i = 0; i < answers.size(); ++i)
           answers[i] = {results_[i].distance, results_[i].bound};
         break;
       case Work::kContact:
       case Work::kCollide:
         std::ranges::fill(answers, Answer{0.0, kNaN});
-        for (const query::PairSet::Touch& touch : pairs_.contacts(poses, {}))
+        for (const query::PairSet::Touch& touch : pairs_.contacts(poses, kOptions))
           answers[touch.pair].value = work == Work::kContact ? touch.penalty.depth : 1.0;
         break;
       case Work::kSmallest: {
-        const query::PairResult& nearest = pairs_.nearest(poses, {}).result;
+        const query::PairResult& nearest = pairs_.nearest(poses, kOptions).result;
         answers[0] = {nearest.distance, nearest.bound};
       }
     }

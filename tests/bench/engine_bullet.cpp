@@ -18,8 +18,8 @@ btVector3 vector(const Vector3d& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-std::unique_ptr<btConvexHullShape> hullOf(const TriangleMesh& mesh) {
-  const auto hull = convexHull(mesh.vertices);
+std::unique_ptr<btConvexHullShape> hullOf(const geometry::TriangleMesh& mesh) {
+  const auto hull = geometry::convexHull(mesh.vertices);
   if (!hull) throw UsageError("a mesh of the benchmarks has no hull");
   auto shape = std::make_unique<btConvexHullShape>();
   for (const std::uint32_t corner : hull->corners) shape->addPoint(vector(mesh.vertices[corner]), false);

@@ -17,7 +17,7 @@ using Model = fcl::BVHModel<fcl::OBBRSSd>;
 constexpr std::size_t kMaxContacts = 100000;  // of a pair: all of them
 constexpr std::uint32_t kNoPair = 0xffffffffu;
 
-std::shared_ptr<Model> modelOf(const TriangleMesh& mesh) {
+std::shared_ptr<Model> modelOf(const geometry::TriangleMesh& mesh) {
   std::vector<fcl::Triangle> triangles;
   for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
   auto model = std::make_shared<Model>();
