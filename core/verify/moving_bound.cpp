@@ -42,7 +42,8 @@ BodyPath walk(const std::vector<AdversarialBody>& bodies, std::uint64_t seed, st
   BodyPath path;
   path.size = random.below(kStepSizes.size());
   const double step = kStepSizes[path.size];
-  const Vector3d displacement = random.direction() * (random.chance(0.3) ? 0.0 : step);
+  const bool rests = random.chance(0.3);  // compilers differ in the order of operands
+  const Vector3d displacement = random.direction() * (rests ? 0.0 : step);
   const Vector3d axis = random.direction(), about = b.centre + random.inCube(b.radius);
   const double angle = random.chance(0.3) ? 0.0 : step / std::max(b.radius, 1e-3);
   Transform turn = Transform::Identity();

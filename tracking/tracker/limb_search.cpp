@@ -105,7 +105,10 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
     pose = other;
     found = true;
   };
-  for (int k = 0; k < tries; ++k) attempt(wrist + normal(random, spread), uniform(random, -1.5, 1.5));
+  for (int k = 0; k < tries; ++k) {
+    const double swivel = uniform(random, -1.5, 1.5);  // compilers differ in the order of arguments
+    attempt(wrist + normal(random, spread), swivel);
+  }
   for (int k = 0, picked = 0; k < 40 && picked < kUnexplainedTries && points_.count > 0; ++k) {
     const std::size_t i = random() % points_.count;
     if (others_[i] < kUnexplained) continue;

@@ -17,7 +17,8 @@ constexpr double kNoiseFrom = 0.4;  // m, of the formula of Nguyen and others
 
 double gauss(Random& random) {
   // Box, Muller 1958; the argument of the logarithm is above 0.
-  return std::sqrt(-2.0 * std::log(1.0 - random.unit())) * std::cos(2.0 * kPi * random.unit());
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.unit()));
+  return radius * std::cos(2.0 * kPi * random.unit());
 }
 
 bool oneSurface(float a, float b) {
