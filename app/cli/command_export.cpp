@@ -2,6 +2,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/csv_field.hpp"
 #include "app/cli/pair_csv.hpp"
+#include "app/cli/separation_csv.hpp"
 #include "app/cli/version.hpp"
 #include "app/results/mcap_results.hpp"
 #include "app/tune/part_frames.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 struct ExportArguments {
   std::vector<std::string> folders;
-  std::string csv, pairs_csv, mcap, margin;
+  std::string csv, pairs_csv, separation_csv, mcap, margin;
 };
 
 /// Returns the number of rows.
@@ -41,8 +42,9 @@ std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesyste
 }
 
 int runExport(const CommandLine& line, const ExportArguments& args) {
-  if (args.csv.empty() && args.pairs_csv.empty() && args.mcap.empty())
-    throw UsageError("found none of --csv, --pairs-csv and --mcap, expected a file to write");
+  if (args.csv.empty() && args.pairs_csv.empty() && args.separation_csv.empty() && args.mcap.empty())
+    throw UsageError(
+        "found none of --csv, --pairs-csv, --separation-csv and --mcap, expected a file to write");
   if (!args.margin.empty() && args.mcap.empty())
     throw UsageError(
         "--margin: found without --mcap, expected --mcap, which writes the events at that margin");
@@ -60,6 +62,11 @@ int runExport(const CommandLine& line, const ExportArguments& args) {
     const std::size_t rows = writePairTable(answer.recordings, args.pairs_csv);
     document["pair_rows"] = rows;
     text += format("%zu rows of pairs of %zu recordings\n", rows, answer.recordings.size());
+  }
+  if (!args.separation_csv.empty()) {
+    const std::size_t rows = writeSeparationTable(answer, args.separation_csv);
+    document["separation_rows"] = rows;
+    text += format("%zu rows of protective distances of %zu recordings\n", rows, answer.recordings.size());
   }
   if (!args.mcap.empty()) {
     const results::McapCounts counts = results::writeMcap(answer, options, args.mcap);
@@ -83,6 +90,9 @@ void addExport(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--csv", args->csv, "table to write: one row per frame and body part"));
   line.output(command->add_option("--pairs-csv", args->pairs_csv,
                                   "table to write: one row per frame and pair of body part and link"));
+  line.output(command->add_option("--separation-csv", args->separation_csv,
+                                  "table to write: one row per frame and body part with the terms of the "
+                                  "protective distance"));
   line.output(command->add_option(
       "--mcap", args->mcap, "MCAP file to write: one topic per recording and body part (docs/margins.md)"));
   command->add_option("--margin", args->margin,

@@ -1,31 +1,32 @@
 #include "app/tune/separation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace abstand::tune {
 
-void takeSeparation(PartSeparation& part, const SeparationMoment& moment,
+std::optional<SeparationMoment> separationMoment(const SeparationMoment& pair,
+                                                 const safety::SeparationOptions& options) {
+  if (!(pair.robot_speed > 0.0)) return std::nullopt;
+  const double approach = options.person_acceleration > 0.0 ? pair.person_speed : kNaN;
+  SeparationMoment moment = pair;
+  moment.needed = safety::protectiveDistance(options, pair.robot_speed, approach, pair.clearance);
+  moment.permitted_speed = moment.missing() > 0.0
+                               ? safety::permittedSpeed(options, pair.robot_speed, approach, pair.clearance)
+                               : pair.robot_speed;
+  return moment;
+}
+
+void takeSeparation(PartSeparation& part, const SeparationMoment& pair,
                     const safety::SeparationOptions& options) {
-  const SeparationMoment& m = moment;
-  if (!(m.robot_speed > 0.0)) return;
-  const double approach = options.person_acceleration > 0.0 ? m.person_speed : kNaN;
-  const safety::ProtectiveDistance needed =
-      safety::protectiveDistance(options, m.robot_speed, approach, m.clearance);
-  const double missing = needed.sum() - m.clearance;
-  const auto permitted = [&] {
-    return safety::permittedSpeed(options, m.robot_speed, approach, m.clearance);
-  };
+  const std::optional<SeparationMoment> moment = separationMoment(pair, options);
+  if (!moment) return;
+  const double missing = moment->missing();
   if (missing > part.missing.back()) {
-    const double worst = part.worst ? part.worst->needed.sum() - part.worst->clearance : 0.0;
     part.missing.back() = missing;
-    if (missing > worst) {
-      part.worst = m;
-      part.worst->needed = needed;
-      part.worst->permitted_speed = permitted();
-    }
+    if (missing > (part.worst ? part.worst->missing() : 0.0)) part.worst = moment;
   }
-  if (missing > 0.0) part.speed_scale.back() = std::min(part.speed_scale.back(), permitted() / m.robot_speed);
+  if (missing > 0.0)
+    part.speed_scale.back() = std::min(part.speed_scale.back(), moment->permitted_speed / pair.robot_speed);
 }
 
 }  // namespace abstand::tune

@@ -17,7 +17,15 @@ struct SeparationMoment {
   double robot_speed{0.0}, person_speed{0.0};  ///< m/s, towards each other
   safety::ProtectiveDistance needed;           ///< its terms: which one would cause a stop
   double permitted_speed{0.0};                 ///< m/s, of the robot at this clearance
+  /// m: protective distance minus clearance; violated if above 0.
+  double missing() const { return needed.sum() - clearance; }
 };
+
+/// `pair` (its time, link, clearance and speeds) with the terms of its protective distance and the permitted
+/// speed; empty if the link does not move towards the part. `clearance` includes the person's pose
+/// uncertainty, so options.person_error is for other errors.
+std::optional<SeparationMoment> separationMoment(const SeparationMoment& pair,
+                                                 const safety::SeparationOptions& options);
 
 /// Results of one part. Lists have one entry for each frame, of the worst link.
 struct PartSeparation {
@@ -30,9 +38,8 @@ struct PartSeparation {
   double broken{0.0};                     ///< s, from each frame with `missing` above 0 to the next one
 };
 
-/// Updates the last entries of `part`, which exist, with one pair in one frame. `clearance` includes the
-/// person's pose uncertainty, so options.person_error is for other errors. Pairs whose link does not move
-/// towards the part are ignored.
+/// Updates the last entries of `part`, which exist, with one pair in one frame, as separationMoment() judges
+/// it.
 void takeSeparation(PartSeparation& part, const SeparationMoment& moment,
                     const safety::SeparationOptions& options);
 

@@ -5,12 +5,6 @@
 #include <utility>
 
 namespace abstand::tune {
-namespace {
-
-double missingAt(const SeparationMoment& m) { return m.needed.sum() - m.clearance; }
-
-}  // namespace
-
 SeparationRow separationRow(const std::vector<TunedRecording>& recordings, const std::string& name) {
   SeparationRow row;
   row.part = name;
@@ -19,7 +13,7 @@ SeparationRow separationRow(const std::vector<TunedRecording>& recordings, const
       if (part.part != name) continue;
       row.broken += part.separation.broken;
       const auto& worst = part.separation.worst;
-      if (worst && (!row.worst || missingAt(*worst) > missingAt(*row.worst)))
+      if (worst && (!row.worst || worst->missing() > row.worst->missing()))
         row.worst = &*worst, row.worst_in = &r;
     }
   return row;

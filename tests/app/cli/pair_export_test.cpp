@@ -1,6 +1,7 @@
-// abstand export --pairs-csv: every pair of stored results.
+// abstand export --pairs-csv and --separation-csv: every pair, and every frame's protective distances.
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "tests/app/cli/seven_people.hpp"
@@ -72,6 +73,53 @@ TEST_F(PairExport, HasRowPerFrameAndPairMatchingPartResults) {
   }
   EXPECT_GT(near, 0);
   EXPECT_GT(far, 0);
+}
+
+TEST_F(PairExport, HasTermsOfProtectiveDistancePerFrameAndPart) {
+  const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("terms") +
+                             " --separation intrusion=0.3 stopping_time=0.4 reaction_time=0.2");
+  const json j = runJson("export " + out("terms") + " --separation-csv " + out("terms.csv"));
+  EXPECT_EQ(j["separation_rows"], tuned["frames"].get<int>() * 14);
+  const Rows rows = readCsv(out("terms.csv"));
+  ASSERT_EQ(rows.size(), tuned["frames"].get<std::size_t>() * 14 + 1);
+  ASSERT_EQ(rows[0].size(), 15u);
+  std::map<std::string, double> largest_excess;  // m, of each part
+  std::map<std::string, int> broken;             // frames of each part
+  int empty = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), rows[0].size()) << i;
+    if (rows[i][3].empty()) {
+      ++empty;
+      for (std::size_t c = 4; c < rows[i].size(); ++c) EXPECT_EQ(rows[i][c], "");
+      continue;
+    }
+    const auto number = [&](std::size_t column) { return std::stod(rows[i][column]); };
+    const double clearance = number(4), robot = number(5), person = number(7), reaction = number(8),
+                 stopping = number(9), constant = number(10), needed = number(11), excess = number(12);
+    EXPECT_GT(robot, 0.0);
+    // The ball moves with 0.5 m/s; T_r = 0.2 s, T_s = 0.4 s, C = 0.3 m.
+    EXPECT_LE(robot, 0.5 + kSpeedStep);
+    EXPECT_NEAR(person, (clearance < 0.5 ? 2.0 : 1.6) * 0.6, 1e-12);
+    EXPECT_NEAR(reaction, robot * 0.2, 1e-12);
+    EXPECT_NEAR(stopping, robot * 0.4 / 2.0, 1e-12);
+    EXPECT_EQ(constant, 0.3);
+    EXPECT_NEAR(needed, person + reaction + stopping + constant, 1e-12);
+    EXPECT_NEAR(excess, needed - clearance, 1e-12);
+    EXPECT_LE(number(13), robot);
+    EXPECT_EQ(rows[i][14], "person") << "0.96 m or more";
+    auto& most = largest_excess.try_emplace(rows[i][2], excess).first->second;
+    most = std::max(most, excess);
+    broken[rows[i][2]] += excess > 0.0;
+  }
+  EXPECT_GT(empty, 0) << "the ball stands at the end";
+  for (const json& part : tuned["separation"]) {
+    const std::string name = part["part"];
+    ASSERT_FALSE(part["worst"].is_null()) << name;
+    const double worst = part["worst"]["needed"].get<double>() - part["worst"]["clearance"].get<double>();
+    EXPECT_GE(largest_excess.at(name), worst - 1e-9) << "rounded to the safe side: " << name;
+    EXPECT_LE(largest_excess.at(name), worst + kRounded + 0.4 * kSpeedStep) << name;
+    EXPECT_GT(broken.at(name), 0) << name;
+  }
 }
 
 TEST_F(PairExport, RequiresOutputFile) {
