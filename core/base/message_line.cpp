@@ -49,9 +49,9 @@ std::string messageLine(std::string_view text, std::size_t max_bytes) {
   for (std::string_view part : {text, tail}) {
     if (part.data() == tail.data() && is_cut && !tail.empty()) out += kLeftOut;
     while (!part.empty()) {
-      const char first = part.front();
+      const char lead = part.front();
       std::size_t length = 1;
-      if (first == '\n' || first == '\r' || first == '\t' || first == '\v' || first == '\f') {
+      if (lead == '\n' || lead == '\r' || lead == '\t' || lead == '\v' || lead == '\f') {
         out += ' ';
       } else {
         length = characterLength(part);

@@ -52,7 +52,7 @@ struct MarginCurveTest : ShownWindow {
   }
   void judged() { QCoreApplication::processEvents(); }
 
-  FakeAnalysis analysis{session.outline(), [this](std::size_t part, std::size_t frame) {
+  FakeAnalysis analysis{session.outline(), [](std::size_t part, std::size_t frame) {
                           return valley(part, 0.02 * static_cast<double>(frame)) - 0.1;
                         }};
   int torso{0};

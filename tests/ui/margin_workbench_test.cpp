@@ -242,7 +242,7 @@ struct MarginProposals : MarginWorkbench {
     window.setSession(&session);
   }
   void TearDown() override { window.setSession(nullptr); }
-  FakeAnalysis analysis{session.outline(), [this](std::size_t part, std::size_t frame) {
+  FakeAnalysis analysis{session.outline(), [](std::size_t part, std::size_t frame) {
                           return valley(part, 0.02 * static_cast<double>(frame)) - 0.2;
                         }};
 };

@@ -80,7 +80,7 @@ QVariant EventTableModel::key(const margin::ReviewEvent& event, int column) cons
 
 QVariant EventTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !review_.store()) return {};
-  const margin::ReviewEvent& event = this->event(index.row());
+  const margin::ReviewEvent& event = at(index.row());
   // Of another recording, until refresh().
   if (event.end > review_.store()->frames()) return {};
   const bool number = index.column() != kKind && index.column() != kPart && index.column() != kLink &&

@@ -21,7 +21,7 @@ class EventTableModel : public QAbstractTableModel {
   EventTableModel(const RecordingReview& review, QObject* parent);
 
   void refresh();
-  const margin::ReviewEvent& event(int row) const { return events_[static_cast<std::size_t>(row)]; }
+  const margin::ReviewEvent& at(int row) const { return events_[static_cast<std::size_t>(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

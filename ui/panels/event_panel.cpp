@@ -30,7 +30,7 @@ class EventFilter : public QSortFilterProxyModel {
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex&) const override {
-    return near_.isChecked() || model_.event(row).kind != EventKind::kNear;
+    return near_.isChecked() || model_.at(row).kind != EventKind::kNear;
   }
 
  private:
@@ -117,7 +117,7 @@ void EventPanel::refresh() {
 
 void EventPanel::choose(const QModelIndex& index) {
   if (!index.isValid()) return;
-  const margin::ReviewEvent& event = model_->event(sorted_->mapToSource(index).row());
+  const margin::ReviewEvent& event = model_->at(sorted_->mapToSource(index).row());
   Q_EMIT picked(event.t_nearest, event.part, event.link);
 }
 

@@ -49,7 +49,7 @@ TEST(EventTable, HasOneRowPerEvent) {
   ASSERT_GE(touch, 0) << "a touch is inside a margin of nothing";
   EXPECT_EQ(text(touch, Column::kStop), "⚠ missed");
   EXPECT_EQ(model.data(model.index(inside, Column::kTime), EventTableModel::kSortRole).toDouble(),
-            model.event(inside).t0);
+            model.at(inside).t0);
 }
 
 }  // namespace event_table_test

@@ -90,7 +90,7 @@ TEST(RunHistory, FindsBeginningOfContacts) {
   std::vector<view::PlotSample> samples;
   for (int i = 0; i <= 100; ++i) {
     const bool contact = (i >= 20 && i < 30) || (i >= 70 && i < 72);
-    samples.push_back({i * 0.1, contact ? -0.01 : 0.2, contact ? 5.0 : 0.0, 0.0});
+    samples.push_back({i * 0.1, contact ? -0.01 : 0.2, contact ? 5.0 : 0.0, {}});
   }
   history.add(samples);
   EXPECT_DOUBLE_EQ(history.nextContact(0.0).value(), 2.0);
