@@ -132,7 +132,11 @@ MainWindow::MainWindow(QWidget* parent)
   setSession(nullptr);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // Docks report that they are hidden, and a document that it is unchanged: to a window that is still there.
+  hide();
+  for (QObject* child : findChildren<QObject*>()) child->disconnect(this);
+}
 
 void MainWindow::buildPanels() {
   panels_.tree = new SceneTreePanel(*tree_model_, *selection_, this);
