@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tracking/tracker/standing_columns.hpp"
+
 namespace abstand::tracking {
 namespace {
 
@@ -18,5 +20,7 @@ void BodyObservation::update(std::span<const PersonImage> images) {
     views_[i].appendPoints(static_cast<std::uint8_t>(i), points_);
   }
 }
+
+void BodyObservation::markStanding() { tracking::markStanding(points_); }
 
 }  // namespace abstand::tracking

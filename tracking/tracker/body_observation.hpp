@@ -17,6 +17,9 @@ class BodyObservation {
   /// `images`: at most kMaxViews, further ones are ignored; from the same moment, in one world.
   void update(std::span<const PersonImage> images);
 
+  /// Applies markStanding() to the points until the next update().
+  void markStanding();
+
   const SeenPoints& points() const { return points_; }
   std::span<const BodyView> views() const { return {views_.data(), count_}; }
   /// Position (m, world) of the camera that saw a point.

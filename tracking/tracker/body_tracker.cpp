@@ -36,6 +36,16 @@ const std::array<StartPosture, 3> kLowStarts{
     {{0.25, false}, {0.0, true, {0.43, 0.0, -0.42}}, {0.0, true, {-0.38, 0.0, -0.38}}}};
 // Share of the stature: lower heads do not belong to people who stand.
 constexpr double kStandingHead = 0.85;
+// Share of the stature: shoulders are at most 0.19 below the vertex of an upright head and hands reach 0.42
+// below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of a
+// person who stands hang higher than markStanding() looks.
+constexpr double kHandsOffFloor = 0.70;
+
+double topOf(const SeenPoints& points) {
+  float top = 0.0f;
+  for (std::size_t i = 0; i < points.count; ++i) top = std::max(top, points.z[i]);
+  return static_cast<double>(top);
+}
 
 void bendLegs(const BodyRig& rig, const Vector3d& p_ankle, RigPose& pose) {
   RigPlacement X_WS;
@@ -72,6 +82,8 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
   seen_.update(images);
+  const double top = topOf(seen_.points()) / rig_->height;
+  if (top > kHandsOffFloor && top < kStandingHead) seen_.markStanding();
   const double dt = t - last_t_;
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {

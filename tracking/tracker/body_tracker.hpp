@@ -50,6 +50,7 @@ class BodyTracker {
   void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }
+  const DepthFit& fit() const { return fit_; }
 
   /// m, typical distance from the visible skin to the middle of the body.
   static constexpr double kHalfBody = 0.10;

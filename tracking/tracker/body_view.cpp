@@ -23,6 +23,7 @@ void SeenPoints::append(const SeenPoints& from, std::size_t i) {
   x[k] = from.x[i], y[k] = from.y[i], z[k] = from.z[i];
   nx[k] = from.nx[i], ny[k] = from.ny[i], nz[k] = from.nz[i];
   view[k] = from.view[i];
+  no_arm[k] = from.no_arm[i];
 }
 
 void BodyView::update(const PersonImage& person, std::size_t max_cells) {
@@ -145,6 +146,7 @@ void BodyView::appendPoints(std::uint8_t index, SeenPoints& points) const {
       points.x[i] = p_W.x(), points.y[i] = p_W.y(), points.z[i] = p_W.z();
       points.nx[i] = n_W.x(), points.ny[i] = n_W.y(), points.nz[i] = n_W.z();
       points.view[i] = index;
+      points.no_arm[i] = 0.0f;
     }
   }
 }

@@ -22,6 +22,8 @@ struct SeenPoints {
   alignas(64) std::array<float, kMax> x, y, z;     ///< on the surface
   alignas(64) std::array<float, kMax> nx, ny, nz;  ///< unit, towards the camera's side of the surface
   std::array<std::uint8_t, kMax> view;             ///< index of the view that the point is from
+  /// m, added to the distance of arms; not 0 for points of which markStanding() knows that they are no arm.
+  alignas(64) std::array<float, kMax> no_arm;
 
   Vector3d point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }

@@ -220,7 +220,8 @@ class ClipPasses {
         person.settle();
       }
       if (!person.body()) continue;
-      learned.insert_or_assign(id, KnownBody{*person.body(), person.stature(), person.facing()});
+      learned.insert_or_assign(id,
+                               KnownBody{*person.body(), person.stature(), person.facing(), person.things()});
       if (!keep || place.count(id) == 0) continue;
       ClipPerson& tracked = track_.people[place.at(id)];
       tracked.body = *person.body();

@@ -25,6 +25,11 @@ constexpr double kSeenWithin = 0.08;   // m
 // tissue.
 constexpr double kKeepOut = 0.5;
 
+constexpr std::uint32_t kArms =
+    DepthFit::bit(RigSegment::kUpperArmLeft) | DepthFit::bit(RigSegment::kUpperArmRight) |
+    DepthFit::bit(RigSegment::kForearmLeft) | DepthFit::bit(RigSegment::kForearmRight) |
+    DepthFit::bit(RigSegment::kHandLeft) | DepthFit::bit(RigSegment::kHandRight);
+
 /// Bit mask of the segments that a segment's samples must stay out of.
 std::uint32_t foes(RigSegment s) {
   using enum RigSegment;
@@ -123,10 +128,17 @@ DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W,
   return v;
 }
 
+/// Of all points to one segment, in score_.
+void DepthFit::score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const {
+  scoreOf(surfaces_[segment], X_WS, points, kNormalWeight, score_.data());
+  if ((kArms >> segment & 1u) == 0) return;
+  for (std::size_t i = 0; i < points.count; ++i) score_[i] += points.no_arm[i];
+}
+
 void DepthFit::assign(const SeenPoints& points, const RigPlacement& X_WS) {
   std::fill_n(best_.begin(), points.count, std::numeric_limits<float>::max());
   for (std::size_t s = 0; s < kRigSegments; ++s) {
-    scoreOf(surfaces_[s], X_WS[s], points, kNormalWeight, score_.data());
+    score(s, points, X_WS[s]);
     for (std::size_t i = 0; i < points.count; ++i) {
       if (score_[i] >= best_[i]) continue;
       best_[i] = score_[i];
@@ -140,7 +152,7 @@ void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::u
   std::fill_n(best, points.count, std::numeric_limits<float>::max());
   for (std::size_t s = 0; s < kRigSegments; ++s) {
     if ((segments >> s & 1u) == 0) continue;
-    scoreOf(surfaces_[s], X_WS[s], points, kNormalWeight, score_.data());
+    score(s, points, X_WS[s]);
     for (std::size_t i = 0; i < points.count; ++i) best[i] = std::min(best[i], score_[i]);
   }
 }

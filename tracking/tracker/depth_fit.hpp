@@ -77,6 +77,7 @@ class DepthFit {
   /// Violation of a sample inside of a segment that it must not enter.
   Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                     const Transform& X_WS) const;
+  void score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
 
   const BodyRig* rig_;

@@ -27,7 +27,7 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
 }
 
 TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
-    : options_{options}, facing_{known.facing}, stature_{known.stature} {
+    : options_{options}, facing_{known.facing}, stature_{known.stature}, things_{known.things} {
   use(known.body);
   fitted_ = true;
 }
@@ -43,6 +43,12 @@ void TrackedPerson::use(const humanmodel::HumanOptions& body) {
 }
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> images) {
+  const TrackedBody* body = follow(t, things_.remove(images));
+  if (body && body->found) things_.learn(tracker_->seen(), tracker_->fit(), body->X_WS);
+  return body;
+}
+
+const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> images) {
   if (!tracker_) {
     const VerticalExtent extent = verticalExtent(images);
     if (extent.height > 0.0) extents_.push_back(extent);

@@ -6,6 +6,7 @@
 
 #include "tracking/tracker/body_calibration.hpp"
 #include "tracking/tracker/stature.hpp"
+#include "tracking/tracker/still_things.hpp"
 
 namespace abstand::tracking {
 
@@ -26,6 +27,7 @@ struct KnownBody {
   humanmodel::HumanOptions body;
   Stature stature;
   Facing facing;
+  StillThings things{};  ///< around the person
 };
 
 /// Processes the images of one person, of one camera or several. The body is first made from the stature of
@@ -57,6 +59,7 @@ class TrackedPerson {
   const Facing& facing() const { return facing_; }
   /// Valid if body() has a value.
   const Stature& stature() const { return stature_; }
+  const StillThings& things() const { return things_; }
   /// The rig of body().
   const std::shared_ptr<const BodyRig>& rig() const { return rig_; }
   /// Ends measuring and fitting with the images so far.
@@ -71,6 +74,7 @@ class TrackedPerson {
   static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
   void use(const humanmodel::HumanOptions& body);
   void adopt(const Fit& fit);
+  const TrackedBody* follow(double t, std::span<const PersonImage> images);
   /// Returns whether there is a new body, which has tracked nothing yet.
   bool remeasure(std::span<const PersonImage> images);
   bool standsUpright() const;
@@ -83,6 +87,7 @@ class TrackedPerson {
   std::shared_ptr<const BodyRig> rig_;
   std::unique_ptr<BodyTracker> tracker_;
   BodyCalibration calibration_;
+  StillThings things_;
   std::future<Fit> fitting_;
   bool fitted_{false};
 };

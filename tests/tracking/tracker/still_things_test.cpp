@@ -1,0 +1,140 @@
+// Pixels of a post beside a person: static, apart from the body, and judged once the knees have moved.
+#include "tracking/tracker/still_things.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/no_alloc.hpp"
+#include "tracking/depth/simulator/depth_render.hpp"
+
+namespace abstand::tracking {
+namespace still_things_test {
+
+constexpr float kPost = 2.2f, kShin = 2.4f, kWall = 4.0f;  // m
+constexpr double kBeyondLegMoved = 1.2 * StillThings::kLegMoved;
+
+/// A person 2.5 m ahead of the camera. The pixels assigned to the person show a post 1 m beside the body.
+struct PostBeside {
+  BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  DepthFit fit{rig};
+  DepthCamera camera;
+  DepthImage image;
+  std::vector<std::uint8_t> is_person;
+  BodyObservation seen;
+  StillThings things;
+
+  PostBeside() {
+    camera.width = 160;
+    camera.height = 120;
+    camera.fx = camera.fy = 145.0;
+    camera.cx = 79.5;
+    camera.cy = 59.5;
+    camera.X_WC = lookingAt({2.5, 0.0, 1.0}, {0.0, 0.0, 1.0});
+    image = DepthImage(camera.width, camera.height);
+    is_person.assign(image.z.size(), 0);
+  }
+  bool isPost(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(image.width);
+    return i % width >= 140 && i % width < 146 && i / width >= 80 && i / width < 110;
+  }
+  std::size_t postPixels() const { return 6 * 30; }
+  /// A person who stands upright, `moved` (m) from the origin.
+  RigPlacement placed(const Vector3d& moved) const {
+    RigPose pose;
+    pose.X_WP.translation() = moved + Vector3d(0.0, 0.0, 0.95);
+    RigPlacement X_WS;
+    place(rig, pose, X_WS);
+    return X_WS;
+  }
+  /// Shows the post at a depth of `post` (m), and learns from the person.
+  void show(float post, const Vector3d& moved) {
+    for (std::size_t i = 0; i < image.z.size(); ++i) {
+      is_person[i] = isPost(i);
+      image.z[i] = is_person[i] ? post : kWall;
+    }
+    const PersonImage person{&image, &camera, is_person};
+    const std::span<const PersonImage> left = things.remove({&person, 1});
+    seen.update(left);
+    things.learn(seen, fit, placed(moved));
+  }
+  void show(float post, double moved) { show(post, moved * Vector3d::UnitX()); }
+  void showFor(int images, float post, double moved) {
+    for (int k = 0; k < images; ++k) show(post, moved);
+  }
+  /// The person walks away by kBeyondLegMoved.
+  void walk(float post) {
+    for (const double share : {0.25, 0.5, 0.75, 1.0, 1.0}) show(post, share * kBeyondLegMoved);
+  }
+};
+
+TEST(StillThings, ArePixelsApartFromABodyWhoseKneesHaveMoved) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  EXPECT_EQ(scene.things.removed(), 0u);
+  scene.walk(kPost);
+  EXPECT_EQ(scene.things.removed(), scene.postPixels());
+}
+
+TEST(StillThings, AreNoneBesideAPersonWhoStandsStill) {
+  PostBeside scene;
+  scene.showFor(10 * StillThings::kApartImages, kPost, 0.0);
+  scene.showFor(10 * StillThings::kApartImages, kPost, 0.8 * StillThings::kLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+TEST(StillThings, AreNoneIfTheyWereApartInFewImages) {
+  PostBeside scene;
+  const std::array shares{0.3, 0.6, 0.9, 1.0};
+  static_assert(shares.size() < StillThings::kApartImages);
+  for (const double share : shares) scene.show(kPost, share * kBeyondLegMoved);
+  scene.show(kPost, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+TEST(StillThings, AreNoneIfTheBodyJumps) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  scene.showFor(StillThings::kApartImages - 1, kPost, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+TEST(StillThings, AreNoneIfTheBodyExplainsThem) {
+  PostBeside scene;
+  // The left calf, which has a radius of 5 cm, is at the post; then the person steps away sideways.
+  const Vector3d p_W = scene.camera.X_WC * scene.camera.at(142.5, 95.0, kPost);
+  const Vector3d calf = scene.placed(Vector3d::Zero())[index(RigSegment::kCalfLeft)].translation();
+  const Vector3d there(p_W.x() - calf.x() - 0.05, p_W.y() - calf.y(), 0.0);
+  for (int k = 0; k < 3 * StillThings::kApartImages; ++k) scene.show(kPost, there);
+  for (const double share : {0.25, 0.5, 0.75, 1.0, 1.0})
+    scene.show(kPost, Vector3d(there + share * kBeyondLegMoved * Vector3d::UnitY()));
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+TEST(StillThings, LeaveWhatIsBeforeThemToThePerson) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  scene.walk(kPost);
+  scene.show(kPost - 0.1f, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+  scene.show(kPost, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), scene.postPixels()) << "remembered while hidden";
+}
+
+TEST(StillThings, AreForgottenWhereTheCameraLooksPastThem) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  scene.walk(kPost);
+  scene.showFor(8, kShin, kBeyondLegMoved);
+  scene.show(kPost, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+TEST(StillThings, AllocateNothingAfterTheFirstImage) {
+  PostBeside scene;
+  scene.show(kPost, 0.0);
+  testing::NoAlloc guard;
+  scene.showFor(2 * StillThings::kApartImages, kPost, 0.0);
+  EXPECT_EQ(guard.count(), 0);
+}
+
+}  // namespace still_things_test
+}  // namespace abstand::tracking

@@ -1,0 +1,64 @@
+// Surfaces beside a person that stay where they are while the person's legs move.
+#pragma once
+
+#include <vector>
+
+#include "tracking/tracker/depth_fit.hpp"
+
+namespace abstand::tracking {
+
+/// Chairs, boxes and the like that a person touched before they were learned as background, so that their
+/// pixels are assigned to the person. A surface is a thing if
+/// - it stayed at one depth, and apart from the fitted body, in kApartImages images, and
+/// - a knee has moved by kLegMoved since then: what moves with the knees is the person.
+/// Without the second condition, legs that the fit has lost would be things if the person stands still.
+///
+/// Only pixels with the depth of the thing are removed from the person: they then count as another surface
+/// that is seen. Things that are hidden for a while are remembered; they are forgotten where the camera looks
+/// past them. Allocates for the first image of a camera; does not throw otherwise. Not shared between
+/// threads.
+class StillThings {
+ public:
+  /// The person's pixels of the images without those of things, valid until the next call.
+  std::span<const PersonImage> remove(std::span<const PersonImage> images);
+  /// Learns from the body that was fitted to the result of remove().
+  void learn(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS);
+  /// Number of pixels that show things in the images of the last remove().
+  std::size_t removed() const { return removed_; }
+
+  static constexpr int kApartImages = 5;
+  static constexpr double kLegMoved = 0.15;  ///< m
+  static constexpr float kApart = 0.10f;     ///< m, DepthFit::scores() of a point that is not on the body
+
+ private:
+  /// Candidate surface of a pixel.
+  struct Pixel {
+    float z{0.0f};             ///< m, mean depth; 0: none
+    std::uint8_t apart{0};     ///< images apart from the body, up to kApartImages
+    std::uint8_t past{0};      ///< consecutive images in which the camera looked past it
+    std::uint16_t stretch{0};  ///< of stretch_, when `apart` became kApartImages
+    std::uint16_t image{0};    ///< of image_, last one counted in `apart`
+  };
+  struct View {
+    const DepthCamera* camera{nullptr};
+    std::vector<Pixel> pixels;
+    std::vector<std::uint8_t> is_person;
+  };
+  View& viewOf(const PersonImage& image);
+  bool isThing(const Pixel& pixel, float z) const;
+  void update(const PersonImage& image, View& view);
+  void note(const DepthCamera& camera, const Vector3d& p_C, bool is_apart, View& view);
+  void noteKnees(const RigPlacement& X_WS);
+
+  std::vector<View> views_;
+  std::vector<PersonImage> images_;
+  /// m, world: at the beginning of the stretch, and in the last image.
+  std::array<Vector3d, 2> knees_{Vector3d::Constant(kNaN), Vector3d::Constant(kNaN)};
+  std::array<Vector3d, 2> last_knees_{knees_};
+  std::uint16_t stretch_{0};  ///< number of times that a knee moved by kLegMoved
+  std::uint16_t image_{0};    ///< number of the last image learned from
+  std::size_t removed_{0};
+  std::array<float, SeenPoints::kMax> score_{};
+};
+
+}  // namespace abstand::tracking
