@@ -216,6 +216,11 @@ void MainWindow::connectPicks() {
     playback_->seek(t);
     chooseLane(part, link);
   });
+  connect(panels_.events, &EventPanel::stopPicked, this, [this](double t, int pair) {
+    playback_->seek(t);
+    choosePair(pair);
+  });
+  connect(panels_.events, &EventPanel::kindsWanted, review_, &RecordingReview::showKinds);
   connect(panels_.robots, &RobotPanel::pairPicked, this, &MainWindow::choosePair);
 }
 

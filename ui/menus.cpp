@@ -65,7 +65,12 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   addRange(language, actions, Id::kLanguageSystem, Id::kLanguageGerman);
 
   bar->addMenu(addGroup(bar, actions, ActionGroup::kMargins));
-  bar->addMenu(addGroup(bar, actions, ActionGroup::kPlayback));
+  QMenu* playback = addGroup(bar, actions, ActionGroup::kPlayback);
+  auto* kinds = new QMenu(Actions::tr("Event of a &kind"), playback);
+  addRange(kinds, actions, Id::kNextTouch, Id::kPreviousLoss);
+  for (QAction* action : kinds->actions()) playback->removeAction(action);
+  playback->insertMenu(actions[Id::kPauseOnEvent], kinds);
+  bar->addMenu(playback);
   bar->addMenu(addGroup(bar, actions, ActionGroup::kHelp));
   // Shortcuts work wherever the keys go, also while the menu bar is hidden.
   for (const auto& entry : actions.all()) window.addAction(entry.action);

@@ -6,6 +6,7 @@
 
 #include "ui/model/moment_sample.hpp"
 #include "ui/model/nearest_classes.hpp"
+#include "ui/model/pair_sentence.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/run_history.hpp"
@@ -43,14 +44,29 @@ MomentFeed::MomentFeed(const Parts& parts, QObject* parent)
     history_->torqueOf(joint);
     history_->add(snapshot_);
   });
+  tellTips();
 }
 
 MomentFeed::~MomentFeed() = default;
+
+/// Tips tell the moment that is shown.
+void MomentFeed::tellTips() {
+  const auto pair = [this](int of) {
+    return session_ ? pairSentence(session_->outline(), snapshot_, of, times_.of(of)) : QString();
+  };
+  const auto body = [this](int of) {
+    return session_ ? bodySentence(session_->outline(), snapshot_, of, times_) : QString();
+  };
+  my_.panels.pairs->model()->setSentence(pair);
+  my_.tree.setSentence(body);
+  my_.viewport.setTipSource(body);
+}
 
 void MomentFeed::attach(SessionPort* session) {
   session_ = session;
   snapshot_ = {};
   samples_.clear();
+  times_.clear();
   missed_ = 0;
   if (!session_) return;
   session_->takeSnapshot(snapshot_);
@@ -62,8 +78,7 @@ void MomentFeed::moveSpan() {
   span_ = session_->span();
   const view::SceneOutline& outline = session_->outline();
   history_->open(outline);
-  my_.panels.timeline->strip()->setSeries(&history_->distance(), &history_->force(), outline.start,
-                                          outline.end);
+  my_.panels.timeline->strip()->setHistory(history_.get(), outline.start, outline.end);
   openPlots(outline);
   my_.panels.cycles->open(outline);
   Q_EMIT spanMoved();
@@ -77,7 +92,7 @@ void MomentFeed::open(const view::SceneOutline& outline, const std::vector<doubl
   panels.margins->open(outline, margins);
   panels.robots->open(outline);
   loops_ = snapshot_.loops;
-  panels.timeline->strip()->setSeries(&history_->distance(), &history_->force(), outline.start, outline.end);
+  panels.timeline->strip()->setHistory(history_.get(), outline.start, outline.end);
   panels.timeline->strip()->setStopText([&outline](const StopSpan& span) { return spanText(span, outline); });
   openPlots(outline);
   panels.groups->open(outline);
@@ -95,9 +110,18 @@ void MomentFeed::openPlots(const view::SceneOutline& outline) {
   PlotPanel& plots = *my_.panels.plots;
   // What robots that react do differs from what was recorded.
   whole_plot_ = my_.review.available() && outline.reacting.empty() && !outline.falls;
-  plots.setDistanceName(whole_plot_ ? tr("Clearance person – robot") : tr("Smallest distance"));
-  plots.setSeries(whole_plot_ ? &my_.review.nearest() : &history_->distance(), &history_->force(),
-                  &history_->torques(), outline.start, outline.end);
+  PlotSeries series{{},
+                    &history_->contactForce(),
+                    &history_->virtualForce(),
+                    &history_->earlierForce(),
+                    &history_->torques(),
+                    &history_->earlierTorque()};
+  for (const PairClass of : history_->classes()) {
+    const bool certified = whole_plot_ && of == PairClass::kPersonRobot;
+    series.distances.push_back(
+        {of, certified ? &my_.review.nearest() : &history_->distanceOf(of), certified});
+  }
+  plots.setSeries(series, outline.start, outline.end);
   plots.setJoints(outline.joints);
   watched_->open(outline, whole_plot_);
 }
@@ -114,6 +138,7 @@ void MomentFeed::pull() {
   if (snapshot_.playing) missed_ += std::max(0L, snapshot_.step - before - 1);
   history_->add(snapshot_);
   watched_->add(snapshot_);
+  times_.add(session_->outline(), snapshot_);
   is_stale_ = true;
   my_.playback.onSnapshot(snapshot_);
   show();
@@ -135,9 +160,9 @@ void MomentFeed::show() {
   panels.inspector->refresh(snapshot_);
   panels.matrix->refresh(snapshot_);
   panels.separation->refresh(snapshot_);
-  view::PlotSample sample = momentSample(snapshot_, panels.plots->joint());
-  if (whole_plot_) sample.min_distance = nearestPersonRobot(outline, snapshot_);
-  panels.plots->setMoment(snapshot_.step, sample);
+  panels.plots->showEarlier(history_->hasEarlier());
+  panels.plots->setMoment(snapshot_.step, momentSample(outline, snapshot_, panels.plots->joint()),
+                          clearancePersonRobot(outline, snapshot_));
   panels.plots->refresh();
   if (std::exchange(loops_, snapshot_.loops) != snapshot_.loops && !snapshot_.robots.empty())
     Q_EMIT restarted(snapshot_.loop_start);
@@ -148,6 +173,7 @@ void MomentFeed::refreshSlow() {
   if (!session_) return;
   const PanelSet& panels = my_.panels;
   my_.review.pull();
+  my_.review.setStops(panels.timeline->stops(), session_->outline());
   watched_->add(my_.review);
   if (std::exchange(is_stale_, false)) {
     panels.pairs->sortAgain();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/level_times.hpp"
 #include "ui/model/time_range.hpp"
 #include "ui/panel_set.hpp"
 
@@ -69,6 +70,7 @@ class MomentFeed : public QObject {
   void restarted(double t);
 
  private:
+  void tellTips();
   void moveSpan();
   void openPlots(const view::SceneOutline& outline);
 
@@ -76,7 +78,8 @@ class MomentFeed : public QObject {
   SessionPort* session_{nullptr};
   std::unique_ptr<RunHistory> history_;
   WatchedSeries* watched_;
-  long missed_{0};  ///< moments that were computed while playing and not shown
+  LevelTimes times_;  ///< since when each pair is in its state
+  long missed_{0};    ///< moments that were computed while playing and not shown
   view::SceneSnapshot snapshot_;
   std::vector<view::PlotSample> samples_;
   bool is_stale_{false};    ///< the tables and figures are older than the moment

@@ -22,6 +22,7 @@ TimeCommands::TimeCommands(const Actions& actions, const Clock& clock, QObject* 
     : QObject(parent), my_{clock} {
   connectTransport(actions);
   connectRange(actions);
+  connectEvents(actions);
   auto* rules = new PlayRules(my_.playback, my_.axis, my_.review, this);
   connect(actions[Id::kPauseOnEvent], &QAction::toggled, rules, &PlayRules::setPauseOnEvents);
   connect(rules, &PlayRules::pausedAt, this,
@@ -45,8 +46,6 @@ void TimeCommands::connectTransport(const Actions& actions) {
   on(Id::kToEnd, [this] { my_.playback.toEnd(); });
   on(Id::kFaster, [this] { my_.playback.faster(); });
   on(Id::kSlower, [this] { my_.playback.slower(); });
-  on(Id::kNextContact, [this] { goToEvent(true); });
-  on(Id::kPreviousContact, [this] { goToEvent(false); });
   connect(actions[Id::kLoop], &QAction::toggled, &my_.playback, &Playback::setLoop);
 }
 
@@ -74,15 +73,47 @@ void TimeCommands::connectRange(const Actions& actions) {
   on(Id::kPanTimeForward, [this] { my_.axis.pan(kPanShare); });
 }
 
-void TimeCommands::goToEvent(bool next) {
+void TimeCommands::connectEvents(const Actions& actions) {
+  struct Keys {
+    Id next, previous;
+    std::optional<EventKind> kind;
+  };
+  for (const Keys& keys : {Keys{Id::kNextContact, Id::kPreviousContact, {}},
+                           Keys{Id::kNextTouch, Id::kPreviousTouch, EventKind::kContact},
+                           Keys{Id::kNextIntrusion, Id::kPreviousIntrusion, EventKind::kInside},
+                           Keys{Id::kNextNearMiss, Id::kPreviousNearMiss, EventKind::kNear},
+                           Keys{Id::kNextStop, Id::kPreviousStop, EventKind::kStop},
+                           Keys{Id::kNextLoss, Id::kPreviousLoss, EventKind::kLost}}) {
+    connect(actions[keys.next], &QAction::triggered, this, [=, this] { goToEvent(true, keys.kind); });
+    connect(actions[keys.previous], &QAction::triggered, this, [=, this] { goToEvent(false, keys.kind); });
+  }
+}
+
+/// Of what was played, where there is no analysis.
+std::optional<double> TimeCommands::playedEvent(bool next, std::optional<EventKind> kind) const {
+  if (my_.review.available()) return {};
+  const EventKinds kinds = kind ? onlyKind(*kind) : my_.review.shownKinds();
+  const bool touches = kinds[static_cast<std::size_t>(EventKind::kContact)];
+  const bool inside = kinds[static_cast<std::size_t>(EventKind::kInside)];
   const double now = my_.playback.time();
-  std::optional<double> t;
-  if (my_.review.available())
-    t = next ? my_.review.nextEvent(now) : my_.review.previousEvent(now);
-  else
-    t = next ? my_.history.nextContact(now) : my_.history.previousContact(now);
-  if (t)
+  return next ? my_.history.nextContact(now, touches, inside)
+              : my_.history.previousContact(now, touches, inside);
+}
+
+void TimeCommands::goToEvent(bool next, std::optional<EventKind> kind) {
+  const double now = my_.playback.time();
+  const EventKinds kinds = kind ? onlyKind(*kind) : my_.review.shownKinds();
+  std::optional<double> t = next ? my_.review.nextEvent(now, kinds) : my_.review.previousEvent(now, kinds);
+  if (const auto played = playedEvent(next, kind); played && (!t || (next ? *played < *t : *played > *t)))
+    t = played;
+  if (t) {
     my_.playback.seek(*t);
+    return;
+  }
+  const QString name = kind ? kindText(*kind) : QString();
+  if (kind)
+    Q_EMIT said(next ? tr("No later event known of this kind: %1").arg(name)
+                     : tr("No earlier event known of this kind: %1").arg(name));
   else
     Q_EMIT said(next ? tr("No later event known") : tr("No earlier event known"));
 }

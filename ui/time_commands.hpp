@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+
+#include "ui/model/recording_event.hpp"
 
 namespace abstand::ui {
 
@@ -35,7 +38,9 @@ class TimeCommands : public QObject {
  private:
   void connectTransport(const Actions& actions);
   void connectRange(const Actions& actions);
-  void goToEvent(bool next);
+  void connectEvents(const Actions& actions);
+  void goToEvent(bool next, std::optional<EventKind> kind);
+  std::optional<double> playedEvent(bool next, std::optional<EventKind> kind) const;
 
   Clock my_;
 };

@@ -7,6 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "core/scene/cycle_statistics.hpp"
+#include "core/view/plot_sampler.hpp"
 
 namespace abstand::loop {
 namespace {
@@ -44,6 +45,9 @@ control::Reaction reactionOf(const session::MechanismDriver& driver,
 }  // namespace
 
 struct LiveSession::Timing {
+  explicit Timing(const view::SceneOutline& outline) : sampler(outline) {}
+  view::PlotSampler sampler;
+  long margin_edits{0};  // so many changes of margins since start
   scene::CycleStatistics statistics{kPeriod};
   double last_s{0.0};
   long cycles{0}, overruns{0};  // while playing, since start or the last change of speed
@@ -68,7 +72,7 @@ LiveSession::LiveSession(std::unique_ptr<session::Session> session, double t,
   } catch (const std::exception& e) {
     outline_.cannot_react = e.what();
   }
-  timing_ = std::make_unique<Timing>();
+  timing_ = std::make_unique<Timing>(outline_);
   cycle(*timing_);
   publish(*timing_);
   thread_ = std::jthread([this] { loop(*timing_); });
@@ -106,6 +110,7 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                         if (c.object < 0 || c.object >= n || !(c.metres >= 0.0) || !std::isfinite(c.metres))
                           return;
                         session_->scene().setMargin(ObjectId(static_cast<std::uint32_t>(c.object)), c.metres);
+                        ++timing.margin_edits;
                         needs_cycle_ = true;
                       },
                       [&](command::React c) {
@@ -332,17 +337,11 @@ void LiveSession::timed(Timing& timing, Work work) {
   needs_snapshot_ = true;
   view::PlotSample sample;
   sample.t = t_;
-  sample.min_distance = kInfinity;
-  const scene::Scene& scene = session_->scene();
-  if (const auto nearest = scene.nearest()) {
-    sample.min_distance = scene.result(*nearest).distance;
-    sample.nearest_pair = static_cast<int>(nearest->index());
-  }
+  timing.sampler.fill(session_->scene(), sample);
+  sample.margin_edits = timing.margin_edits;
   sample.cycle_s = timing.last_s;
   sample.step_s = step(timing);
   sample.played = playing_;
-  for (const PairId id : scene.touching())
-    sample.peak_force = std::max(sample.peak_force, scene.result(id).force_a.norm());
   findTorques();
   for (const view::TorqueParts& joint : joint_torques_) {
     const auto raise = [](double& largest, double value) { largest = std::fmax(largest, std::abs(value)); };

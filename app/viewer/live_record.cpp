@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/view/plot_sampler.hpp"
+
 namespace abstand::viewer {
 namespace {
 
@@ -18,27 +20,21 @@ bool isSameScene(const moment::SceneCard& a, const moment::SceneCard& b) {
   return a == other;
 }
 
-view::PlotSample sampleOf(const moment::Moment& moment, double t) {
-  const view::SceneSnapshot& s = moment.shown;
-  view::PlotSample sample;
-  sample.t = t;
-  sample.min_distance = kInfinity;
-  // The server does not know the masses of links.
-  sample.peak_torque.gravity = sample.peak_torque.motion = kNaN;
-  for (std::size_t p = 0; p < s.pairs.size(); ++p) {
-    const query::PairResult& result = s.pairs[p].result;
-    sample.peak_force = std::max(sample.peak_force, result.force_a.norm());
-    if (s.pairs[p].paused || !(result.distance < sample.min_distance)) continue;
-    sample.min_distance = result.distance;
-    sample.nearest_pair = static_cast<int>(p);
-  }
-  for (const view::TorqueParts& joint : s.joint_torques) {
-    sample.peak_torque.contact = std::max(sample.peak_torque.contact, std::abs(joint.contact));
-    sample.peak_torque.reaction = std::max(sample.peak_torque.reaction, std::abs(joint.reaction));
-  }
-  sample.cycle_s = 1e-6 * s.cycle_us;
-  sample.played = true;
-  return sample;
+std::vector<view::PairClass> classesOf(const moment::SceneCard& card) {
+  const auto is_of = [](const std::string& body, const std::string& owner) {
+    return body.starts_with(owner + "/");
+  };
+  const auto side_of = [&](std::uint32_t object) {
+    const std::string& body = card.objects[object];
+    const auto owns = [&](const std::string& owner) { return is_of(body, owner); };
+    if (std::any_of(card.people.begin(), card.people.end(), owns)) return view::BodySide::kPerson;
+    const bool robot = std::any_of(card.robots.begin(), card.robots.end(),
+                                   [&](const auto& owner) { return owns(owner.name); });
+    return robot ? view::BodySide::kRobot : view::BodySide::kThing;
+  };
+  std::vector<view::PairClass> classes;
+  for (const auto& [a, b] : card.pairs) classes.push_back(view::pairClassOf(side_of(a), side_of(b)));
+  return classes;
 }
 
 }  // namespace
@@ -51,6 +47,7 @@ bool LiveRecord::begin(const moment::SceneCard& card, LinkState state, double no
   }
   if (!card_) {
     card_ = card;
+    sampling_.classes = classesOf(card);
     frame_bytes_ = moment::maxMomentBytes(card);
     kept_rate_ = MomentRing::rateFor(limits_, moment::minMomentBytes(card), kKeptRate);
   }
@@ -120,6 +117,31 @@ void LiveRecord::logStops(const moment::Moment& moment) {
 void LiveRecord::copyLogs(std::vector<view::RobotSnapshot>& robots) const {
   const std::scoped_lock lock(mutex_);
   for (std::size_t i = 0; i < std::min(robots.size(), stops_.size()); ++i) robots[i].log = stops_[i].log;
+}
+
+view::PlotSample LiveRecord::sampleOf(const moment::Moment& moment, double t) {
+  const view::SceneSnapshot& s = moment.shown;
+  view::PlotSample sample;
+  sample.t = t;
+  // The server does not know the masses of links.
+  sample.peak_torque.gravity = sample.peak_torque.motion = kNaN;
+  view::fillSample(sampling_.classes, s, sample);
+  std::vector<double>& margins = sampling_.margins;
+  bool edited = false;
+  margins.resize(s.objects.size(), kNaN);
+  for (std::size_t i = 0; i < s.objects.size(); ++i) {
+    edited = edited || (!std::isnan(margins[i]) && margins[i] != s.objects[i].margin);
+    margins[i] = s.objects[i].margin;
+  }
+  sampling_.edits += edited ? 1 : 0;
+  sample.margin_edits = sampling_.edits;
+  for (const view::TorqueParts& joint : s.joint_torques) {
+    sample.peak_torque.contact = std::max(sample.peak_torque.contact, std::abs(joint.contact));
+    sample.peak_torque.reaction = std::max(sample.peak_torque.reaction, std::abs(joint.reaction));
+  }
+  sample.cycle_s = 1e-6 * s.cycle_us;
+  sample.played = true;
+  return sample;
 }
 
 void LiveRecord::addSample(const moment::Moment& moment, double t) {

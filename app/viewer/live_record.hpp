@@ -87,6 +87,7 @@ class LiveRecord {
 
  private:
   void logStops(const moment::Moment& moment);
+  view::PlotSample sampleOf(const moment::Moment& moment, double t);
   void addSample(const moment::Moment& moment, double t);
 
   mutable std::mutex mutex_;
@@ -111,6 +112,11 @@ class LiveRecord {
     double since;  ///< s
   };
   std::vector<Stops> stops_;  ///< of each robot; empty before the first moment
+  struct {
+    std::vector<view::PairClass> classes;  ///< of the card's pairs
+    std::vector<double> margins;           ///< m, of the objects, as of the moment before
+    long edits{0};                         ///< so many times they changed
+  } sampling_;
   std::deque<view::PlotSample> samples_;
   std::size_t drained_{0};  ///< of samples_
 };

@@ -1,6 +1,7 @@
 // Whether a pair keeps a required clearance: one rule for window, `check` and reports.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -21,6 +22,10 @@ inline double certifiedClearance(const KnownDistance& known) {
   const double clearance = known.distance - known.bound - known.uncertainty;
   return std::isnan(clearance) ? -kInfinity : clearance;
 }
+
+/// It is not certain that two surfaces are apart where their poses put them: `distance` (m) is within its
+/// `bound` (m), or negative. False for NaN. The rule that tells a contact from what is only inside a margin.
+inline bool isTouching(double distance, double bound) { return distance <= std::max(0.0, bound); }
 
 enum class ClearanceVerdict : std::uint8_t {
   kKept,       ///< certified

@@ -40,6 +40,8 @@ class MinimumTree {
     while (n < leaves_) n = node_[2 * n] == node_[n] ? 2 * n : 2 * n + 1;
     return n - leaves_;
   }
+  /// The smallest value; infinity if there is none.
+  double minimum() const { return count_ == 0 ? kInfinity : node_[1]; }
   std::size_t size() const { return count_; }
 
  private:

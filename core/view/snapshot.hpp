@@ -11,6 +11,7 @@
 #include "core/safety/stop_machine.hpp"
 #include "core/scene/scene.hpp"
 #include "core/view/body_card.hpp"
+#include "core/view/pair_class.hpp"
 #include "core/view/recording_card.hpp"
 
 namespace abstand::view {
@@ -156,12 +157,15 @@ struct SceneOutline {
 struct PlotSample {
   double t{0.0};
   double min_distance{0.0};                     ///< m
-  double peak_force{0.0};                       ///< N, largest force of a pair
+  ClassDistances class_distance{kNoDistances};  ///< m, smallest of each class
+  double contact_force{0.0};  ///< N, largest of a pair whose surfaces touch (safety::isTouching)
+  double virtual_force{0.0};  ///< N, largest of a pair that is inside its margin and does not touch
   TorqueParts peak_torque{0.0, 0.0, 0.0, 0.0};  ///< N m or N, largest magnitudes of all joints
   double cycle_s{0.0};                          ///< s of wall time that the cycle took
   double step_s{1e-3};                          ///< s that it had, see SceneSnapshot
   int nearest_pair{-1};                         ///< as SceneSnapshot::nearest_pair
   bool played{false};                           ///< not for a seek or a step
+  long margin_edits{0};  ///< changes of margins before it; forces and torques hold for these margins only
 };
 
 }  // namespace abstand::view

@@ -176,6 +176,7 @@ TEST_F(DayWorkTest, TheSelectionIsThatOfAllPanels) {
   window.setSession(&session);
   QTest::qWait(200);
   const int hand = session.indexOf("operator/hand_left");
+  const std::size_t classes = chart()->lines();
   window.selection().setObjects({hand});
   EXPECT_TRUE(window.panels().margins->row(hand)->marked());
   EXPECT_FALSE(window.panels().margins->row(hand + 1)->marked());
@@ -183,10 +184,10 @@ TEST_F(DayWorkTest, TheSelectionIsThatOfAllPanels) {
   for (int lane = 0; lane < lanes->lanes(); ++lane)
     EXPECT_EQ(lanes->isSelected(lane), analysis.layout().parts[static_cast<std::size_t>(lane)].object ==
                                            static_cast<std::size_t>(hand));
-  ASSERT_EQ(chart()->lines(), 2U);
-  EXPECT_TRUE(chart()->lineName(1).contains("operator/hand_left"));
+  ASSERT_EQ(chart()->lines(), classes + 1);
+  EXPECT_TRUE(chart()->lineName(classes).contains("operator/hand_left"));
   window.selection().clear();
-  EXPECT_EQ(chart()->lines(), 1U);
+  EXPECT_EQ(chart()->lines(), classes);
   EXPECT_FALSE(window.panels().margins->row(hand)->marked());
   window.setSession(nullptr);
 }
@@ -196,18 +197,19 @@ TEST_F(DayWorkTest, ABodyIsDraggedFromTheTreeToThePlots) {
   const QModelIndex link = tree->model()->index(2, 0, tree->model()->index(0, 0));
   const std::unique_ptr<QMimeData> data(tree->model()->mimeData({link}));
   PlotPanel* plots = window.panels().plots;
+  const std::size_t classes = chart()->lines();
   QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(plots, &enter);
   ASSERT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(20, 20), Qt::CopyAction, data.get(), Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(plots, &drop);
-  ASSERT_EQ(chart()->lines(), 2U);
-  EXPECT_TRUE(chart()->lineName(1).contains("arm/link2"));
+  ASSERT_EQ(chart()->lines(), classes + 1);
+  EXPECT_TRUE(chart()->lineName(classes).contains("arm/link2"));
   session.seek(3.0);
   window.pull();
-  EXPECT_FALSE(std::isnan(chart()->series(1)->at(3.0)));
+  EXPECT_FALSE(std::isnan(chart()->series(classes)->at(3.0)));
   window.actions()[ActionId::kUnpinPlots]->trigger();
-  EXPECT_EQ(chart()->lines(), 1U);
+  EXPECT_EQ(chart()->lines(), classes);
 }
 
 TEST_F(DayWorkTest, TheCameraHasAHistoryOfItsOwn) {

@@ -1,6 +1,7 @@
 // A session that is only made up.
 #include "tests/ui/fake_session.hpp"
 #include "core/math/turn_between.hpp"
+#include "core/view/plot_sampler.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -213,14 +214,14 @@ void FakeSession::relate() {
     peak = {std::max(peak.contact, snapshot_.joint_efforts[j]), snapshot_.torques_on ? 2.0 * share : 0.0,
             3.0 * share, 0.5 * share};
   }
-  samples_.push_back({.t = snapshot_.t,
-                      .min_distance = nearest,
-                      .peak_force = force,
-                      .peak_torque = peak,
-                      .cycle_s = 1e-6 * snapshot_.cycle_us,
-                      .step_s = snapshot_.step_s,
-                      .nearest_pair = snapshot_.nearest_pair,
-                      .played = snapshot_.playing});
+  view::PlotSample sample{.t = snapshot_.t,
+                          .peak_torque = peak,
+                          .cycle_s = 1e-6 * snapshot_.cycle_us,
+                          .step_s = snapshot_.step_s,
+                          .played = snapshot_.playing,
+                          .margin_edits = margin_edits_};
+  view::fillSample(outline_, snapshot_, sample);
+  samples_.push_back(sample);
 }
 
 void FakeSession::group() {
@@ -367,6 +368,7 @@ void FakeSession::resetStops() { log.push_back("reset stops"); }
 void FakeSession::setMargin(int object, double metres) {
   log.push_back(line(("margin " + std::to_string(object)).c_str(), metres));
   snapshot_.objects[static_cast<std::size_t>(object)].margin = metres;
+  ++margin_edits_;
   compute(snapshot_.t);
 }
 

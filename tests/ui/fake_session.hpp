@@ -77,6 +77,7 @@ class FakeSession : public SessionPort {
   std::vector<double> hand_;  ///< joints of the arm by hand; empty: it moves
   std::vector<view::PlotSample> samples_;
   bool fresh_{true};
+  long margin_edits_{0};
 };
 
 }  // namespace abstand::ui

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -125,16 +124,20 @@ TEST_F(TimelineTest, EventRowGoesToMoment) {
   EventPanel& events = *window.panels().events;
   ASSERT_TRUE(QTest::qWaitFor([&] { return events.isVisible(); }, kLimitMs));
   QTableView* table = events.table();
-  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(window.review().review().events.size()));
+  ASSERT_EQ(table->model()->rowCount(), static_cast<int>(window.review().events().size()));
   const QModelIndex row = table->model()->index(2, EventTableModel::kPart);
-  const margin::ReviewEvent expected = window.review().review().events[2];
+  const RecordingEvent expected = window.review().events()[2];
   table->scrollTo(row);
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(row).center());
   EXPECT_EQ(session.time(), expected.t_nearest);
-  EXPECT_EQ(window.selection().pair(), window.review().pairOf(expected.part, expected.link));
+  EXPECT_EQ(window.selection().pair(), window.review().pairOf(static_cast<std::size_t>(expected.part),
+                                                              static_cast<std::size_t>(expected.link)));
   const int all = table->model()->rowCount();
-  events.nearMisses()->setChecked(false);
+  events.kindAction(EventKind::kNear)->setChecked(false);
   EXPECT_LT(table->model()->rowCount(), all);
+  for (int r = 0; r < table->model()->rowCount(); ++r)
+    EXPECT_NE(table->model()->index(r, EventTableModel::kKind).data().toString(), kindText(EventKind::kNear));
+  EXPECT_FALSE(window.review().shownKinds()[static_cast<std::size_t>(EventKind::kNear)]);
 }
 
 TEST_F(TimelineTest, InAndOutSetRange) {

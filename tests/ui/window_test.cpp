@@ -423,7 +423,7 @@ TEST_F(WindowTest, PlotsJointTorques) {
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         for (const QLabel* label : window.findChildren<QLabel*>())
-          if (label->text().contains("reaction -4.0")) return true;
+          if (label->text().contains("reaction&nbsp;-4.0")) return true;
         return false;
       },
       kWaitMs));

@@ -11,8 +11,6 @@
 
 namespace abstand::ui {
 
-using Kind = margin::ReviewEvent::Kind;
-
 EventTableModel::EventTableModel(const RecordingReview& review, QObject* parent)
     : QAbstractTableModel(parent), review_(review) {
   connect(&Units::shown(), &Units::changed, this, [this] {
@@ -22,7 +20,7 @@ EventTableModel::EventTableModel(const RecordingReview& review, QObject* parent)
 
 void EventTableModel::refresh() {
   beginResetModel();
-  events_ = review_.review().events;
+  events_ = review_.events();
   endResetModel();
 }
 
@@ -32,9 +30,7 @@ int EventTableModel::rowCount(const QModelIndex& parent) const {
 
 int EventTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-QVariant EventTableModel::text(const margin::ReviewEvent& event, int column) const {
-  const margin::ClearanceStore& store = *review_.store();
-  const margin::ClearanceChunk::Nearest nearest = store.nearest(event.part, event.nearest);
+QVariant EventTableModel::text(const RecordingEvent& event, int column) const {
   switch (column) {
     case kTime:
       return secondsWithUnit(event.t0);
@@ -43,46 +39,63 @@ QVariant EventTableModel::text(const margin::ReviewEvent& event, int column) con
     case kKind:
       return kindText(event.kind);
     case kPart:
-      return partText(store, event.part);
+      return subjectText(review_, event);
+    case kStop:
+      return stopText(event);
+    default:
+      break;
+  }
+  if (event.part < 0) return {};
+  const margin::ClearanceStore& store = *review_.store();
+  const margin::ClearanceChunk::Nearest nearest =
+      store.nearest(static_cast<std::size_t>(event.part), event.frame);
+  switch (column) {
     case kLink:
-      return linkText(store, event.link);
+      return linkText(store, static_cast<std::size_t>(event.link));
     case kClearance:
       return std::isinf(event.min_clearance) ? tr("not known") : lengthText(event.min_clearance);
     case kError:
       return std::isinf(nearest.clearance) ? tr("not seen")
                                            : lengthText(nearest.distance - nearest.clearance);
     case kClosing:
-      return std::isinf(nearest.closing) ? QString() : tr("%1 m/s").arg(fixed(nearest.closing, 2));
-    case kStop:
-      return stopText(event);
+      return std::isfinite(nearest.closing) ? tr("%1 m/s").arg(fixed(nearest.closing, 2)) : QString();
     default:
       return {};
   }
 }
 
-QVariant EventTableModel::key(const margin::ReviewEvent& event, int column) const {
-  const margin::ClearanceChunk::Nearest nearest = review_.store()->nearest(event.part, event.nearest);
+QVariant EventTableModel::key(const RecordingEvent& event, int column) const {
   switch (column) {
     case kTime:
       return event.t0;
     case kDuration:
       return event.t1 - event.t0;
+    case kKind:
+      return -static_cast<int>(event.kind);
+    default:
+      break;
+  }
+  // Stops of robots have no clearance: last.
+  const bool of_part = event.part >= 0 && review_.store();
+  const auto nearest = of_part ? review_.store()->nearest(static_cast<std::size_t>(event.part), event.frame)
+                               : margin::ClearanceChunk::Nearest{};
+  switch (column) {
     case kClearance:
-      return event.min_clearance;
+      return of_part ? event.min_clearance : kInfinity;
     case kError:
-      return nearest.distance - nearest.clearance;
+      return of_part ? nearest.distance - nearest.clearance : kInfinity;
     case kClosing:
-      return nearest.closing;
+      return of_part ? nearest.closing : -kInfinity;
     default:
       return text(event, column);
   }
 }
 
 QVariant EventTableModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid() || index.row() >= rowCount() || !review_.store()) return {};
-  const margin::ReviewEvent& event = at(index.row());
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const RecordingEvent& event = at(index.row());
   // Of another recording, until refresh().
-  if (event.end > review_.store()->frames()) return {};
+  if (event.part >= 0 && (!review_.store() || event.frame >= review_.store()->frames())) return {};
   const bool number = index.column() != kKind && index.column() != kPart && index.column() != kLink &&
                       index.column() != kStop;
   switch (role) {
@@ -90,13 +103,15 @@ QVariant EventTableModel::data(const QModelIndex& index, int role) const {
       return text(event, index.column());
     case kSortRole:
       return key(event, index.column());
+    case Qt::DecorationRole:
+      return index.column() == kKind ? QVariant(kindColour(event.kind)) : QVariant();
     case Qt::TextAlignmentRole:
       return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::ForegroundRole:
       if (index.column() == kStop && event.missed) return QColor(kVermillion);
       return {};
     case Qt::ToolTipRole:
-      return momentText(review_, event.part, event.t_nearest);
+      return eventText(review_, event);
     default:
       return {};
   }
@@ -110,10 +125,13 @@ QVariant EventTableModel::headerData(int section, Qt::Orientation orientation, i
   static constexpr Head kHeads[kColumns] = {
       {QT_TR_NOOP("Time"), QT_TR_NOOP("When it begins")},
       {QT_TR_NOOP("Duration"), QT_TR_NOOP("How long it lasts")},
-      {QT_TR_NOOP("Event"), QT_TR_NOOP("Inside the margin; touch between frames: two frames outside of the "
-                                       "margin between which a touch is not excluded;\nnear miss: nearer "
-                                       "than twice the margin, never inside")},
-      {QT_TR_NOOP("Part"), QT_TR_NOOP("The part of the person")},
+      {QT_TR_NOOP("Event"),
+       QT_TR_NOOP("Touching: it is not certain that the surfaces are apart; inside margin: "
+                  "nothing touches;\ntouch between frames: two frames outside of the "
+                  "margin between which a touch is not excluded;\nnear miss: nearer "
+                  "than twice the margin, never inside;\nrobot stopped: as it was played; "
+                  "tracking lost: body parts that are not seen or whose poses are old")},
+      {QT_TR_NOOP("Part"), QT_TR_NOOP("The part of the person, or the robot that stopped")},
       {QT_TR_NOOP("Link"), QT_TR_NOOP("The nearest link of a robot")},
       {QT_TR_NOOP("Smallest clearance"),
        QT_TR_NOOP("Certified: the true distance was never below it, had the robot not stopped")},

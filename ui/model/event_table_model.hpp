@@ -7,7 +7,7 @@
 
 namespace abstand::ui {
 
-/// One row an event of the review, in order of time. refresh() takes over what the review has; rows come and
+/// One row an event, in order of time. refresh() takes over what the review has; rows come and
 /// go with the margins. GUI thread only.
 class EventTableModel : public QAbstractTableModel {
   Q_OBJECT
@@ -21,7 +21,7 @@ class EventTableModel : public QAbstractTableModel {
   EventTableModel(const RecordingReview& review, QObject* parent);
 
   void refresh();
-  const margin::ReviewEvent& at(int row) const { return events_[static_cast<std::size_t>(row)]; }
+  const RecordingEvent& at(int row) const { return events_[static_cast<std::size_t>(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -29,11 +29,11 @@ class EventTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  QVariant text(const margin::ReviewEvent& event, int column) const;
-  QVariant key(const margin::ReviewEvent& event, int column) const;
+  QVariant text(const RecordingEvent& event, int column) const;
+  QVariant key(const RecordingEvent& event, int column) const;
 
   const RecordingReview& review_;
-  std::vector<margin::ReviewEvent> events_;
+  std::vector<RecordingEvent> events_;
 };
 
 }  // namespace abstand::ui

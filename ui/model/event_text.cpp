@@ -3,14 +3,13 @@
 
 #include <cmath>
 
+#include "core/safety/clearance_verdict.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/tr.hpp"
 
 namespace abstand::ui {
 
 namespace {
-
-using Kind = margin::ReviewEvent::Kind;
 
 std::string personOf(const std::string& name) { return name.substr(0, name.rfind('/')); }
 
@@ -37,22 +36,26 @@ QString linkText(const margin::ClearanceStore& store, std::size_t link) {
   return QString::fromStdString(store.layout().links[link].name);
 }
 
-QString kindText(Kind kind) {
-  switch (kind) {
-    case Kind::kIntrusion:
-      return tr("inside margin");
-    case Kind::kBetweenFrames:
-      return tr("touch between frames");
-    case Kind::kNear:
-      break;
-  }
-  return tr("near miss");
+QString subjectText(const RecordingReview& review, const RecordingEvent& event) {
+  if (event.kind == EventKind::kStop) return event.robot;
+  if (!review.store() || event.part < 0) return {};
+  const QString part = partText(*review.store(), static_cast<std::size_t>(event.part));
+  return event.parts > 1 ? tr("%1 and %2 more").arg(part).arg(event.parts - 1) : part;
 }
 
-QString stopText(const margin::ReviewEvent& event) {
-  if (event.kind == Kind::kNear) return {};
+QString stopText(const RecordingEvent& event) {
+  if (event.kind != EventKind::kInside && event.kind != EventKind::kBetweenFrames) return {};
   if (event.missed) return tr("⚠ missed");
   return event.false_stop ? tr("false") : QString();
+}
+
+QString eventText(const RecordingReview& review, const RecordingEvent& event) {
+  if (event.kind == EventKind::kStop) return event.story;
+  if (event.part < 0) return {};
+  const QString span = tr("%1 from %2 to %3: %4")
+                           .arg(subjectText(review, event), secondsWithUnit(event.t0),
+                                secondsWithUnit(event.t1), kindText(event.kind));
+  return span + QLatin1Char('\n') + momentText(review, static_cast<std::size_t>(event.part), event.t_nearest);
 }
 
 QString momentText(const RecordingReview& review, std::size_t part, double t) {
@@ -63,7 +66,11 @@ QString momentText(const RecordingReview& review, std::size_t part, double t) {
       tr("%1, frame %2: %3").arg(secondsWithUnit(t)).arg(store->frameAt(t) + 1).arg(partText(*store, part));
   if (std::isinf(nearest.clearance)) return tr("%1 not seen").arg(head);
   const double margin = review.marginOf(part, nearest.link);
-  const QString verdict = nearest.clearance < margin ? tr("inside the margin of %1") : tr("margin %1");
+  const QString verdict =
+      safety::isTouching(nearest.distance, nearest.distance - nearest.clearance - nearest.uncertainty)
+          ? tr("touching, margin %1")
+      : nearest.clearance < margin ? tr("inside the margin of %1")
+                                   : tr("margin %1");
   return tr("%1 – %2: %3 ± %4, so at least %5; %6%7")
       .arg(head, linkText(*store, nearest.link), lengthText(nearest.distance),
            lengthText(nearest.distance - nearest.clearance), lengthText(nearest.clearance),

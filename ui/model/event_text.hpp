@@ -11,11 +11,13 @@ namespace abstand::ui {
 QString partText(const margin::ClearanceStore& store, std::size_t part);
 QString linkText(const margin::ClearanceStore& store, std::size_t link);
 
-/// "inside margin", "touch between frames", "near miss".
-QString kindText(margin::ReviewEvent::Kind kind);
+/// What an event is about: "hand_left", "hand_left and 3 more", or a robot that stood.
+QString subjectText(const RecordingReview& review, const RecordingEvent& event);
+/// The event in a sentence.
+QString eventText(const RecordingReview& review, const RecordingEvent& event);
 /// What a stop at the beginning of an event would have been: "missed", "false"; empty: needed and in time, or
 /// no stop.
-QString stopText(const margin::ReviewEvent& event);
+QString stopText(const RecordingEvent& event);
 
 /// A part at a moment (s): pair, distance, uncertainty and margin, or why there is none.
 QString momentText(const RecordingReview& review, std::size_t part, double t);

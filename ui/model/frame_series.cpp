@@ -46,6 +46,17 @@ void FrameSeries::add(double t, double value) {
   ++revision_;
 }
 
+void FrameSeries::forget(double from, double to) {
+  const double first = std::max(0.0, std::round((from - start_) / period_));
+  const double last =
+      std::min(static_cast<double>(values_.size()) - 1.0, std::round((to - start_) / period_));
+  if (!(first <= last)) return;
+  std::fill(values_.begin() + static_cast<std::ptrdiff_t>(first),
+            values_.begin() + static_cast<std::ptrdiff_t>(last) + 1, kUnknown);
+  last_frame_ = static_cast<std::size_t>(-1);
+  ++revision_;
+}
+
 double FrameSeries::at(double t) const {
   const double position = std::round((t - start_) / period_);
   if (!(position >= 0.0) || position >= static_cast<double>(values_.size())) return kUnknown;

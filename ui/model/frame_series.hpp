@@ -33,6 +33,9 @@ class FrameSeries {
   /// A time outside the range or a value that is not finite is passed over.
   void add(double t, double value);
 
+  /// What is known of [from, to] (s) is known no more.
+  void forget(double from, double to);
+
   std::size_t size() const { return values_.size(); }
   double value(std::size_t frame) const { return values_[frame]; }
   double time(std::size_t frame) const { return start_ + static_cast<double>(frame) * period_; }
@@ -43,7 +46,7 @@ class FrameSeries {
   double at(double t) const;
   /// Of all frames that overlap [left, right] by half a period or more, at least the nearest one.
   Extremes between(double left, double right) const;
-  /// Grows with every value that was added.
+  /// Grows with every value that was added, and when values were forgotten.
   long revision() const { return revision_; }
 
   /// Replaces `out` by at most two points a column of [left, right] divided into `columns`: the lowest and

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/roll_pitch_yaw.hpp"
+#include "ui/model/body_state.hpp"
 #include "ui/model/groups.hpp"
 #include "ui/model/inspected_joints.hpp"
 #include "ui/model/inspected_pairs.hpp"
@@ -41,7 +42,8 @@ class Rows {
 };
 
 Mark markOf(PairLevel level) {
-  return level == PairLevel::kTouching || level == PairLevel::kInside ? Mark::kAlarm : Mark::kPlain;
+  if (level == PairLevel::kTouching) return Mark::kAlarm;
+  return level == PairLevel::kInside ? Mark::kInside : Mark::kPlain;
 }
 
 QString poseStateText(const view::ObjectSnapshot& object) {
@@ -83,8 +85,14 @@ void addBody(Rows& rows, int object) {
       now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
   rows.add(tr("Pose"), poseStateText(now), lost ? Mark::kAlarm : Mark::kPlain);
   rows.add(tr("Margin"), lengthText(now.margin, 0));
-  if (now.colliding)
-    rows.add(tr("Force, all pairs"), tr("%1 N, margins included").arg(fixed(now.contact.force.norm(), 1)));
+  std::vector<BodyState> states;
+  findBodyStates(rows.outline, rows.snapshot, states);
+  const BodyState& state = states[static_cast<std::size_t>(object)];
+  const auto force = [&](const QString& name, const Vector3d& sum) {
+    if (sum.norm() > 0.0) rows.add(name, tr("%1 N, all pairs").arg(fixed(sum.norm(), 1)));
+  };
+  force(tr("Contact force"), state.contact_force);
+  force(tr("Virtual (margin) force"), state.virtual_force);
 }
 
 void addGeometry(Rows& rows, int object) {
@@ -151,10 +159,10 @@ void addPair(Rows& rows, int index) {
                ? tr("%1 and %2 for the poses").arg(lengthText(now.margin, 0), lengthText(unknown, 0))
                : lengthText(now.margin, 0));
   rows.add(tr("State"), state, markOf(level));
-  const double force = now.result.force_a.norm();
-  if (now.result.contacts > 0)
-    rows.add(isTouching(now.result) ? tr("Contact force") : tr("Repulsion (margin, virtual)"),
-             tr("%1 N").arg(fixed(force, 1)));
+  const ForceKind kind = forceKind(now.result);
+  if (kind != ForceKind::kNone)
+    rows.add(kind == ForceKind::kContact ? tr("Contact force") : tr("Virtual (margin) force"),
+             tr("%1 N").arg(fixed(now.result.force_a.norm(), 1)));
 }
 
 void addPairs(Rows& rows, const std::vector<int>& objects, const QString& person, const QString& other) {

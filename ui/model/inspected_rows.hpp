@@ -10,7 +10,8 @@
 namespace abstand::ui {
 
 struct InspectedRow {
-  enum class Mark { kPlain, kHeading, kAlarm };
+  /// kAlarm: touching, or a pose that is lost; kInside: inside a margin.
+  enum class Mark { kPlain, kHeading, kInside, kAlarm };
   QString name, value;
   Mark mark{Mark::kPlain};
   bool operator==(const InspectedRow&) const = default;

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/view/plot_sampler.hpp"
+
 namespace abstand::ui {
 
-view::PlotSample momentSample(const view::SceneSnapshot& snapshot, int joint) {
+view::PlotSample momentSample(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,
+                              int joint) {
   view::PlotSample sample;
   sample.t = snapshot.t;
-  const auto nearest = static_cast<std::size_t>(snapshot.nearest_pair);
-  sample.min_distance = snapshot.nearest_pair >= 0 && nearest < snapshot.pairs.size()
-                            ? snapshot.pairs[nearest].result.distance
-                            : kNaN;
-  for (const view::PairSnapshot& pair : snapshot.pairs)
-    if (!pair.paused && pair.result.contacts > 0)
-      sample.peak_force = std::max(sample.peak_force, pair.result.force_a.norm());
+  view::fillSample(outline, snapshot, sample);
   if (joint >= 0) {
     const auto j = static_cast<std::size_t>(joint);
     sample.peak_torque = j < snapshot.joint_torques.size() ? snapshot.joint_torques[j] : view::TorqueParts{};

@@ -1,8 +1,11 @@
 #include "ui/model/nearest_classes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/safety/clearance_verdict.hpp"
+#include "ui/model/pair_level.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/tr.hpp"
 
@@ -11,13 +14,28 @@ namespace {
 
 constexpr int kClasses = 4;  // without other pairs
 
+PairLevel levelOf(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
+  const auto i = static_cast<std::size_t>(pair);
+  return pair >= 0 && i < snapshot.pairs.size() && i < outline.pairs.size() &&
+                 snapshot.objects.size() == outline.objects.size()
+             ? pairLevel(snapshot, snapshot.pairs[i], outline.pairs[i])
+             : PairLevel::kUnknown;
+}
+
+/// With the state: "12.3 mm, ⚠ inside margin".
+QString distanceText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
+  const QString distance = lengthText(snapshot.pairs[static_cast<std::size_t>(pair)].result.distance);
+  const PairLevel level = levelOf(outline, snapshot, pair);
+  return level == PairLevel::kUnknown ? distance : tr("%1, %2").arg(distance, levelText(level));
+}
+
 QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
   const auto i = static_cast<std::size_t>(pair);
   const auto [a, b] = outline.pairs[i];
   return tr("%1 – %2, %3")
       .arg(QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
            QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
-           lengthText(snapshot.pairs[i].result.distance));
+           distanceText(outline, snapshot, pair));
 }
 
 }  // namespace
@@ -40,11 +58,14 @@ std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
   return found;
 }
 
-double nearestPersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+double clearancePersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
   double nearest = kNaN;
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
-    if (pairClassOf(outline, outline.pairs[i]) == PairClass::kPersonRobot)
-      nearest = std::fmin(nearest, snapshot.pairs[i].result.distance);
+    if (snapshot.pairs[i].paused || pairClassOf(outline, outline.pairs[i]) != PairClass::kPersonRobot)
+      continue;
+    const query::PairResult& result = snapshot.pairs[i].result;
+    const double unknown = poseUncertainty(snapshot, outline.pairs[i]);
+    nearest = std::fmin(nearest, safety::certifiedClearance({result.distance, result.bound, unknown}));
   }
   return nearest;
 }
@@ -61,10 +82,18 @@ QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot
                    pairText(outline, snapshot, classes.front().pair);
     for (std::size_t i = 1; i < classes.size(); ++i)
       text += QStringLiteral("; ") + pairClassInSentence(classes[i].of) + QStringLiteral(" ") +
-              lengthText(classes[i].distance);
+              distanceText(outline, snapshot, classes[i].pair);
     return text;
   }
   return known(nearest) ? tr("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();
+}
+
+PairLevel nearestLevel(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {
+  const auto classes = nearestOfClasses(outline, snapshot);
+  if (classes.empty()) return levelOf(outline, snapshot, snapshot.nearest_pair);
+  PairLevel worst = PairLevel::kUnknown;
+  for (const NearestOfClass& of : classes) worst = std::max(worst, levelOf(outline, snapshot, of.pair));
+  return worst;
 }
 
 QString nearestLines(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot) {

@@ -6,6 +6,7 @@
 
 #include "core/view/snapshot.hpp"
 #include "ui/model/pair_class.hpp"
+#include "ui/model/pair_level.hpp"
 
 namespace abstand::ui {
 
@@ -21,12 +22,14 @@ struct NearestOfClass {
 std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
                                              const view::SceneSnapshot& snapshot);
 
-/// m; of the pairs of a person and a robot, NaN without one.
-double nearestPersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+/// m, certified: of the pairs of a person and a robot, -infinity where one is not known, NaN without one.
+double clearancePersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
-/// "⚠ Person – robot: operator/hand_left – arm/link7, 12.3 mm; person – thing 40.1 mm"; the nearest of all
-/// where no class has one; empty without pairs.
+/// "Person – robot: operator/hand_left – arm/link7, 12.3 mm, ⚠ inside margin; person – thing 40.1 mm, clear";
+/// the nearest of all where no class has one; empty without pairs.
 QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+/// The heaviest level of the pairs that nearestText() names.
+PairLevel nearestLevel(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 /// A line for each class, with the names of the bodies.
 QString nearestLines(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 

@@ -1,34 +1,8 @@
+// Words for the classes of pairs.
 #include "ui/model/pair_class.hpp"
 #include "ui/style/tr.hpp"
 
-#include <algorithm>
-
 namespace abstand::ui {
-
-namespace {
-
-/// A body of no person and no mechanism is in this group.
-constexpr const char* kThings = "objects";
-
-enum Side { kPerson, kRobot, kThing };
-
-Side sideOf(const view::SceneOutline::ObjectInfo& object) {
-  if (object.human) return kPerson;
-  return object.group == kThings ? kThing : kRobot;
-}
-
-}  // namespace
-
-PairClass pairClassOf(const view::SceneOutline& outline, std::pair<int, int> pair) {
-  const Side a = sideOf(outline.objects[static_cast<std::size_t>(pair.first)]);
-  const Side b = sideOf(outline.objects[static_cast<std::size_t>(pair.second)]);
-  const auto [first, second] = std::minmax(a, b);
-  if (first == kPerson && second == kRobot) return PairClass::kPersonRobot;
-  if (first == kPerson && second == kThing) return PairClass::kPersonThing;
-  if (first == kRobot && second == kRobot) return PairClass::kRobotRobot;
-  if (first == kRobot && second == kThing) return PairClass::kRobotThing;
-  return PairClass::kOther;
-}
 
 QString pairClassName(PairClass pair_class) {
   switch (pair_class) {

@@ -7,12 +7,10 @@
 
 namespace abstand::ui {
 
-/// In the order in which they matter to people. A thing is a body of no person and no robot.
-enum class PairClass { kPersonRobot, kPersonThing, kRobotRobot, kRobotThing, kOther };
-inline constexpr int kPairClasses = 5;
+using view::PairClass;
+using view::pairClassOf;
+inline constexpr int kPairClasses = static_cast<int>(view::kPairClasses);
 
-/// `pair`: an entry of SceneOutline::pairs.
-PairClass pairClassOf(const view::SceneOutline& outline, std::pair<int, int> pair);
 /// "Person – robot".
 QString pairClassName(PairClass pair_class);
 /// "person – robot", within a sentence.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/safety/clearance_verdict.hpp"
+#include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/style/tr.hpp"
 
@@ -14,7 +15,41 @@ double poseUncertainty(const view::SceneSnapshot& snapshot, std::pair<int, int> 
          snapshot.objects[static_cast<std::size_t>(objects.second)].pose_uncertainty;
 }
 
-bool isTouching(const query::PairResult& result) { return result.distance <= std::max(0.0, result.bound); }
+bool isTouching(const query::PairResult& result) { return safety::isTouching(result.distance, result.bound); }
+
+ForceKind forceKind(const query::PairResult& result) {
+  if (result.contacts == 0) return ForceKind::kNone;
+  return isTouching(result) ? ForceKind::kContact : ForceKind::kVirtual;
+}
+
+QString forceText(ForceKind kind, double newtons) {
+  switch (kind) {
+    case ForceKind::kContact:
+      return tr("contact force %1 N").arg(fixed(newtons, 1));
+    case ForceKind::kVirtual:
+      return tr("virtual (margin) force %1 N").arg(fixed(newtons, 1));
+    case ForceKind::kNone:
+      break;
+  }
+  return tr("no force");
+}
+
+QColor levelColour(PairLevel level) {
+  switch (level) {
+    case PairLevel::kTouching:
+      return QColor(kVermillion);
+    case PairLevel::kInside:
+      return QColor(kOchre);
+    case PairLevel::kNear:
+    case PairLevel::kLost:
+    case PairLevel::kPaused:
+      return QColor(kAmber);
+    case PairLevel::kApart:
+    case PairLevel::kUnknown:
+      break;
+  }
+  return QColor(kCalm);
+}
 
 PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapshot& pair,
                     std::pair<int, int> objects) {

@@ -1,6 +1,7 @@
 // How a pair is shown: in the table, and by the lines of the viewport.
 #pragma once
 
+#include <QColor>
 #include <QString>
 
 #include "core/view/snapshot.hpp"
@@ -28,8 +29,20 @@ PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapsho
 /// The word for it, with its mark: "⚠ touching", "clear"; a dash without a result.
 QString levelText(PairLevel level);
 
+/// Its colour in the 3D view, the tables, the lanes and the plots: vermillion where something touches, ochre
+/// inside a margin, amber near it or with a pose that is lost, else grey.
+QColor levelColour(PairLevel level);
+/// Touching, or inside a margin.
+inline bool isBroken(PairLevel level) { return level == PairLevel::kTouching || level == PairLevel::kInside; }
+
 /// It is not certain that the bodies are apart where their poses put them. False without a result.
 bool isTouching(const query::PairResult& result);
+
+/// What the force of a pair is: of surfaces that touch, or only of the margins.
+enum class ForceKind : std::uint8_t { kNone, kVirtual, kContact };
+ForceKind forceKind(const query::PairResult& result);
+/// "contact force 12.3 N", "virtual (margin) force 12.3 N", "no force".
+QString forceText(ForceKind kind, double newtons);
 
 /// m, of both bodies' poses.
 double poseUncertainty(const view::SceneSnapshot& snapshot, std::pair<int, int> objects);

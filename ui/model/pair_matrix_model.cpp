@@ -22,9 +22,9 @@ MatrixSide matrixSideOf(const view::SceneOutline::ObjectInfo& info) {
 }
 
 QBrush brushOf(PairLevel level) {
-  const bool broken = level == PairLevel::kTouching || level == PairLevel::kInside;
+  const bool broken = isBroken(level);
   if (!broken && level != PairLevel::kNear && level != PairLevel::kLost) return {};
-  QColor tint(broken ? kVermillion : kAmber);
+  QColor tint = levelColour(level);
   tint.setAlpha(broken ? 90 : 60);
   return tint;
 }

@@ -73,8 +73,11 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
       return tr("%1 + %2 (pose)").arg(lengthNumber(pair.margin, 0), lengthNumber(uncertainty, 0));
     }
     case kForce:
-      return pair.paused ? tr("–") : fixed(pair.result.force_a.norm(), 1);
-    case kContacts:
+      if (pair.paused) return tr("–");
+      return forceKind(pair.result) == ForceKind::kVirtual
+                 ? tr("%1 virtual").arg(fixed(pair.result.force_a.norm(), 1))
+                 : fixed(pair.result.force_a.norm(), 1);
+    case kPoints:
       return pair.paused ? tr("–") : QString::number(pair.result.contacts);
     default:
       return {};
@@ -116,9 +119,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
     case Qt::BackgroundRole: {
       const PairLevel now = levels_[row];
       if (now == PairLevel::kApart || now == PairLevel::kUnknown) return {};
-      const bool broken = now == PairLevel::kTouching || now == PairLevel::kInside;
-      QColor tint(broken ? kVermillion : kAmber);
-      tint.setAlpha(broken ? 60 : 36);
+      QColor tint = levelColour(now);
+      tint.setAlpha(isBroken(now) ? 60 : 36);
       return QBrush(tint);
     }
     case Qt::FontRole:
@@ -128,17 +130,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
         return font;
       }
       return {};
-    case Qt::ToolTipRole: {
-      const view::PairSnapshot& pair = values_[row];
-      if (pair.paused)
-        return tr("%1 and %2 are not checked: their group does not run, or they are in none. When last "
-                  "checked: %3")
-            .arg(text(row, kA).toString(), text(row, kB).toString(), lengthText(pair.result.distance));
-      return tr("%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N")
-          .arg(text(row, kA).toString(), text(row, kB).toString(), lengthText(pair.result.distance),
-               lengthText(pair.result.distance - pair.result.bound), lengthText(pair.margin, 0),
-               fixed(pair.result.force_a.norm(), 1));
-    }
+    case Qt::ToolTipRole:
+      return sentence_ ? sentence_(index.row()) : QVariant();
     default:
       return {};
   }
@@ -178,8 +171,8 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
         return tr("Margin [%1]").arg(lengthUnit());
       case kForce:
         return tr("Force [N]");
-      case kContacts:
-        return tr("Contacts");
+      case kPoints:
+        return tr("Shell points");
       default:
         return {};
     }
@@ -188,7 +181,8 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
     switch (section) {
       case kState:
         return tr(
-            "Contact: within the margins. Near: closer than twice the margins. "
+            "Touching: it is not certain that the surfaces are apart. Inside margin: nothing touches, but "
+            "it is not certain that the margins are kept. Near: closer than twice the margins. "
             "Pose lost: the distance is that of an old pose. Not checked: their group does not run.");
       case kDistance:
         return tr("Between the bare surfaces, negative inside");
@@ -197,9 +191,9 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
       case kMargin:
         return tr("Sum of both objects' safety margins, plus their pose uncertainties");
       case kForce:
-        return tr("Penalty force between the two");
-      case kContacts:
-        return tr("Surface points within the margins");
+        return tr("Contact force where the two touch; virtual: of the margins alone, nothing touches");
+      case kPoints:
+        return tr("Points of the one's shell that are inside the margin of the other, or inside of it");
       default:
         return {};
     }

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <QSortFilterProxyModel>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,7 @@ class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kState, kA, kB, kDistance, kBound, kMargin, kForce, kContacts, kColumns };
+  enum Column { kState, kA, kB, kDistance, kBound, kMargin, kForce, kPoints, kColumns };
   /// Number to sort by; NaN as infinity.
   static constexpr int kSortRole = Qt::UserRole;
 
@@ -26,6 +27,8 @@ class PairTableModel : public QAbstractTableModel {
 
   void open(const view::SceneOutline& outline);
   void refresh(const view::SceneSnapshot& snapshot);
+  /// What the tool tip says of a pair; asked for while the pointer rests over it.
+  void setSentence(std::function<QString(int pair)> sentence) { sentence_ = std::move(sentence); }
   /// The values of this row have changed.
   void announce(int row);
   /// SceneSnapshot::step of the last refresh.
@@ -52,6 +55,7 @@ class PairTableModel : public QAbstractTableModel {
   std::vector<PairClass> classes_;  // by pair
   std::vector<view::PairSnapshot> values_;
   std::vector<PairLevel> levels_;  // by pair
+  std::function<QString(int)> sentence_;
   long shown_step_{-1};
   std::vector<double> uncertainty_;  // by pair, m: of both poses
 };

@@ -3,16 +3,37 @@
 
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "core/margin/part_curve.hpp"
 
+#include "ui/model/stop_text.hpp"
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
-constexpr qint64 kRest = 4;  // times what judging costs, between two of them
+constexpr qint64 kRest = 4;        // times what judging costs, between two of them
+constexpr qint64 kStopsMs = 1000;  // between two times that a stop which goes on is taken over
+
+RecordingEvent eventOf(const margin::ReviewEvent& of) {
+  using Kind = margin::ReviewEvent::Kind;
+  RecordingEvent event;
+  event.kind = of.kind == Kind::kIntrusion       ? EventKind::kInside
+               : of.kind == Kind::kBetweenFrames ? EventKind::kBetweenFrames
+                                                 : EventKind::kNear;
+  event.part = of.part;
+  event.link = of.link;
+  event.t0 = of.t0;
+  event.t1 = of.t1;
+  event.t_nearest = of.t_nearest;
+  event.frame = of.nearest;
+  event.min_clearance = of.min_clearance;
+  event.false_stop = of.false_stop;
+  event.missed = of.missed;
+  return event;
+}
 
 }  // namespace
 
@@ -36,6 +57,8 @@ void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline
   for (std::size_t p = 0; p < outline.pairs.size(); ++p)
     pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
   store_.reset();
+  events_.scan.clear();
+  events_.stops.clear();
   nearest_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kSmallest);
   reviewer_ = {};
   half_frame_ = 0.5 * outline.frame_period;
@@ -74,10 +97,7 @@ void RecordingReview::judge() {
   static const margin::MarginReview kNothing;
   judged_.start();
   review_ = store_ ? &reviewer_.review(*store_, margins_, {{}, kNearFactor}) : &kNothing;
-  stops_at_.clear();
-  for (const margin::ReviewEvent& event : review_->events)
-    stops_at_.push_back(event.kind == margin::ReviewEvent::Kind::kNear ? event.t_nearest : event.t0);
-  std::sort(stops_at_.begin(), stops_at_.end());
+  gatherEvents();
   cost_ms_ = judged_.restart();
   ++revision_;
   Q_EMIT changed();
@@ -123,16 +143,69 @@ int RecordingReview::pairOf(std::size_t part, std::size_t link) const {
   return found == pair_of_.end() ? -1 : found->second;
 }
 
-std::optional<double> RecordingReview::nextEvent(double t) const {
-  const auto at = std::upper_bound(stops_at_.begin(), stops_at_.end(), t + half_frame_);
-  if (at == stops_at_.end()) return {};
-  return *at;
+std::optional<double> RecordingReview::nextEvent(double t, EventKinds kinds) const {
+  std::optional<double> next;
+  for (const RecordingEvent& event : events_.all) {
+    const double at = event.mark();
+    if (kinds[static_cast<std::size_t>(event.kind)] && at > t + half_frame_ && (!next || at < *next))
+      next = at;
+  }
+  return next;
 }
 
-std::optional<double> RecordingReview::previousEvent(double t) const {
-  const auto at = std::lower_bound(stops_at_.begin(), stops_at_.end(), t - half_frame_);
-  if (at == stops_at_.begin()) return {};
-  return *std::prev(at);
+std::optional<double> RecordingReview::previousEvent(double t, EventKinds kinds) const {
+  std::optional<double> last;
+  for (const RecordingEvent& event : events_.all) {
+    const double at = event.mark();
+    if (kinds[static_cast<std::size_t>(event.kind)] && at < t - half_frame_ && (!last || at > *last))
+      last = at;
+  }
+  return last;
+}
+
+void RecordingReview::showKinds(EventKinds kinds) {
+  if (std::exchange(events_.shown, kinds) == kinds) return;
+  ++revision_;
+  Q_EMIT changed();
+}
+
+void RecordingReview::setStops(const std::vector<StopSpan>& stops, const view::SceneOutline& outline) {
+  // While a robot stands its stop only grows longer.
+  const bool same =
+      stops.size() == events_.stops.size() &&
+      std::equal(stops.begin(), stops.end(), events_.stops.begin(),
+                 [](const StopSpan& a, const RecordingEvent& b) { return a.range.from == b.t0; });
+  if (same && (stops.empty() || stops.back().range.to == events_.stops.back().t1)) return;
+  if (same && events_.stops_told.isValid() && events_.stops_told.elapsed() < kStopsMs) return;
+  events_.stops_told.start();
+  events_.stops.clear();
+  for (const StopSpan& stop : stops) {
+    RecordingEvent event;
+    event.kind = EventKind::kStop;
+    event.t0 = event.t_nearest = stop.range.from;
+    event.t1 = stop.range.to;
+    event.pair = stop.cause.pair;
+    const auto robot = static_cast<std::size_t>(stop.robot);
+    if (robot < outline.reacting.size()) event.robot = QString::fromStdString(outline.reacting[robot]);
+    event.story = spanText(stop, outline);
+    events_.stops.push_back(event);
+  }
+  gatherEvents();
+  ++revision_;
+  Q_EMIT changed();
+}
+
+void RecordingReview::gatherEvents() {
+  std::vector<RecordingEvent>& all = events_.all;
+  all.clear();
+  for (const margin::ReviewEvent& event : review_->events) all.push_back(eventOf(event));
+  if (store_) {
+    events_.scan.update(*store_);
+    events_.scan.append(*store_, all);
+  }
+  all.insert(all.end(), events_.stops.begin(), events_.stops.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const RecordingEvent& a, const RecordingEvent& b) { return a.t0 < b.t0; });
 }
 
 }  // namespace abstand::ui

@@ -9,7 +9,9 @@
 #include "core/margin/margin_review.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
+#include "ui/model/contact_scan.hpp"
 #include "ui/model/frame_series.hpp"
+#include "ui/model/stop_spans.hpp"
 
 class QTimer;
 
@@ -41,6 +43,13 @@ class RecordingReview : public QObject {
   /// Null: nothing is known yet.
   const margin::ClearanceStore* store() const { return store_ ? &*store_ : nullptr; }
   const margin::MarginReview& review() const { return *review_; }
+  /// All events in order of time, those of the review among them.
+  const std::vector<RecordingEvent>& events() const { return events_.all; }
+  /// What robots that react did when it was played.
+  void setStops(const std::vector<StopSpan>& stops, const view::SceneOutline& outline);
+  /// The kinds that markers show and keys go to; all at first.
+  void showKinds(EventKinds kinds);
+  EventKinds shownKinds() const { return events_.shown; }
   /// m: the least certified clearance of people and robots in each frame, as far as it is known. Its address
   /// stays.
   const FrameSeries& nearest() const { return nearest_; }
@@ -61,16 +70,20 @@ class RecordingReview : public QObject {
   /// Grows with every open(): the store is another one.
   long opened() const { return opened_; }
 
-  /// Where an event after `t` begins, or the last one before it: intrusions, touches between frames, and near
-  /// misses, these at their nearest.
-  std::optional<double> nextEvent(double t) const;
-  std::optional<double> previousEvent(double t) const;
+  /// Where an event of these kinds after `t` begins, or the last one before it; near misses count at their
+  /// nearest.
+  std::optional<double> nextEvent(double t, EventKinds kinds) const;
+  std::optional<double> previousEvent(double t, EventKinds kinds) const;
+  /// Of the kinds that are shown.
+  std::optional<double> nextEvent(double t) const { return nextEvent(t, events_.shown); }
+  std::optional<double> previousEvent(double t) const { return previousEvent(t, events_.shown); }
 
  Q_SIGNALS:
   void changed();
 
  private:
   void judge();
+  void gatherEvents();
 
   AnalysisPort* port_{nullptr};
   view::AnalysisNews::State state_{};
@@ -82,8 +95,14 @@ class RecordingReview : public QObject {
   FrameSeries nearest_;
   margin::MarginReviewer reviewer_;
   const margin::MarginReview* review_;
-  std::vector<double> stops_at_;  ///< s, rising: where events are
-  double half_frame_{0.0};        ///< s
+  struct {
+    ContactScan scan;
+    std::vector<RecordingEvent> stops;  ///< as played
+    std::vector<RecordingEvent> all;    ///< in order of time
+    EventKinds shown{allKinds()};
+    QElapsedTimer stops_told;  ///< since they were taken over
+  } events_;
+  double half_frame_{0.0};  ///< s
   long revision_{0}, opened_{0};
   QElapsedTimer judged_;
   qint64 cost_ms_{0};  ///< of judging

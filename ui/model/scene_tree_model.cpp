@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "ui/model/pair_class.hpp"
-#include "ui/model/pair_level.hpp"
 #include "ui/model/watched_series.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/units.hpp"
@@ -65,7 +64,7 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
   if (snapshot.objects.size() != rows_.size()) return;
   shown_step_ = snapshot.step;
   std::fill(nearest_.begin(), nearest_.end(), kNaN);
-  touching_.assign(rows_.size(), false);
+  findBodyStates(outline, snapshot, states_);
   for (std::size_t p = 0; p < std::min(snapshot.pairs.size(), outline.pairs.size()); ++p) {
     const PairClass of = pairClassOf(outline, outline.pairs[p]);
     const bool counts = !of_people_ || of == PairClass::kPersonRobot || of == PairClass::kPersonThing;
@@ -73,7 +72,6 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
     for (const int object : {outline.pairs[p].first, outline.pairs[p].second}) {
       double& nearest = nearest_[static_cast<std::size_t>(object)];
       nearest = std::fmin(nearest, d);
-      if (isTouching(snapshot.pairs[p].result)) touching_[static_cast<std::size_t>(object)] = true;
     }
   }
   for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -85,12 +83,10 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
       Row& row = rows_[i];
       const bool hollow =
           now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
-      if (row.colliding == now.colliding && row.touching == touching_[i] && row.hollow == hollow &&
-          sameShown(row.distance, nearest_[i]))
-        continue;
-      group_changed |= row.colliding != now.colliding || row.touching != touching_[i];
-      row.colliding = now.colliding;
-      row.touching = touching_[i];
+      const PairLevel level = isBroken(states_[i].level) ? states_[i].level : PairLevel::kApart;
+      if (row.level == level && row.hollow == hollow && sameShown(row.distance, nearest_[i])) continue;
+      group_changed |= row.level != level;
+      row.level = level;
       row.hollow = hollow;
       row.distance = nearest_[i];
       Q_EMIT dataChanged(index(row.row, 0, parent), index(row.row, 1, parent));
@@ -149,15 +145,16 @@ QColor SceneTreeModel::colour(const Group& group) const {
 QVariant SceneTreeModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   if (index.internalId() == kIsGroup) return groupData(index, role);
-  return objectData(rows_[static_cast<std::size_t>(objectsOf(index).front())], index.column(), role);
+  return objectData(objectsOf(index).front(), index.column(), role);
 }
 
 QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
   const Group& group = groups_[static_cast<std::size_t>(index.row())];
-  const auto in_contact = std::count_if(group.objects.begin(), group.objects.end(), [&](int o) {
-    const Row& row = rows_[static_cast<std::size_t>(o)];
-    return row.colliding || row.touching;
-  });
+  const auto count = [&](PairLevel level) {
+    return std::count_if(group.objects.begin(), group.objects.end(),
+                         [&](int o) { return rows_[static_cast<std::size_t>(o)].level == level; });
+  };
+  const auto touching = count(PairLevel::kTouching), inside = count(PairLevel::kInside);
   const auto shown = std::count_if(group.objects.begin(), group.objects.end(),
                                    [&](int o) { return rows_[static_cast<std::size_t>(o)].visible; });
   if (index.column() == 0) {
@@ -184,15 +181,19 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
     }
     return {};
   }
-  if (role == Qt::DisplayRole && in_contact > 0) return QStringLiteral("⚠ %1").arg(in_contact);
-  if (role == Qt::ToolTipRole && in_contact > 0) return tr("Touching or inside margins: %1").arg(in_contact);
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == Qt::ForegroundRole && in_contact > 0) return QBrush(QColor(kVermillion));
+  if (touching + inside == 0) return {};
+  if (role == Qt::DisplayRole) return QStringLiteral("⚠ %1").arg(touching + inside);
+  if (role == Qt::ToolTipRole) return tr("Touching: %1, inside margins: %2").arg(touching).arg(inside);
+  if (role == Qt::ForegroundRole)
+    return QBrush(levelColour(touching > 0 ? PairLevel::kTouching : PairLevel::kInside));
   return {};
 }
 
-QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const {
+QVariant SceneTreeModel::objectData(int object, int column, int role) const {
+  const Row& row = rows_[static_cast<std::size_t>(object)];
   if (role == Qt::ToolTipRole) {
+    if (sentence_) return sentence_(object);
     QString tip = row.full_name;
     if (row.hollow)
       tip += QLatin1Char('\n') + tr("The pose is stale or was rejected: drawn hollow, never safe");
@@ -205,12 +206,11 @@ QVariant SceneTreeModel::objectData(const Row& row, int column, int role) const 
   }
   switch (role) {
     case Qt::DisplayRole:
-      if (row.touching) return tr("⚠ touching");
-      if (row.colliding) return tr("⚠ inside margin");
+      if (isBroken(row.level)) return levelText(row.level);
       if (row.hollow) return tr("pose lost");
       return std::isnan(row.distance) ? QString() : lengthText(row.distance);
     case Qt::ForegroundRole:
-      if (row.colliding || row.touching) return QBrush(QColor(kVermillion));
+      if (isBroken(row.level)) return QBrush(levelColour(row.level));
       return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
     case Qt::TextAlignmentRole:
       return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);

@@ -2,15 +2,17 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <functional>
 #include <vector>
 
+#include "ui/model/body_state.hpp"
 #include "ui/model/groups.hpp"
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 
 /// Two levels: groups, objects. Column 0: name with check box (shown in the viewport) and colour; column 1:
-/// contact mark or distance to the nearest other object. GUI thread only.
+/// "touching", "inside margin" or the distance to the nearest other object. GUI thread only.
 class SceneTreeModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -18,11 +20,13 @@ class SceneTreeModel : public QAbstractItemModel {
   explicit SceneTreeModel(QObject* parent = nullptr);
 
   void open(const view::SceneOutline& outline);
-  /// Takes over contact marks and distances; tells the views only about what changed.
+  /// Takes over states and distances; tells the views only about what changed.
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
   /// SceneSnapshot::step of the last refresh.
   long shownStep() const { return shown_step_; }
   void setTheme(Theme theme);
+  /// What the tool tip says of a body; asked for while the pointer rests over it.
+  void setSentence(std::function<QString(int object)> sentence) { sentence_ = std::move(sentence); }
   void setVisible(int object, bool visible);
 
   const std::vector<Group>& groups() const { return groups_; }
@@ -51,20 +55,20 @@ class SceneTreeModel : public QAbstractItemModel {
     QString name, full_name;
     int group{0}, row{0};
     bool visible{true};
-    bool colliding{false};  // inside a margin, or touching
-    bool touching{false};
-    bool hollow{false};     // the pose is stale or was rejected
-    double distance{kNaN};  // m, to the nearest other object
+    PairLevel level{PairLevel::kApart};  // touching, inside a margin, or neither
+    bool hollow{false};                  // the pose is stale or was rejected
+    double distance{kNaN};               // m, to the nearest other object
   };
 
   QVariant groupData(const QModelIndex& index, int role) const;
-  QVariant objectData(const Row& row, int column, int role) const;
+  QVariant objectData(int object, int column, int role) const;
   QColor colour(const Group& group) const;
 
   std::vector<Group> groups_;
   std::vector<Row> rows_;  // by object
   std::vector<double> nearest_;
-  std::vector<bool> touching_;
+  std::vector<BodyState> states_;
+  std::function<QString(int)> sentence_;
   bool of_people_{false};  // the scene has pairs of people and robots
   long shown_step_{-1};
   Theme theme_{Theme::kLight};

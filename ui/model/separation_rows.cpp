@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/safety/clearance_verdict.hpp"
+#include "ui/model/closing_speed.hpp"
 #include "ui/model/groups.hpp"
 #include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
@@ -15,24 +16,7 @@ namespace abstand::ui {
 
 namespace {
 
-constexpr double kHalf = 0.5;        // share of a limit from which a contact is drawn with a mark
-constexpr double kSamePoint = 1e-6;  // m: nearest points this close give no direction
-
-/// Unit vector from the nearest point of a to that of b; zero where it is not known.
-Vector3d directionOf(const view::SceneSnapshot& snapshot, const query::PairResult& result,
-                     std::pair<int, int> pair) {
-  Vector3d between = result.witness_b - result.witness_a;
-  if (result.distance < 0.0) between = -between;
-  if (!between.allFinite() || between.norm() < kSamePoint)
-    between = snapshot.objects[static_cast<std::size_t>(pair.second)].p_WCom -
-              snapshot.objects[static_cast<std::size_t>(pair.first)].p_WCom;
-  return between.norm() < kSamePoint || !between.allFinite() ? Vector3d::Zero() : between.normalized();
-}
-
-Vector3d velocityAt(const view::ObjectSnapshot& object, const Vector3d& p_W) {
-  if (!p_W.allFinite()) return object.velocity.linear;
-  return object.velocity.linear + object.velocity.angular.cross(p_W - object.p_WCom);
-}
+constexpr double kHalf = 0.5;  // share of a limit from which a contact is drawn with a mark
 
 bool isSeen(const view::ObjectSnapshot& object) {
   return object.pose_state != scene::PoseState::kStale && object.pose_state != scene::PoseState::kRejected;
@@ -62,9 +46,7 @@ SeparationRow rowOf(const view::SceneOutline& outline, const view::SceneSnapshot
   const bool person_first = outline.objects[static_cast<std::size_t>(a)].human;
   const view::ObjectSnapshot& one = snapshot.objects[static_cast<std::size_t>(a)];
   const view::ObjectSnapshot& other = snapshot.objects[static_cast<std::size_t>(b)];
-  const Vector3d n = directionOf(snapshot, result, {a, b});
-  const double speed_a = velocityAt(one, result.witness_a).dot(n);
-  const double speed_b = -velocityAt(other, result.witness_b).dot(n);
+  const auto [speed_a, speed_b] = closingSpeeds(snapshot, result, {a, b});
   SeparationRow row;
   row.part = person_first ? a : b;
   row.link = person_first ? b : a;

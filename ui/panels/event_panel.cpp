@@ -1,41 +1,55 @@
 // The table of events.
 #include "ui/panels/event_panel.hpp"
 
-#include <QCheckBox>
+#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QIcon>
 #include <QLabel>
+#include <QMenu>
+#include <QPixmap>
 #include <QSortFilterProxyModel>
 #include <QTableView>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "ui/model/event_table_model.hpp"
 #include "ui/model/event_text.hpp"
 #include "ui/panels/title_width.hpp"
+#include "ui/style/elided_label.hpp"
 
 namespace abstand::ui {
 
 namespace {
 
-using EventKind = margin::ReviewEvent::Kind;
+constexpr int kKindSpace = 34;  // px, about the name of a kind and its colour
+constexpr int kSwatch = 12;     // px
+// In the menu.
+constexpr EventKind kKinds[] = {EventKind::kContact, EventKind::kBetweenFrames, EventKind::kInside,
+                                EventKind::kNear,    EventKind::kStop,          EventKind::kLost};
 
-constexpr int kKindSpace = 16;  // px, about the name of a kind
+QIcon swatch(EventKind kind) {
+  QPixmap picture(kSwatch, kSwatch);
+  picture.fill(kindColour(kind));
+  return QIcon(picture);
+}
 
-/// Leaves out near misses on request.
+/// Leaves out the kinds that are not shown.
 class EventFilter : public QSortFilterProxyModel {
  public:
-  EventFilter(const EventTableModel& model, const QCheckBox& near, QObject* parent)
-      : QSortFilterProxyModel(parent), model_(model), near_(near) {}
+  EventFilter(const EventTableModel& model, const RecordingReview& review, QObject* parent)
+      : QSortFilterProxyModel(parent), model_(model), review_(review) {}
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex&) const override {
-    return near_.isChecked() || model_.at(row).kind != EventKind::kNear;
+    return review_.shownKinds()[static_cast<std::size_t>(model_.at(row).kind)];
   }
 
  private:
   const EventTableModel& model_;
-  const QCheckBox& near_;
+  const RecordingReview& review_;
 };
 
 }  // namespace
@@ -44,13 +58,12 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
     : QWidget(parent),
       review_(review),
       model_{new EventTableModel(review, this)},
-      near_{new QCheckBox(tr("Near misses"), this)},
-      count_{new QLabel(this)},
+      kinds_{new QToolButton(this)},
+      count_{new ElidedLabel(this)},
       table_{new QTableView(this)} {
-  near_->setChecked(true);
-  near_->setToolTip(tr("Show what came nearer than twice the margin without coming inside"));
+  buildKinds();
   count_->setForegroundRole(QPalette::PlaceholderText);
-  sorted_ = new EventFilter(*model_, *near_, this);
+  sorted_ = new EventFilter(*model_, review_, this);
   sorted_->setSourceModel(model_);
   sorted_->setSortRole(EventTableModel::kSortRole);
   table_->setModel(sorted_);
@@ -78,9 +91,8 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
 
   auto* head = new QHBoxLayout;
   head->setContentsMargins(8, 5, 8, 3);
-  head->addWidget(near_);
-  head->addStretch();
-  head->addWidget(count_);
+  head->addWidget(kinds_);
+  head->addWidget(count_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -90,11 +102,31 @@ EventPanel::EventPanel(const RecordingReview& review, QWidget* parent)
   connect(&review_, &RecordingReview::changed, this, [this] {
     if (isVisible() || !review_.store()) refresh();
   });
-  connect(near_, &QCheckBox::toggled, sorted_, [this] { sorted_->invalidate(); });
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& row) { choose(row); });
   connect(table_, &QTableView::clicked, this, &EventPanel::choose);
   refresh();
+}
+
+void EventPanel::buildKinds() {
+  kinds_->setObjectName(QStringLiteral("event_kinds"));
+  kinds_->setText(tr("Kinds"));
+  kinds_->setAccessibleName(tr("Kinds of events"));
+  kinds_->setToolTip(tr("Kinds of events that the table, the markers and the keys N and Shift+N show"));
+  kinds_->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(kinds_);
+  for (const EventKind kind : kKinds) {
+    QAction* action = menu->addAction(swatch(kind), kindText(kind));
+    action->setCheckable(true);
+    action->setChecked(true);
+    kind_actions_[static_cast<std::size_t>(kind)] = action;
+    connect(action, &QAction::toggled, this, [this] {
+      EventKinds kinds;
+      for (std::size_t k = 0; k < kEventKinds; ++k) kinds.set(k, kind_actions_[k]->isChecked());
+      Q_EMIT kindsWanted(kinds);
+    });
+  }
+  kinds_->setMenu(menu);
 }
 
 void EventPanel::showEvent(QShowEvent* event) {
@@ -108,17 +140,23 @@ void EventPanel::refresh() {
   // Rows that go are not chosen anew.
   const QSignalBlocker quiet(table_->selectionModel());
   model_->refresh();
-  const auto& events = review_.review().events;
-  const auto near = std::count_if(events.begin(), events.end(),
-                                  [](const auto& event) { return event.kind == EventKind::kNear; });
-  count_->setText(
-      tr("%1 intrusions and touches, %2 near misses").arg(static_cast<long>(events.size()) - near).arg(near));
+  std::array<long, kEventKinds> counts{};
+  for (const RecordingEvent& event : review_.events()) ++counts[static_cast<std::size_t>(event.kind)];
+  QStringList texts;
+  for (const EventKind kind : kKinds)
+    if (const long count = counts[static_cast<std::size_t>(kind)]; count > 0)
+      texts << tr("%1: %2").arg(kindText(kind)).arg(count);
+  count_->setText(texts.isEmpty() ? tr("no events") : texts.join(QStringLiteral(", ")));
 }
 
 void EventPanel::choose(const QModelIndex& index) {
   if (!index.isValid()) return;
-  const margin::ReviewEvent& event = model_->at(sorted_->mapToSource(index).row());
-  Q_EMIT picked(event.t_nearest, event.part, event.link);
+  const RecordingEvent event = model_->at(sorted_->mapToSource(index).row());
+  if (event.part >= 0) {
+    Q_EMIT picked(event.t_nearest, event.part, event.link);
+    return;
+  }
+  Q_EMIT stopPicked(event.t_nearest, event.pair);
 }
 
 }  // namespace abstand::ui

@@ -26,7 +26,9 @@ void paintRow(QTreeWidgetItem* item, const InspectedRow& row) {
     item->setFont(column, font);
   }
   item->setFirstColumnSpanned(row.mark == InspectedRow::Mark::kHeading);
-  item->setForeground(1, row.mark == InspectedRow::Mark::kAlarm ? QBrush(QColor(kVermillion)) : QBrush());
+  item->setForeground(1, row.mark == InspectedRow::Mark::kAlarm    ? QBrush(QColor(kVermillion))
+                         : row.mark == InspectedRow::Mark::kInside ? QBrush(QColor(kOchre))
+                                                                   : QBrush());
 }
 
 }  // namespace

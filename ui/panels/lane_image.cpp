@@ -10,24 +10,37 @@ namespace abstand::ui {
 
 namespace {
 
-using Kind = margin::ReviewEvent::Kind;
-
 LaneRow emptyRow(std::size_t columns) {
   return {std::vector<QRgb>(columns, 0), std::vector<bool>(columns, true), std::vector<bool>(columns, false),
-          std::vector<bool>(columns, false)};
+          std::vector<bool>(columns, false), std::vector<bool>(columns, false)};
 }
 
 /// Marks the columns that an event touches: its first one always.
-void mark(const margin::ReviewEvent& event, const TimeRange& shown, LaneRow& row) {
+void mark(const RecordingEvent& event, const TimeRange& shown, LaneRow& row) {
   const auto columns = static_cast<int>(row.colour.size());
   if (event.t1 < shown.from || event.t0 > shown.to || columns == 0 || !(shown.length() > 0.0)) return;
   const auto column = [&](double t) {
     return std::clamp(static_cast<int>(std::floor((t - shown.from) / shown.length() * columns)), 0,
                       columns - 1);
   };
-  std::vector<bool>& marks = event.kind == Kind::kNear ? row.near : row.inside;
   const int first = column(event.t0), last = std::max(first, column(event.t1));
-  std::fill(marks.begin() + first, marks.begin() + last + 1, true);
+  const auto fill = [&](std::vector<bool>& marks) {
+    std::fill(marks.begin() + first, marks.begin() + last + 1, true);
+  };
+  switch (event.kind) {
+    case EventKind::kNear:
+      return fill(row.near);
+    case EventKind::kBetweenFrames:
+      fill(row.touching);
+      return fill(row.inside);
+    case EventKind::kInside:
+      return fill(row.inside);
+    case EventKind::kContact:
+      return fill(row.touching);
+    case EventKind::kStop:
+    case EventKind::kLost:
+      break;
+  }
 }
 
 }  // namespace
@@ -55,8 +68,8 @@ LaneRow laneRow(const RecordingReview& review, std::size_t part, const TimeRange
     row.unknown[x] = look.unknown;
     if (std::isfinite(look.least)) row.colour[x] = heat(look.least);
   }
-  for (const margin::ReviewEvent& event : review.review().events)
-    if (event.part == part) mark(event, shown, row);
+  for (const RecordingEvent& event : review.events())
+    if (event.part == static_cast<int>(part)) mark(event, shown, row);
   return row;
 }
 
@@ -72,7 +85,7 @@ LaneRow wholeRow(const RecordingReview& review, const TimeRange& shown, int colu
     row.unknown[x] = std::isinf(least);
     if (!row.unknown[x]) row.colour[x] = heat(least);
   }
-  for (const margin::ReviewEvent& event : review.review().events) mark(event, shown, row);
+  for (const RecordingEvent& event : review.events()) mark(event, shown, row);
   return row;
 }
 

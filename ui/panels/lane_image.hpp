@@ -13,7 +13,8 @@ namespace abstand::ui {
 struct LaneRow {
   std::vector<QRgb> colour;   ///< heat() of the least known clearance
   std::vector<bool> unknown;  ///< in some frame of the column it is not known; `colour` says nothing there
-  std::vector<bool> near, inside;
+  /// Of the events; what touches between two frames is both inside and touching.
+  std::vector<bool> near, inside, touching;
 };
 
 /// The frames of each column of `shown`: from bounds[x] to bounds[x + 1], both included. A frame lasts until

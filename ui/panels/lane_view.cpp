@@ -163,14 +163,15 @@ void LaneView::paintLane(QPainter& painter, int lane, const QRect& place) const 
     painter.fillRect(stretch(first, last, place.height()),
                      QBrush(palette().color(QPalette::Window), Qt::BDiagPattern));
   });
-  const auto bar = [&](const std::vector<bool>& marks, QRgb colour, int height) {
+  const auto bar = [&](const std::vector<bool>& marks, const QColor& colour, int height) {
     eachRun(marks, [&](int first, int last) {
       painter.fillRect(stretch(first, last, height + 1), palette().color(QPalette::Base));
-      painter.fillRect(stretch(first, last, height), QColor(colour));
+      painter.fillRect(stretch(first, last, height), colour);
     });
   };
-  bar(values.near, kAmber, kBarHeight - 2);
-  bar(values.inside, kVermillion, kBarHeight);
+  bar(values.near, kindColour(EventKind::kNear), kBarHeight - 2);
+  bar(values.inside, kindColour(EventKind::kInside), kBarHeight);
+  bar(values.touching, kindColour(EventKind::kContact), kBarHeight + 2);
 }
 
 void LaneView::resizeEvent(QResizeEvent*) { renew(); }

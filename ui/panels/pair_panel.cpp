@@ -21,7 +21,7 @@ namespace {
 constexpr int kColumnWidth = 76;  // px, at least
 constexpr int kStateSpace = 24;   // px, about the text of a state
 constexpr int kAllClasses = -1;
-constexpr int kRoomForContacts = 840, kRoomForForce = 760;  // px, of the panel
+constexpr int kRoomForPoints = 860, kRoomForForce = 760;  // px, of the panel
 }  // namespace
 
 PairPanel::PairPanel(Selection& selection, QWidget* parent)
@@ -73,8 +73,8 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
                                       {+PairTableModel::kDistance, 112},
                                       {+PairTableModel::kBound, 132},
                                       {+PairTableModel::kMargin, 100},
-                                      {+PairTableModel::kForce, 80},
-                                      {+PairTableModel::kContacts, 76}})
+                                      {+PairTableModel::kForce, 92},
+                                      {+PairTableModel::kPoints, 92}})
     header->resizeSection(column, width);
   fitTitles(*header);
 
@@ -106,7 +106,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
 
 /// The names need the room: the inspector has what a narrow table leaves out.
 void PairPanel::resizeEvent(QResizeEvent* event) {
-  table_->setColumnHidden(PairTableModel::kContacts, width() < kRoomForContacts);
+  table_->setColumnHidden(PairTableModel::kPoints, width() < kRoomForPoints);
   table_->setColumnHidden(PairTableModel::kForce, width() < kRoomForForce);
   QWidget::resizeEvent(event);
 }

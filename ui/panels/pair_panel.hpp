@@ -27,6 +27,7 @@ class PairPanel : public QWidget {
   /// Rows keep their places until sortAgain().
   void refresh(const view::SceneSnapshot& snapshot);
   void sortAgain() { filter_->sortAgain(); }
+  PairTableModel* model() const { return model_; }
   long shownStep() const { return model_->shownStep(); }
   QTableView* table() const { return table_; }
   QLineEdit* filterBox() const { return filter_box_; }

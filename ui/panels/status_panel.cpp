@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/model/event_text.hpp"
 #include "ui/model/live_text.hpp"
@@ -21,11 +22,15 @@ namespace abstand::ui {
 
 namespace {
 
-void colourText(QLabel* label, bool alarm) {
+void colourText(QLabel* label, const std::optional<QColor>& colour) {
   QPalette palette = label->parentWidget()->palette();
-  if (alarm) palette.setColor(QPalette::WindowText, QColor(kVermillion));
+  if (colour) palette.setColor(QPalette::WindowText, *colour);
   if (label->palette().color(QPalette::WindowText) != palette.color(QPalette::WindowText))
     label->setPalette(palette);
+}
+
+void colourText(QLabel* label, bool alarm) {
+  colourText(label, alarm ? std::optional(QColor(kVermillion)) : std::nullopt);
 }
 
 constexpr int kBarWidth = 160;
@@ -122,11 +127,10 @@ void StatusPanel::refresh(const view::SceneOutline& outline, const view::SceneSn
   shown_step_ = snapshot.step;
   const auto pair = static_cast<std::size_t>(snapshot.nearest_pair);
   if (snapshot.nearest_pair >= 0 && pair < snapshot.pairs.size() && pair < outline.pairs.size()) {
-    const query::PairResult& result = snapshot.pairs[pair].result;
-    const bool alarm = result.contacts > 0 || result.distance < 0.0;
-    nearest_->setText((alarm ? QStringLiteral("⚠ ") : QString()) + nearestText(outline, snapshot));
+    const PairLevel worst = nearestLevel(outline, snapshot);
+    nearest_->setText(nearestText(outline, snapshot));
     nearest_->setToolTip(nearestLines(outline, snapshot));
-    colourText(nearest_, alarm);
+    colourText(nearest_, isBroken(worst) ? std::optional(levelColour(worst)) : std::nullopt);
   } else {
     nearest_->clear();
   }

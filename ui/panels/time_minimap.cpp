@@ -81,7 +81,10 @@ void TimeMinimap::rebuild() {
   auto* line = reinterpret_cast<QRgb*>(heat_.scanLine(0));
   const QRgb unknown = palette().color(QPalette::Mid).rgb();
   for (std::size_t x = 0; x < row.colour.size(); ++x)
-    line[x] = row.unknown[x] ? unknown : row.inside[x] ? kVermillion : row.colour[x];
+    line[x] = row.unknown[x]    ? unknown
+              : row.touching[x] ? kindColour(EventKind::kContact).rgb()
+              : row.inside[x]   ? kindColour(EventKind::kInside).rgb()
+                                : row.colour[x];
 }
 
 void TimeMinimap::paintEvent(QPaintEvent*) {

@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "ui/model/event_text.hpp"
+#include "ui/model/pair_level.hpp"
+#include "ui/model/run_history.hpp"
 #include "ui/panels/lane_image.hpp"
 #include "ui/panels/range_paint.hpp"
 #include "ui/style/format.hpp"
@@ -32,6 +34,19 @@ double niceStep(double least) {
   return 10.0 * decade;
 }
 
+/// Above `tip`: a triangle for what touches or is inside a margin, hollow where that is not certain, a square
+/// for a robot that stopped, a hollow diamond for lost tracking.
+void paintMark(QPainter& painter, QPointF tip, EventKind kind, const QColor& hollow) {
+  const bool filled = kind == EventKind::kContact || kind == EventKind::kInside || kind == EventKind::kStop;
+  painter.setPen(QPen(kindColour(kind), 1.2));
+  painter.setBrush(filled ? kindColour(kind) : hollow);
+  QVector<QPointF> shape{{-4.0, -7.0}, {4.0, -7.0}, {0.0, 0.0}};
+  if (kind == EventKind::kStop) shape = {{-3.0, -7.0}, {3.0, -7.0}, {3.0, -1.0}, {-3.0, -1.0}};
+  if (kind == EventKind::kLost) shape = {{0.0, -8.0}, {4.0, -4.0}, {0.0, 0.0}, {-4.0, -4.0}};
+  for (QPointF& point : shape) point += tip;
+  painter.drawPolygon(shape);
+}
+
 }  // namespace
 
 TimeStrip::TimeStrip(const RecordingReview& review, TimeAxis& axis, QWidget* parent)
@@ -49,9 +64,8 @@ TimeStrip::TimeStrip(const RecordingReview& review, TimeAxis& axis, QWidget* par
   connect(&axis_, &TimeAxis::rangeChanged, this, QOverload<>::of(&QWidget::update));
 }
 
-void TimeStrip::setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end) {
-  distance_ = distance;
-  force_ = force;
+void TimeStrip::setHistory(const RunHistory* history, double start, double end) {
+  history_ = history;
   start_ = start;
   end_ = end;
   time_ = start;
@@ -78,7 +92,7 @@ void TimeStrip::setStops(std::vector<StopSpan> stops) {
 }
 
 void TimeStrip::refresh() {
-  if (review_.available() || !distance_ || distance_->revision() == shown_revision_) return;
+  if (review_.available() || !history_ || history_->revision() == shown_revision_) return;
   rebuild();
   update();
 }
@@ -106,20 +120,26 @@ void TimeStrip::rebuild() {
     rebuildFromReview();
     return;
   }
-  contact_.assign(static_cast<std::size_t>(width), false);
+  const auto columns = static_cast<std::size_t>(width);
+  marks_ = {std::vector<bool>(columns), std::vector<bool>(columns), std::vector<bool>(columns), {}};
   const QRgb unknown = palette().color(QPalette::Mid).rgb();
   auto* row = reinterpret_cast<QRgb*>(heat_.scanLine(0));
   const double column = (end_ - start_) / width;
-  for (int x = 0; x < width; ++x) {
+  for (std::size_t x = 0; x < columns; ++x) {
     row[x] = unknown;
-    if (!distance_ || !(column > 0.0)) continue;
-    const double left = start_ + x * column;
-    const double nearest = distance_->between(left, left + column).low;
+    if (!history_ || !(column > 0.0)) continue;
+    const double left = start_ + static_cast<double>(x) * column, right = left + column;
+    const double nearest = history_->firstDistance().between(left, right).low;
     if (!std::isnan(nearest)) row[x] = heat(nearest);
-    const bool pressed = force_ && force_->between(left, left + column).high > 0.0;
-    contact_[static_cast<std::size_t>(x)] = pressed || nearest <= 0.0;
+    marks_.touching[x] = history_->touched(left, right);
+    marks_.inside[x] = history_->wasInside(left, right);
+    marks_.earlier[x] = history_->hasEarlier() && history_->wasInsideEarlier(left, right);
+    const auto begins = [&](const std::vector<bool>& marks) { return marks[x] && (x == 0 || !marks[x - 1]); };
+    if (begins(marks_.inside)) marks_.events.emplace_back(static_cast<int>(x), EventKind::kInside);
+    if (begins(marks_.touching)) marks_.events.emplace_back(static_cast<int>(x), EventKind::kContact);
   }
-  shown_revision_ = distance_ ? distance_->revision() : -1;
+  placeEvents();
+  shown_revision_ = history_ ? history_->revision() : -1;
 }
 
 void TimeStrip::rebuildFromReview() {
@@ -127,7 +147,8 @@ void TimeStrip::rebuildFromReview() {
   auto* line = reinterpret_cast<QRgb*>(heat_.scanLine(0));
   const QRgb unknown = palette().color(QPalette::Mid).rgb();
   for (std::size_t x = 0; x < row.colour.size(); ++x) line[x] = row.unknown[x] ? unknown : row.colour[x];
-  contact_ = row.inside;
+  marks_ = {row.touching, row.inside, std::vector<bool>(row.inside.size()), {}};
+  placeEvents();
 }
 
 void TimeStrip::paintEvent(QPaintEvent*) {
@@ -151,20 +172,37 @@ void TimeStrip::paintEvent(QPaintEvent*) {
 
 void TimeStrip::paintMarks(QPainter& painter) const {
   const QRect area = band();
-  const QColor colour(kVermillion);
-  for (int x = 0; x < static_cast<int>(contact_.size()); ++x) {
-    if (!contact_[static_cast<std::size_t>(x)]) continue;
-    const int px = area.left() + x;
-    painter.setPen(colour);
-    painter.drawLine(px, area.top() + area.height() / 2, px, area.bottom());
-    // A triangle where a contact begins.
-    if (x > 0 && contact_[static_cast<std::size_t>(x - 1)]) continue;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(colour);
-    const double top = area.top() - 2.0;
-    painter.drawPolygon(QVector<QPointF>{{px - 4.0, top - 7.0}, {px + 4.0, top - 7.0}, {px + 0.0, top}});
-    painter.setRenderHint(QPainter::Antialiasing, false);
+  const auto bar = [&](const std::vector<bool>& marks, const QColor& colour) {
+    for (int x = 0; x < static_cast<int>(marks.size()); ++x)
+      if (marks[static_cast<std::size_t>(x)])
+        painter.fillRect(QRect(area.left() + x, area.top() + area.height() / 2, 1, area.height() / 2 + 1),
+                         colour);
+  };
+  bar(marks_.earlier, palette().color(QPalette::Text));
+  bar(marks_.inside, levelColour(PairLevel::kInside));
+  bar(marks_.touching, levelColour(PairLevel::kTouching));
+  paintEventMarks(painter);
+}
+
+/// A mark for each kind that begins or is nearest in a column, those of less weight first.
+void TimeStrip::placeEvents() {
+  for (const RecordingEvent& event : review_.events()) {
+    if (!review_.shownKinds()[static_cast<std::size_t>(event.kind)]) continue;
+    marks_.events.emplace_back(xOf(event.mark()) - band().left(), event.kind);
   }
+  const auto before = [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second < b.second : a.first < b.first;
+  };
+  std::sort(marks_.events.begin(), marks_.events.end(), before);
+  marks_.events.erase(std::unique(marks_.events.begin(), marks_.events.end()), marks_.events.end());
+}
+
+void TimeStrip::paintEventMarks(QPainter& painter) const {
+  const QRect area = band();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [x, kind] : marks_.events)
+    paintMark(painter, QPointF(area.left() + x, area.top() - 2.0), kind, palette().color(QPalette::Window));
+  painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void TimeStrip::paintTicks(QPainter& painter) const {
@@ -238,7 +276,7 @@ void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
   hover_x_ = std::clamp(event->x(), band().left(), band().right());
   if (event->buttons() & Qt::LeftButton)
     Q_EMIT scrubbed(timeAt(event->x()));
-  else if (distance_)
+  else if (history_)
     QToolTip::showText(event->globalPos(), textAt(timeAt(event->x())), this);
   update();
 }
@@ -259,13 +297,20 @@ QString TimeStrip::textAt(double t) const {
 
 QString TimeStrip::momentAt(double t) const {
   if (review_.available()) return nearestMomentText(review_, t);
-  const double d = distance_->at(t);
-  return std::isnan(d) ? tr("%1: not computed yet").arg(secondsWithUnit(t))
-                       : tr("%1: smallest distance %2").arg(secondsWithUnit(t), lengthText(d));
+  const double d = history_->firstDistance().at(t);
+  if (std::isnan(d)) return tr("%1: not computed yet").arg(secondsWithUnit(t));
+  QString text = tr("%1: smallest distance %2").arg(secondsWithUnit(t), lengthText(d));
+  if (history_->touched(t, t))
+    text += tr("; touching");
+  else if (history_->wasInside(t, t))
+    text += tr("; inside a margin");
+  else if (history_->wasInsideEarlier(t, t))
+    text += tr("; inside a margin that has changed since: play it again");
+  return text;
 }
 
 bool TimeStrip::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip && distance_) {
+  if (event->type() == QEvent::ToolTip && history_) {
     const auto* help = static_cast<QHelpEvent*>(event);
     QToolTip::showText(help->globalPos(), textAt(timeAt(help->pos().x())), this);
     return true;

@@ -6,17 +6,20 @@
 #include <functional>
 #include <vector>
 
-#include "ui/model/frame_series.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/stop_spans.hpp"
 #include "ui/model/time_axis.hpp"
 
 namespace abstand::ui {
 
-/// The whole recording. Bright where the smallest distance was small, dark where it was large, grey where not
-/// yet computed, vermillion ticks with a triangle where an intrusion begins: of the review, where there is
-/// one, else of the series that have been played, and there where a contact begins. The playhead follows the
-/// pointer while the left button is down; the wheel zooms the lanes, whose part of the time has a frame.
+class RunHistory;
+
+/// The whole recording. Bright where the smallest distance of people and robots was small, dark where it was
+/// large, grey where not yet computed. Vermillion bars where something touches, ochre ones inside a margin:
+/// of the review, where there is one, else of what has been played, and there dark bars inside a margin that
+/// has changed since. Marks
+/// above it where events of the shown kinds begin. The playhead follows the pointer while the left button is
+/// down; the wheel zooms the lanes, whose part of the time has a frame.
 class TimeStrip : public QWidget {
   Q_OBJECT
 
@@ -26,8 +29,8 @@ class TimeStrip : public QWidget {
   /// Both outlive it.
   TimeStrip(const RecordingReview& review, TimeAxis& axis, QWidget* parent = nullptr);
 
-  /// Series live in the owner; null for none.
-  void setSeries(const FrameSeries* distance, const FrameSeries* force, double start, double end);
+  /// It lives in the owner; null for none.
+  void setHistory(const RunHistory* history, double start, double end);
   void setTime(double t);
   /// s: marked above the strip.
   void setBookmarks(std::vector<double> times);
@@ -60,6 +63,8 @@ class TimeStrip : public QWidget {
   void rebuild();
   void paintTicks(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
+  void placeEvents();
+  void paintEventMarks(QPainter& painter) const;
   void paintPlayhead(QPainter& painter) const;
   void paintView(QPainter& painter) const;
   void paintBookmarks(QPainter& painter) const;
@@ -70,15 +75,17 @@ class TimeStrip : public QWidget {
 
   const RecordingReview& review_;
   TimeAxis& axis_;
-  const FrameSeries* distance_{nullptr};
-  const FrameSeries* force_{nullptr};
+  const RunHistory* history_{nullptr};
   double start_{0.0}, end_{0.0}, time_{0.0};
   int hover_x_{-1};
   std::vector<double> bookmarks_;  // s
   std::vector<StopSpan> stops_;
   std::function<QString(const StopSpan&)> stop_text_;
-  QImage heat_;                // one row, a pixel a column
-  std::vector<bool> contact_;  // by column: contact, or inside a margin
+  QImage heat_;  // one row, a pixel a column
+  struct {
+    std::vector<bool> touching, inside, earlier;    // by column; `earlier`: inside a margin of before
+    std::vector<std::pair<int, EventKind>> events;  // column and kind, those of less weight first
+  } marks_;
   long shown_revision_{-1};
 };
 

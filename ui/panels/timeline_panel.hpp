@@ -31,6 +31,8 @@ class TimelinePanel : public QWidget {
                 QWidget* parent = nullptr);
   /// What robots that react do at this moment.
   void refresh(const view::SceneSnapshot& snapshot);
+  /// When robots stood, as far as it was played.
+  const std::vector<StopSpan>& stops() const { return stops_.spans(); }
   TimeStrip* strip() const { return strip_; }
   LaneView* laneView() const { return lanes_; }
   TimeMinimap* minimap() const { return minimap_; }

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/plots/strip_chart.hpp"
 #include "ui/style/format.hpp"
@@ -19,6 +20,23 @@ namespace {
 constexpr double kDefaultSpan = 10.0;  // s
 // The playhead stands here in the window while following, with a little of the future in sight.
 constexpr double kPlayheadPlace = 0.85;
+constexpr QRgb kEarlier = 0xff8a949e;
+
+QRgb classColour(PairClass of) {
+  switch (of) {
+    case PairClass::kPersonRobot:
+      return kAccent;
+    case PairClass::kPersonThing:
+      return kCyan;
+    case PairClass::kRobotRobot:
+      return 0xff8a949e;
+    case PairClass::kRobotThing:
+      return 0xffa58c6f;
+    case PairClass::kOther:
+      break;
+  }
+  return 0xff4f5963;
+}
 }  // namespace
 
 PlotPanel::PlotPanel(QWidget* parent)
@@ -26,13 +44,14 @@ PlotPanel::PlotPanel(QWidget* parent)
   charts_ = {
       new StripChart({tr("Smallest distance"), lengthUnit(), lengthFactor(), lengthDecimals(1), false},
                      QColor(kAccent), this),
-      new StripChart({tr("Largest force"), tr("N"), 1.0, 1, false}, QColor(kVermillion), this),
+      new StripChart({tr("Largest force"), tr("N"), 1.0, 1, false}, QColor(kContactForce), this),
       new StripChart({tr("Largest joint torques"), tr("N·m"), 1.0, 1, true}, QColor(kContactForce), this)};
-  // In the order of TorqueParts.
-  charts_[2]->setLines({{tr("contact"), QColor(kContactForce)},
-                        {tr("reaction"), QColor(0xff7a5aa6)},
-                        {tr("gravity"), QColor(kBlue), Qt::DashLine},
-                        {tr("motion"), QColor(kCyan), Qt::DashLine}});
+  charts_[0]->setToolTip(
+      tr("Smallest distance of each class of pairs. Certified: never more than the true distance, over the\n"
+         "whole recording; the others as far as they were played. Drop bodies and pairs here."));
+  charts_[1]->setToolTip(
+      tr("Largest force of a pair. Contact: its surfaces touch. Virtual: it is only inside its margin, and\n"
+         "nothing touches. Of earlier margins: played before a margin was changed; play it again."));
   charts_[2]->setToolTip(tr(
       "Torques on the joints: of contact (margins too), what the reaction adds, of gravity, and of the\n"
       "motion itself (inertia). Gravity and motion are unknown (–) where the robot's file names no masses."));
@@ -41,7 +60,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   layout->setSpacing(2);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(6, 0, 6, 0);
-  auto* label = new QLabel(tr("&Window"), this);
+  auto* label = new QLabel(tr("Time &span"), this);
   label->setBuddy(span_);
   for (const double seconds : {2.0, 5.0, 10.0, 30.0, 60.0}) span_->addItem(tr("%1 s").arg(seconds), seconds);
   span_->addItem(tr("all"), 0.0);
@@ -82,6 +101,7 @@ PlotPanel::PlotPanel(QWidget* parent)
     refresh();
   });
   setAcceptDrops(true);
+  layLines();
   setJoints({});
 }
 
@@ -108,17 +128,57 @@ void PlotPanel::nameTorques() {
                           force ? tr("N") : tr("N·m"));
 }
 
-void PlotPanel::setSeries(const FrameSeries* distance, const FrameSeries* force,
-                          const std::array<FrameSeries, view::kTorqueParts>* torques, double start,
-                          double end) {
-  charts_[0]->setSeries(distance);
-  charts_[1]->setSeries(force);
-  for (std::size_t k = 0; k < view::kTorqueParts; ++k) charts_[2]->setSeries(&(*torques)[k], k);
+void PlotPanel::setSeries(const PlotSeries& series, double start, double end) {
+  series_ = series;
+  earlier_ = false;
+  layLines();
   start_ = start;
   end_ = end;
   time_ = start;
   followTime();
   setTime(start);
+}
+
+void PlotPanel::showEarlier(bool on) {
+  if (std::exchange(earlier_, on) != on) layLines();
+}
+
+void PlotPanel::layLines() {
+  std::vector<StripChart::Line> lines;
+  for (const PlotSeries::Distance& distance : series_.distances)
+    lines.push_back({distance.certified ? tr("%1, certified").arg(pairClassInSentence(distance.of))
+                                        : pairClassInSentence(distance.of),
+                     QColor(classColour(distance.of))});
+  // The alarm colours mean something else.
+  constexpr QRgb kColours[] = {kBlue, 0xff7a5aa6, 0xff3f8f6b, 0xff8a6d3b, 0xff56707f, 0xffa0527a};
+  for (std::size_t i = 0; i < watched_.size(); ++i)
+    lines.push_back({watched_[i].name, QColor(kColours[i % std::size(kColours)]),
+                     watched_[i].pinned ? Qt::SolidLine : Qt::DashLine});
+  charts_[0]->setLines(lines);
+  std::size_t line = 0;
+  for (const PlotSeries::Distance& distance : series_.distances)
+    charts_[0]->setSeries(distance.series, line++);
+  for (const WatchedSeries::Line& watched : watched_) charts_[0]->setSeries(watched.series, line++);
+
+  std::vector<StripChart::Line> forces{{tr("contact"), QColor(kContactForce)},
+                                       {tr("virtual (margin)"), QColor(kVirtualForce)}};
+  // In the order of TorqueParts.
+  std::vector<StripChart::Line> torques{{tr("contact and margins"), QColor(kContactForce)},
+                                        {tr("reaction"), QColor(0xff7a5aa6)},
+                                        {tr("gravity"), QColor(kBlue), Qt::DashLine},
+                                        {tr("motion"), QColor(kCyan), Qt::DashLine}};
+  if (earlier_)
+    for (auto* both : {&forces, &torques})
+      both->push_back({tr("of earlier margins"), QColor(kEarlier), Qt::DashDotLine});
+  charts_[1]->setLines(forces);
+  charts_[1]->setSeries(series_.contact_force, 0);
+  charts_[1]->setSeries(series_.virtual_force, 1);
+  if (earlier_) charts_[1]->setSeries(series_.earlier_force, 2);
+  charts_[2]->setLines(torques);
+  for (std::size_t k = 0; k < view::kTorqueParts; ++k)
+    charts_[2]->setSeries(series_.torques ? &(*series_.torques)[k] : nullptr, k);
+  if (earlier_) charts_[2]->setSeries(series_.earlier_torque, view::kTorqueParts);
+  refresh();
 }
 
 void PlotPanel::setTime(double t) {
@@ -127,32 +187,28 @@ void PlotPanel::setTime(double t) {
   if (follow_) followTime();
 }
 
-void PlotPanel::setMoment(long step, const view::PlotSample& sample) {
+void PlotPanel::setMoment(long step, const view::PlotSample& sample, double clearance) {
   shown_step_ = step;
   setTime(sample.t);
-  charts_[0]->setNow(sample.min_distance);
-  charts_[1]->setNow(sample.peak_force);
+  for (std::size_t i = 0; i < series_.distances.size(); ++i) {
+    const PlotSeries::Distance& distance = series_.distances[i];
+    charts_[0]->setNow(
+        distance.certified ? clearance : sample.class_distance[static_cast<std::size_t>(distance.of)], i);
+  }
+  charts_[1]->setNow(sample.contact_force, 0);
+  charts_[1]->setNow(sample.virtual_force, 1);
   for (std::size_t k = 0; k < view::kTorqueParts; ++k) charts_[2]->setNow(sample.peak_torque[k], k);
 }
 
 int PlotPanel::joint() const { return joint_->currentData().toInt(); }
-
-void PlotPanel::setDistanceName(const QString& name) { charts_[0]->setQuantity(name, lengthUnit()); }
 
 void PlotPanel::setMargin(double metres) {
   charts_[0]->setBand(metres, tr("margin %1").arg(lengthText(metres, 0)));
 }
 
 void PlotPanel::setWatched(const std::vector<WatchedSeries::Line>& lines) {
-  // The alarm colours mean something else.
-  constexpr QRgb kColours[] = {kBlue, 0xff7a5aa6, 0xff3f8f6b, 0xff8a6d3b, 0xff56707f, 0xffa0527a};
-  std::vector<StripChart::Line> all{{tr("all"), QColor(kAccent)}};
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    all.push_back({lines[i].name, QColor(kColours[i % std::size(kColours)]),
-                   lines[i].pinned ? Qt::SolidLine : Qt::DashLine});
-  charts_[0]->setLines(all);
-  for (std::size_t i = 0; i < lines.size(); ++i) charts_[0]->setSeries(lines[i].series, i + 1);
-  refresh();
+  watched_ = lines;
+  layLines();
 }
 
 void PlotPanel::dragEnterEvent(QDragEnterEvent* event) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/view/snapshot.hpp"
+#include "ui/model/pair_class.hpp"
 #include "ui/model/watched_series.hpp"
 
 class QComboBox;
@@ -12,6 +13,19 @@ class QComboBox;
 namespace abstand::ui {
 
 class StripChart;
+
+/// What the plots draw. The series live in the owner and must outlive the panel or be replaced.
+struct PlotSeries {
+  struct Distance {
+    PairClass of;
+    const FrameSeries* series;
+    bool certified;  ///< clearances instead of distances
+  };
+  std::vector<Distance> distances;  ///< in the order of the lines
+  const FrameSeries *contact_force, *virtual_force, *earlier_force;
+  const std::array<FrameSeries, view::kTorqueParts>* torques;  ///< in the order of TorqueParts
+  const FrameSeries* earlier_torque;
+};
 
 /// The charts share their window. While following, the window moves with the playhead; zooming or dragging
 /// ends that until followChanged(true) is asked for again. GUI thread only.
@@ -21,22 +35,20 @@ class PlotPanel : public QWidget {
  public:
   explicit PlotPanel(QWidget* parent = nullptr);
 
-  /// Series live in the owner and must outlive the panel or be replaced; null for none.
-  /// `torques`: in the order of TorqueParts.
-  void setSeries(const FrameSeries* distance, const FrameSeries* force,
-                 const std::array<FrameSeries, view::kTorqueParts>* torques, double start, double end);
+  void setSeries(const PlotSeries& series, double start, double end);
   /// Joints that can be chosen; the largest of all is chosen.
   void setJoints(const std::vector<view::SceneOutline::JointInfo>& joints);
   void setTime(double t);
   /// The figures at the time of one snapshot; they stand at the playhead until the time changes.
-  void setMoment(long step, const view::PlotSample& sample);
+  /// `clearance`: m, certified, of the nearest person and robot; for lines of clearances.
+  void setMoment(long step, const view::PlotSample& sample, double clearance);
   /// SceneSnapshot::step of setMoment().
   long shownStep() const { return shown_step_; }
   /// Index of the joint whose torques are shown, -1: the largest of all.
   int joint() const;
-  /// Of the distance chart.
-  void setDistanceName(const QString& name);
-  /// Of the distance chart, beside its own line; they live in the owner.
+  /// Forces and torques of earlier margins have lines of their own.
+  void showEarlier(bool on);
+  /// Of the distance chart, after those of the classes; they live in the owner.
   void setWatched(const std::vector<WatchedSeries::Line>& lines);
   /// Shown as a band in the distance chart, m; 0: none.
   void setMargin(double metres);
@@ -61,10 +73,14 @@ class PlotPanel : public QWidget {
 
  private:
   void nameTorques();
+  void layLines();
   void moveWindow(double left, double right);
   void followTime();
 
   std::array<StripChart*, 3> charts_;
+  PlotSeries series_{};
+  std::vector<WatchedSeries::Line> watched_;
+  bool earlier_{false};
   QComboBox *span_, *joint_;
   std::vector<bool> prismatic_;  ///< of each joint
   double start_{0.0}, end_{0.0}, time_{0.0};

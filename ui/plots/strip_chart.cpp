@@ -152,17 +152,19 @@ void StripChart::setLines(const std::vector<Line>& lines) {
   dirty_ = true;
 }
 
-/// Room for the widest values.
+/// Room for the widest values, which stand one after the other.
 void StripChart::placeValues() {
   const QMargins edges = values_->contentsMargins();
   const int width = std::max(1, this->width() - edges.left() - edges.right());
-  int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ reaction -8888.8   "));
-  for (const QString& name : names_)
-    item =
-        std::max(item, values_->fontMetrics().horizontalAdvance(QStringLiteral("━ %1 -8888.8   ").arg(name)));
-  item = std::min(item, width);
-  const int rows = std::max(1, static_cast<int>(names_.size()) / std::max(1, width / item) +
-                                   (static_cast<int>(names_.size()) % std::max(1, width / item) > 0));
+  int rows = 1, used = 0;
+  for (const QString& name : names_) {
+    const int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ %1 -8888.8   ").arg(name));
+    if (used > 0 && used + item > width) {
+      ++rows;
+      used = 0;
+    }
+    used += item;
+  }
   values_box_->setFixedHeight(rows * values_->fontMetrics().lineSpacing() + 2);
   values_->setGeometry(0, 0, this->width(), values_box_->height());
 }
@@ -191,9 +193,10 @@ QString StripChart::valuesText() const {
     const Trace& trace = *traces_[i];
     const double value = trace.valueAtPlayhead() * text_.factor;
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
-    parts << QStringLiteral("<span style='white-space:nowrap'><span style='color:%1'>%2</span> %3 %4</span>")
-                 .arg(trace.colour.name(), mark, names_[i].toHtmlEscaped(),
-                      fixed(value, text_.decimals).toHtmlEscaped());
+    // A name and its value stay together.
+    QString words = QStringLiteral("%1 %2").arg(names_[i], fixed(value, text_.decimals)).toHtmlEscaped();
+    words.replace(QLatin1Char(' '), QLatin1String("&nbsp;"));
+    parts << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3").arg(trace.colour.name(), mark, words);
   }
   return parts.join(QStringLiteral(" &nbsp; "));
 }

@@ -8,10 +8,12 @@ class QApplication;
 
 namespace abstand::ui {
 
-inline constexpr QRgb kVermillion = 0xffd55e00;    ///< contact; always together with a mark or a text
+inline constexpr QRgb kVermillion = 0xffd55e00;    ///< something touches; always with a mark or a text
+inline constexpr QRgb kOchre = 0xffb07a00;         ///< inside a margin, nothing touches; likewise
+inline constexpr QRgb kCalm = 0xff5f6b77;          ///< neither near nor touching
 inline constexpr QRgb kAmber = 0xffe69f00;         ///< close to the margin
 inline constexpr QRgb kContactForce = 0xffc0342b;  ///< force where surfaces overlap
-inline constexpr QRgb kVirtualForce = 0xffb07a00;  ///< force of the margins alone: nothing touches
+inline constexpr QRgb kVirtualForce = kOchre;      ///< force of the margins alone: nothing touches
 inline constexpr QRgb kBlue = 0xff0072b2;          ///< torque
 inline constexpr QRgb kViolet = 0xff7a4ea3;        ///< torque or force on a joint
 inline constexpr QRgb kCyan = 0xff2aa8c4;          ///< velocity

@@ -743,16 +743,8 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>&amp;Kräfte</translation>
     </message>
     <message>
-        <source>Show contact forces as arrows</source>
-        <translation>Kontaktkräfte als Pfeile zeigen</translation>
-    </message>
-    <message>
         <source>&amp;Torques</source>
         <translation>&amp;Drehmomente</translation>
-    </message>
-    <message>
-        <source>Show contact torques as curved arrows</source>
-        <translation>Kontaktmomente als gebogene Pfeile zeigen</translation>
     </message>
     <message>
         <source>&amp;Velocities</source>
@@ -773,10 +765,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>&amp;Labels</source>
         <translation>&amp;Beschriftungen</translation>
-    </message>
-    <message>
-        <source>Name bodies in contact and the selection</source>
-        <translation>Körper in Kontakt und die Auswahl benennen</translation>
     </message>
     <message>
         <source>F&amp;loor</source>
@@ -1175,24 +1163,12 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>&amp;Nächstes Ereignis</translation>
     </message>
     <message>
-        <source>Go to the next intrusion into a margin or near miss</source>
-        <translation>Zur nächsten Unterschreitung eines Sicherheitsabstands oder Annäherung gehen</translation>
-    </message>
-    <message>
         <source>Pre&amp;vious event</source>
         <translation>Vor&amp;heriges Ereignis</translation>
     </message>
     <message>
-        <source>Go to the intrusion or near miss before</source>
-        <translation>Zur vorherigen Unterschreitung oder Annäherung gehen</translation>
-    </message>
-    <message>
         <source>Pause at e&amp;vents</source>
         <translation>Bei Ereignissen anhal&amp;ten</translation>
-    </message>
-    <message>
-        <source>Pause where an intrusion begins or a near miss is nearest</source>
-        <translation>Anhalten, wo eine Unterschreitung beginnt oder eine Annäherung am nächsten ist</translation>
     </message>
     <message>
         <source>Set &amp;IN</source>
@@ -1567,14 +1543,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
-        <source>Force, all pairs</source>
-        <translation>Kraft, alle Paare</translation>
-    </message>
-    <message>
-        <source>%1 N, margins included</source>
-        <translation>%1 N, mit Sicherheitsabständen</translation>
-    </message>
-    <message>
         <source>Geometry</source>
         <translation>Geometrie</translation>
     </message>
@@ -1701,10 +1669,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>Contact force</source>
         <translation>Kontaktkraft</translation>
-    </message>
-    <message>
-        <source>Repulsion (margin, virtual)</source>
-        <translation>Abstoßung (Sicherheitsabstand, gedacht)</translation>
     </message>
     <message>
         <source>Distances</source>
@@ -2145,10 +2109,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>Joint torques</source>
         <translation>Gelenkmomente</translation>
-    </message>
-    <message>
-        <source>Show what contacts cause at each joint, as arrows about or along its axis</source>
-        <translation>Was Kontakte an jedem Gelenk bewirken, als Pfeile um seine Achse oder an ihr entlang</translation>
     </message>
     <message>
         <source>%1, frame %2: %3</source>
@@ -2766,6 +2726,250 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
         <source>Push the selected link away from the camera for half a second</source>
         <translation>Das gewählte Glied eine halbe Sekunde lang von der Kamera wegdrücken</translation>
     </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3: %4</source>
+        <translation>%1 von %2 bis %3: %4</translation>
+    </message>
+    <message>
+        <source>touching, margin %1</source>
+        <translation>Berührung, Sicherheitsabstand %1</translation>
+    </message>
+    <message>
+        <source>%1 N, all pairs</source>
+        <translation>%1 N, alle Paare</translation>
+    </message>
+    <message>
+        <source>Virtual (margin) force</source>
+        <translation>Virtuelle Kraft (Sicherheitsabstand)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>contact force %1 N</source>
+        <translation>Kontaktkraft %1 N</translation>
+    </message>
+    <message>
+        <source>virtual (margin) force %1 N</source>
+        <translation>virtuelle Kraft (Sicherheitsabstand) %1 N</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>%1 and %2 touch</source>
+        <translation>%1 und %2 berühren sich</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are inside the margin</source>
+        <translation>%1 und %2 unterschreiten den Sicherheitsabstand</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are near each other, closer than twice the margin,</source>
+        <translation>%1 und %2 sind einander nahe, näher als der doppelte Sicherheitsabstand,</translation>
+    </message>
+    <message>
+        <source>The pose of %1 or %2 is lost</source>
+        <translation>Die Pose von %1 oder %2 ist verloren</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are not checked: their group does not run, or they are in none</source>
+        <translation>%1 und %2 werden nicht geprüft: Ihre Gruppe läuft nicht, oder sie sind in keiner</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are clear of each other</source>
+        <translation>%1 und %2 sind frei voneinander</translation>
+    </message>
+    <message>
+        <source>Nothing is known of %1 and %2 yet</source>
+        <translation>Über %1 und %2 ist noch nichts bekannt</translation>
+    </message>
+    <message>
+        <source> since %1</source>
+        <translation> seit %1</translation>
+    </message>
+    <message>
+        <source> since %1 or earlier</source>
+        <translation> seit %1 oder früher</translation>
+    </message>
+    <message>
+        <source>margin %1 and poses unknown</source>
+        <translation>Sicherheitsabstand %1 und Posen unbekannt</translation>
+    </message>
+    <message>
+        <source>margin %1 and %2 for the poses</source>
+        <translation>Sicherheitsabstand %1 und %2 für die Posen</translation>
+    </message>
+    <message>
+        <source>closing speed not known</source>
+        <translation>Annäherung nicht bekannt</translation>
+    </message>
+    <message>
+        <source>neither closing nor moving apart</source>
+        <translation>weder Annäherung noch Entfernung</translation>
+    </message>
+    <message>
+        <source>closing at %1 m/s</source>
+        <translation>Annäherung mit %1 m/s</translation>
+    </message>
+    <message>
+        <source>moving apart at %1 m/s</source>
+        <translation>Entfernung mit %1 m/s</translation>
+    </message>
+    <message>
+        <source>distance %1 ± %2</source>
+        <translation>Abstand %1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1. When last checked: %2.</source>
+        <translation>%1. Bei der letzten Prüfung: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3, %4, %5.</source>
+        <translation>%1: %2, %3, %4, %5.</translation>
+    </message>
+    <message>
+        <source>The pose is stale or was rejected: drawn hollow, never safe</source>
+        <translation>Die Pose ist veraltet oder wurde verworfen: hohl gezeichnet, nie sicher</translation>
+    </message>
+    <message>
+        <source>tracking lost</source>
+        <translation>Verfolgung verloren</translation>
+    </message>
+    <message>
+        <source>touching</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>robot stopped</source>
+        <translation>Roboter gestoppt</translation>
+    </message>
+    <message>
+        <source>Show contact forces and virtual (margin) forces as arrows</source>
+        <translation>Kontaktkräfte und virtuelle Kräfte (Sicherheitsabstand) als Pfeile zeigen</translation>
+    </message>
+    <message>
+        <source>Show torques of contacts and margins as curved arrows</source>
+        <translation>Drehmomente von Kontakten und Sicherheitsabständen als gebogene Pfeile zeigen</translation>
+    </message>
+    <message>
+        <source>Show what contacts and margins cause at each joint, as arrows about or along its axis</source>
+        <translation>Wirkung von Kontakten und Sicherheitsabständen auf jedes Gelenk zeigen, als Pfeile um oder längs seiner Achse</translation>
+    </message>
+    <message>
+        <source>Name bodies that touch or are inside a margin, and the selection</source>
+        <translation>Körper benennen, die sich berühren oder einen Sicherheitsabstand unterschreiten, und die Auswahl</translation>
+    </message>
+    <message>
+        <source>Go to the next event of the kinds that the events panel shows</source>
+        <translation>Zum nächsten Ereignis der Arten gehen, die das Ereignisfeld zeigt</translation>
+    </message>
+    <message>
+        <source>Go to the event before, of the kinds that the events panel shows</source>
+        <translation>Zum vorigen Ereignis der Arten gehen, die das Ereignisfeld zeigt</translation>
+    </message>
+    <message>
+        <source>Next &amp;touch</source>
+        <translation>Nächste &amp;Berührung</translation>
+    </message>
+    <message>
+        <source>Go to where a robot next touches a person</source>
+        <translation>Zur nächsten Berührung eines Roboters mit einer Person gehen</translation>
+    </message>
+    <message>
+        <source>Touch before</source>
+        <translation>Vorige Berührung</translation>
+    </message>
+    <message>
+        <source>Go to the touch before</source>
+        <translation>Zur vorigen Berührung gehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;intrusion</source>
+        <translation>Nächste &amp;Unterschreitung</translation>
+    </message>
+    <message>
+        <source>Go to where a margin is next broken</source>
+        <translation>Zur nächsten Unterschreitung eines Sicherheitsabstands gehen</translation>
+    </message>
+    <message>
+        <source>Intrusion before</source>
+        <translation>Vorige Unterschreitung</translation>
+    </message>
+    <message>
+        <source>Go to the intrusion into a margin before</source>
+        <translation>Zur vorigen Unterschreitung eines Sicherheitsabstands gehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;near miss</source>
+        <translation>Nächste &amp;Annäherung</translation>
+    </message>
+    <message>
+        <source>Go to the next near miss</source>
+        <translation>Zur nächsten Annäherung gehen</translation>
+    </message>
+    <message>
+        <source>Near miss before</source>
+        <translation>Vorige Annäherung</translation>
+    </message>
+    <message>
+        <source>Go to the near miss before</source>
+        <translation>Zur vorigen Annäherung gehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;stop</source>
+        <translation>Nächster &amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Go to where a robot next stopped, as far as it was played</source>
+        <translation>Zum nächsten Stopp eines Roboters gehen, soweit abgespielt</translation>
+    </message>
+    <message>
+        <source>Stop before</source>
+        <translation>Voriger Stopp</translation>
+    </message>
+    <message>
+        <source>Go to the stop of a robot before</source>
+        <translation>Zum vorigen Stopp eines Roboters gehen</translation>
+    </message>
+    <message>
+        <source>Next &amp;loss of tracking</source>
+        <translation>Nächster &amp;Verlust der Verfolgung</translation>
+    </message>
+    <message>
+        <source>Go to where body parts are next not seen</source>
+        <translation>Dorthin gehen, wo als Nächstes Körperteile nicht gesehen werden</translation>
+    </message>
+    <message>
+        <source>Loss of tracking before</source>
+        <translation>Voriger Verlust der Verfolgung</translation>
+    </message>
+    <message>
+        <source>Go to the loss of tracking before</source>
+        <translation>Zum vorigen Verlust der Verfolgung gehen</translation>
+    </message>
+    <message>
+        <source>Pause where an event of a shown kind begins, or a near miss is nearest</source>
+        <translation>Anhalten, wo ein Ereignis einer gezeigten Art beginnt oder eine Annäherung am nächsten ist</translation>
+    </message>
+    <message>
+        <source>touching, %1 N</source>
+        <translation>berührt, %1 N</translation>
+    </message>
+    <message>
+        <source>inside margin, virtual %1 N</source>
+        <translation>unterschritten, virtuell %1 N</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are not certainly outside the margin</source>
+        <translation>Bei %1 und %2 ist nicht sicher, dass der Sicherheitsabstand eingehalten ist,</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -2824,6 +3028,10 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Event of a &amp;kind</source>
+        <translation>Ereignis &amp;je Art</translation>
     </message>
 </context>
 <context>
@@ -3181,20 +3389,28 @@ Kamera mit %2 Bildpunkten; Körper in %3 von %4 Bildern gefunden</translation>
 <context>
     <name>abstand::ui::EventPanel</name>
     <message>
-        <source>Near misses</source>
-        <translation>Annäherungen</translation>
-    </message>
-    <message>
-        <source>Show what came nearer than twice the margin without coming inside</source>
-        <translation>Zeigen, was näher kam als der doppelte Sicherheitsabstand, ohne ihn zu unterschreiten</translation>
-    </message>
-    <message>
         <source>Events</source>
         <translation>Ereignisse</translation>
     </message>
     <message>
-        <source>%1 intrusions and touches, %2 near misses</source>
-        <translation>Unterschreitungen und Berührungen: %1, Annäherungen: %2</translation>
+        <source>Kinds</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>Kinds of events</source>
+        <translation>Arten von Ereignissen</translation>
+    </message>
+    <message>
+        <source>Kinds of events that the table, the markers and the keys N and Shift+N show</source>
+        <translation>Arten von Ereignissen, die Tabelle, Marken und die Tasten N und Umschalt+N zeigen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>no events</source>
+        <translation>keine Ereignisse</translation>
     </message>
 </context>
 <context>
@@ -3232,18 +3448,8 @@ Kamera mit %2 Bildpunkten; Körper in %3 von %4 Bildern gefunden</translation>
         <translation>Ereignis</translation>
     </message>
     <message>
-        <source>Inside the margin; touch between frames: two frames outside of the margin between which a touch is not excluded;
-near miss: nearer than twice the margin, never inside</source>
-        <translation>Unterschreitung des Sicherheitsabstands; Berührung zwischen Einzelbildern: zwei Einzelbilder außerhalb des Sicherheitsabstands, zwischen denen eine Berührung nicht ausgeschlossen ist;
-Annäherung: näher als der doppelte Sicherheitsabstand, nie darunter</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>The part of the person</source>
-        <translation>Der Körperteil der Person</translation>
     </message>
     <message>
         <source>Link</source>
@@ -3286,6 +3492,20 @@ Annäherung: näher als der doppelte Sicherheitsabstand, nie darunter</translati
 false: not needed; empty: needed and in time</source>
         <translation>Was ein Stopp am Anfang gewesen wäre. Verpasst: zu spät, oder niemand hat es gemeldet;
 Fehlauslösung: nicht nötig; leer: nötig und rechtzeitig</translation>
+    </message>
+    <message>
+        <source>Touching: it is not certain that the surfaces are apart; inside margin: nothing touches;
+touch between frames: two frames outside of the margin between which a touch is not excluded;
+near miss: nearer than twice the margin, never inside;
+robot stopped: as it was played; tracking lost: body parts that are not seen or whose poses are old</source>
+        <translation>Berührung: Es ist nicht sicher, dass die Oberflächen getrennt sind; Unterschreitung: nichts berührt sich;
+Berührung zwischen Bildern: zwei Bilder ohne Unterschreitung, zwischen denen eine Berührung nicht ausgeschlossen ist;
+Annäherung: näher als der doppelte Sicherheitsabstand, nie unterschritten;
+Roboter gestoppt: wie abgespielt; Verfolgung verloren: Körperteile, die nicht gesehen werden oder deren Posen alt sind</translation>
+    </message>
+    <message>
+        <source>The part of the person, or the robot that stopped</source>
+        <translation>Der Körperteil der Person, oder der gestoppte Roboter</translation>
     </message>
 </context>
 <context>
@@ -4189,17 +4409,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     </message>
 </context>
 <context>
-    <name>abstand::ui::MomentFeed</name>
-    <message>
-        <source>Clearance person – robot</source>
-        <translation>Abstand Person – Roboter</translation>
-    </message>
-    <message>
-        <source>Smallest distance</source>
-        <translation>Kleinster Abstand</translation>
-    </message>
-</context>
-<context>
     <name>abstand::ui::NotePanel</name>
     <message>
         <source>⚠ fails check</source>
@@ -4338,14 +4547,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>%1 + %2 (Pose)</translation>
     </message>
     <message>
-        <source>%1 and %2 are not checked: their group does not run, or they are in none. When last checked: %3</source>
-        <translation>%1 und %2 werden nicht geprüft: Ihre Gruppe läuft nicht, oder sie sind in keiner. Zuletzt geprüft: %3</translation>
-    </message>
-    <message>
-        <source>%1 and %2: %3 apart (true distance at least %4), margin %5, force %6 N</source>
-        <translation>%1 und %2: Abstand %3 (wahrer Abstand mindestens %4), Sicherheitsabstand %5, Kraft %6 N</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Zustand</translation>
     </message>
@@ -4362,14 +4563,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>Kraft [N]</translation>
     </message>
     <message>
-        <source>Contacts</source>
-        <translation>Kontakte</translation>
-    </message>
-    <message>
-        <source>Contact: within the margins. Near: closer than twice the margins. Pose lost: the distance is that of an old pose. Not checked: their group does not run.</source>
-        <translation>Unterschritten: näher als die Sicherheitsabstände. Nahe: näher als die doppelten Sicherheitsabstände. Pose verloren: Der Abstand ist der einer alten Pose. Nicht geprüft: Ihre Gruppe läuft nicht.</translation>
-    </message>
-    <message>
         <source>Between the bare surfaces, negative inside</source>
         <translation>Zwischen den bloßen Oberflächen; negativ: Durchdringung</translation>
     </message>
@@ -4382,14 +4575,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>Summe der Sicherheitsabstände beider Objekte und dessen, was für ungenau bekannte Orte hinzukommt</translation>
     </message>
     <message>
-        <source>Penalty force between the two</source>
-        <translation>Abstoßungskraft zwischen beiden</translation>
-    </message>
-    <message>
-        <source>Surface points within the margins</source>
-        <translation>Oberflächenpunkte innerhalb der Sicherheitsabstände</translation>
-    </message>
-    <message>
         <source>Distance [%1]</source>
         <translation>Abstand [%1]</translation>
     </message>
@@ -4400,6 +4585,26 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Margin [%1]</source>
         <translation>Sicherheitsabstand [%1]</translation>
+    </message>
+    <message>
+        <source>%1 virtual</source>
+        <translation>%1 virtuell</translation>
+    </message>
+    <message>
+        <source>Shell points</source>
+        <translation>Hüllpunkte</translation>
+    </message>
+    <message>
+        <source>Touching: it is not certain that the surfaces are apart. Inside margin: nothing touches, but it is not certain that the margins are kept. Near: closer than twice the margins. Pose lost: the distance is that of an old pose. Not checked: their group does not run.</source>
+        <translation>Berührt: Es ist nicht sicher, dass die Oberflächen getrennt sind. Unterschritten: nichts berührt sich, aber es ist nicht sicher, dass die Sicherheitsabstände eingehalten sind. Nahe: näher als die doppelten Sicherheitsabstände. Pose verloren: Der Abstand ist der einer alten Pose. Nicht geprüft: Ihre Gruppe läuft nicht.</translation>
+    </message>
+    <message>
+        <source>Contact force where the two touch; virtual: of the margins alone, nothing touches</source>
+        <translation>Kontaktkraft, wo sich beide berühren; virtuell: nur der Sicherheitsabstände, nichts berührt sich</translation>
+    </message>
+    <message>
+        <source>Points of the one&apos;s shell that are inside the margin of the other, or inside of it</source>
+        <translation>Punkte der Hülle des einen, die im Sicherheitsabstand des anderen oder in ihm sind</translation>
     </message>
 </context>
 <context>
@@ -4545,10 +4750,6 @@ motion itself (inertia). Gravity and motion are unknown (–) where the robot&ap
 der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), wo die Datei des Roboters keine Massen nennt.</translation>
     </message>
     <message>
-        <source>&amp;Window</source>
-        <translation>Z&amp;eitfenster</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -4595,6 +4796,38 @@ der Bewegung selbst (Trägheit). Schwerkraft und Bewegung sind unbekannt (–), 
     <message>
         <source>margin %1</source>
         <translation>Sicherheitsabstand %1</translation>
+    </message>
+    <message>
+        <source>Smallest distance of each class of pairs. Certified: never more than the true distance, over the
+whole recording; the others as far as they were played. Drop bodies and pairs here.</source>
+        <translation>Kleinster Abstand jeder Klasse von Paaren. Gesichert: nie mehr als der wahre Abstand, über die
+ganze Aufnahme; die anderen, soweit abgespielt. Körper und Paare hier ablegen.</translation>
+    </message>
+    <message>
+        <source>Largest force of a pair. Contact: its surfaces touch. Virtual: it is only inside its margin, and
+nothing touches. Of earlier margins: played before a margin was changed; play it again.</source>
+        <translation>Größte Kraft eines Paares. Kontakt: Seine Oberflächen berühren sich. Virtuell: Es unterschreitet nur den Sicherheitsabstand,
+und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer Änderung; neu abspielen.</translation>
+    </message>
+    <message>
+        <source>Time &amp;span</source>
+        <translation>Zeit&amp;spanne</translation>
+    </message>
+    <message>
+        <source>%1, certified</source>
+        <translation>%1, gesichert</translation>
+    </message>
+    <message>
+        <source>virtual (margin)</source>
+        <translation>virtuell</translation>
+    </message>
+    <message>
+        <source>of earlier margins</source>
+        <translation>früherer Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>contact and margins</source>
+        <translation>Kontakt und Sicherheitsabstände</translation>
     </message>
 </context>
 <context>
@@ -5079,20 +5312,8 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
         <translation>Im Raum: %1</translation>
     </message>
     <message>
-        <source>Touching or inside margins: %1</source>
-        <translation>Berührt oder unterschritten: %1</translation>
-    </message>
-    <message>
         <source>The pose is stale or was rejected: drawn hollow, never safe</source>
         <translation>Die Pose ist veraltet oder wurde verworfen: hohl gezeichnet, nie sicher</translation>
-    </message>
-    <message>
-        <source>⚠ touching</source>
-        <translation>⚠ berührt</translation>
-    </message>
-    <message>
-        <source>⚠ inside margin</source>
-        <translation>⚠ unterschritten</translation>
     </message>
     <message>
         <source>pose lost</source>
@@ -5113,6 +5334,10 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     <message>
         <source>Nearest</source>
         <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>Touching: %1, inside margins: %2</source>
+        <translation>Berührt: %1, unterschritten: %2</translation>
     </message>
 </context>
 <context>
@@ -5479,6 +5704,14 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
         <source>No earlier event known</source>
         <translation>Kein früheres Ereignis bekannt</translation>
     </message>
+    <message>
+        <source>No later event known of this kind: %1</source>
+        <translation>Kein späteres Ereignis dieser Art bekannt: %1</translation>
+    </message>
+    <message>
+        <source>No earlier event known of this kind: %1</source>
+        <translation>Kein früheres Ereignis dieser Art bekannt: %1</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::TimeMinimap</name>
@@ -5512,6 +5745,18 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     <message>
         <source>%1: smallest distance %2</source>
         <translation>%1: kleinster Abstand %2</translation>
+    </message>
+    <message>
+        <source>; touching</source>
+        <translation>; Berührung</translation>
+    </message>
+    <message>
+        <source>; inside a margin</source>
+        <translation>; unterschritten</translation>
+    </message>
+    <message>
+        <source>; inside a margin that has changed since: play it again</source>
+        <translation>; unterschritten, mit einem Sicherheitsabstand, der sich seither geändert hat: neu abspielen</translation>
     </message>
 </context>
 <context>
@@ -5614,20 +5859,8 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>⚠ %1  %2 N</source>
-        <translation>⚠ %1  %2 N</translation>
-    </message>
-    <message>
-        <source>⚠ %1</source>
-        <translation>⚠ %1</translation>
-    </message>
-    <message>
         <source>Contact force: %1 ≙ %2 N</source>
         <translation>Kontaktkraft: %1 ≙ %2 N</translation>
-    </message>
-    <message>
-        <source>Repulsion (margin, virtual): %1 ≙ %2 N</source>
-        <translation>Abstoßung (Sicherheitsabstand, gedacht): %1 ≙ %2 N</translation>
     </message>
     <message>
         <source>Torque: %1 ≙ %2 N·m</source>
@@ -5650,20 +5883,28 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
         <translation>%1 ist von Hand gestellt</translation>
     </message>
     <message>
-        <source>Joint torque of contacts: %1 ≙ %2 N·m</source>
-        <translation>Gelenkmoment der Kontakte: %1 ≙ %2 N·m</translation>
-    </message>
-    <message>
-        <source>Joint force of contacts: %1 ≙ %2 N</source>
-        <translation>Gelenkkraft der Kontakte: %1 ≙ %2 N</translation>
-    </message>
-    <message>
         <source> (reset: %1)</source>
         <translation> (quittieren: %1)</translation>
     </message>
     <message>
         <source>Poke: %1 N</source>
         <translation>Stoß: %1 N</translation>
+    </message>
+    <message>
+        <source>⚠ %1: %2</source>
+        <translation>⚠ %1: %2</translation>
+    </message>
+    <message>
+        <source>Virtual (margin) force: %1 ≙ %2 N</source>
+        <translation>Virtuelle Kraft (Sicherheitsabstand): %1 ≙ %2 N</translation>
+    </message>
+    <message>
+        <source>Joint torque of contacts and margins: %1 ≙ %2 N·m</source>
+        <translation>Gelenkmoment von Kontakten und Sicherheitsabständen: %1 ≙ %2 N·m</translation>
+    </message>
+    <message>
+        <source>Joint force of contacts and margins: %1 ≙ %2 N</source>
+        <translation>Gelenkkraft von Kontakten und Sicherheitsabständen: %1 ≙ %2 N</translation>
     </message>
 </context>
 <context>

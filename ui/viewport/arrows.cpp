@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/model/pair_level.hpp"
 #include "ui/style/theme.hpp"
 
 namespace abstand::ui {
@@ -52,7 +53,7 @@ void Arrows::sumForces(const view::SceneOutline& outline, const view::SceneSnaps
     const view::PairSnapshot& pair = snapshot.pairs[p];
     const query::PairResult& result = pair.result;
     if (pair.paused || result.contacts == 0) continue;
-    auto& pushes = pushes_[result.distance < 0.0 ? kReal : kVirtual];
+    auto& pushes = pushes_[isTouching(result) ? kReal : kVirtual];
     const double weight = result.force_a.norm();
     const auto add = [&](int object, const Vector3d& force, const Vector3d& p_W) {
       Push& push = pushes[static_cast<std::size_t>(object)];

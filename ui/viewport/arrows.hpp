@@ -24,10 +24,10 @@ class Arrows {
 
   void open(const view::SceneOutline& outline);
   /// Two forces on each object, each at the centre of its contact points (weighted by force): that of pairs
-  /// whose surfaces overlap, and, thinner and in another colour, that of pairs that are only within their
-  /// margins. Total torque about its centre of mass, velocity of its centre of mass. On each joint the torque
-  /// about its axis, or the force along it, that the contacts of its robot cause. True when something looks
-  /// different now.
+  /// whose surfaces touch (isTouching), and, thinner and in another colour, that of pairs that are only
+  /// within their margins. Total torque about its centre of mass, velocity of its centre of mass. On each
+  /// joint the torque about its axis, or the force along it, that the contacts of its robot cause. True when
+  /// something looks different now.
   bool refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot,
                const ViewOptions& options);
 

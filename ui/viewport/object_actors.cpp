@@ -131,15 +131,16 @@ void ObjectActors::setTheme(Theme theme) {
   }
 }
 
-bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const Selection& selection,
-                           const ViewOptions& options) {
+bool ObjectActors::refresh(const view::SceneSnapshot& snapshot, const std::vector<BodyState>& states,
+                           const Selection& selection, const ViewOptions& options) {
   bool changed = false;
   const std::size_t n = std::min(items_.size(), snapshot.objects.size());
   for (std::size_t i = 0; i < n; ++i) {
     changed |= place(items_[i], snapshot.objects[i].X_WB);
     changed |=
         shadows_.set(i, snapshot.objects[i].X_WB, items_[i].visible && options.floor && options.shadows);
-    const Look look{selection.contains(static_cast<int>(i)), haltOf(items_[i], snapshot)};
+    const PairLevel level = i < states.size() ? states[i].level : PairLevel::kUnknown;
+    const Look look{selection.contains(static_cast<int>(i)), haltOf(items_[i], snapshot), level};
     changed |= paint(items_[i], snapshot.objects[i], look, options);
   }
   return changed;
@@ -173,10 +174,11 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, const Look
   const bool chosen = as.chosen, halted = as.halt != Halt::kNone, stopped = as.halt == Halt::kStopped;
   const bool hollow =
       now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
-  const bool marked = now.colliding || chosen || halted;
-  setColour(look, now.colliding ? QColor(kVermillion)
-                  : halted      ? mixed(item.colour, QColor(kAmber), stopped ? kHaltTint : 0.5 * kHaltTint)
-                                : item.colour);
+  const bool broken = isBroken(as.level);
+  const bool marked = broken || chosen || halted;
+  setColour(look, broken   ? levelColour(as.level)
+                  : halted ? mixed(item.colour, QColor(kAmber), stopped ? kHaltTint : 0.5 * kHaltTint)
+                           : item.colour);
   look->SetRepresentation(hollow ? VTK_WIREFRAME : VTK_SURFACE);
   look->SetLighting(!hollow);
   // The mist of its neighbours lies over it.
@@ -189,14 +191,14 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, const Look
 
   vtkProperty* edge = item.outline->GetProperty();
   const auto edge_before = edge->GetMTime();
-  setColour(edge, chosen          ? QColor(kAccent)
-                  : now.colliding ? QColor(kVermillion).darker(190)
-                                  : QColor(stopped ? kVermillion : kAmber));
+  setColour(edge, chosen   ? QColor(kAccent)
+                  : broken ? levelColour(as.level).darker(190)
+                           : QColor(stopped ? kVermillion : kAmber));
   changed |= edge->GetMTime() != edge_before;
   changed |= show(item.body, item.visible);
   changed |= veil(item, now, hollow);
-  // What is hidden shows itself as an outline when it touches something.
-  changed |= show(item.outline, marked && !hollow && (item.visible || now.colliding));
+  // What is hidden shows itself as an outline when it touches something or is inside a margin.
+  changed |= show(item.outline, marked && !hollow && (item.visible || broken));
   return changed;
 }
 

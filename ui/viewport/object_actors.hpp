@@ -14,6 +14,7 @@
 
 #include "core/view/snapshot.hpp"
 #include "ui/document/view_options.hpp"
+#include "ui/model/body_state.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/viewport/prepared_meshes.hpp"
 #include "ui/viewport/shadows.hpp"
@@ -34,7 +35,9 @@ class ObjectActors {
   void open(const view::SceneOutline& outline, const PreparedMeshes& meshes, Theme theme);
   void setTheme(Theme theme);
   /// True when something looks different now.
-  bool refresh(const view::SceneSnapshot& snapshot, const Selection& selection, const ViewOptions& options);
+  /// `states`: of the objects.
+  bool refresh(const view::SceneSnapshot& snapshot, const std::vector<BodyState>& states,
+               const Selection& selection, const ViewOptions& options);
   void setVisible(int object, bool visible);
   bool isVisible(int object) const { return items_[static_cast<std::size_t>(object)].visible; }
   Shadows& shadows() { return shadows_; }
@@ -59,6 +62,7 @@ class ObjectActors {
   struct Look {
     bool chosen{false};
     Halt halt{Halt::kNone};
+    PairLevel level{PairLevel::kUnknown};
   };
 
   static vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* data, vtkMatrix4x4* pose);

@@ -46,6 +46,8 @@ QColor edgeColour(OverlayLabel::Style style) {
   switch (style) {
     case OverlayLabel::Style::kContact:
       return QColor(kVermillion);
+    case OverlayLabel::Style::kInside:
+      return QColor(kOchre);
     case OverlayLabel::Style::kNear:
       return QColor(kAmber);
     case OverlayLabel::Style::kPlain:

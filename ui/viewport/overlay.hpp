@@ -9,7 +9,7 @@
 namespace abstand::ui {
 
 struct OverlayLabel {
-  enum class Style { kContact, kNear, kPlain };
+  enum class Style { kContact, kInside, kNear, kPlain };
   QPointF at;
   QString text;
   Style style{Style::kPlain};

@@ -4,8 +4,10 @@
 #include <vtkBoundingBox.h>
 #include <vtkMath.h>
 
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -86,7 +88,8 @@ Viewport::Impl::~Impl() = default;
 
 bool Viewport::Impl::update() {
   if (!outline || !gl) return false;
-  bool changed = objects.refresh(snapshot, selection, options);
+  findBodyStates(*outline, snapshot, shown.bodies);
+  bool changed = objects.refresh(snapshot, shown.bodies, selection, options);
   changed |= arrows.refresh(*outline, snapshot, options);
   changed |= inside.refresh(snapshot, selection.objects());
   return changed;
@@ -200,7 +203,8 @@ void Viewport::open(const view::SceneOutline& outline, const view::SceneSnapshot
   my.objects.open(outline, meshes ? *meshes : *prepareMeshes(outline.meshes), themeOf(palette()));
   my.arrows.open(outline);
   // Poses first, then the floor below them, then the shadows upon it.
-  my.objects.refresh(my.snapshot, my.selection, my.options);
+  findBodyStates(outline, my.snapshot, my.shown.bodies);
+  my.objects.refresh(my.snapshot, my.shown.bodies, my.selection, my.options);
   my.room.fitTo(my.objects.bounds());
   my.objects.shadows().setFloorHeight(my.room.floorHeight());
   my.gl->dropBackdrop();
@@ -213,6 +217,7 @@ void Viewport::close() {
   Impl& my = *impl_;
   my.outline = nullptr;
   my.snapshot = {};
+  my.shown.bodies.clear();
   my.inside.setSource({});
   my.mouse.held.reset();
   my.mouse.pull.reset();
@@ -237,11 +242,21 @@ void Viewport::refresh(const view::SceneSnapshot& snapshot) {
   }
 }
 
-long Viewport::shownStep() const { return impl_->shown_step; }
+long Viewport::shownStep() const { return impl_->shown.step; }
 
 int Viewport::interval() const { return impl_->min_interval_ms; }
 
 const ViewOptions& Viewport::options() const { return impl_->options; }
+
+void Viewport::setTipSource(std::function<QString(int)> tip) { impl_->mouse.tip = std::move(tip); }
+
+QString Viewport::tipAt(const QPoint& at) const {
+  const Impl& my = *impl_;
+  if (!my.gl || !my.outline || !my.mouse.tip) return {};
+  const double scale = my.gl->devicePixelRatioF();
+  const int object = my.objects.pick(at.x() * scale, (my.gl->height() - 1 - at.y()) * scale);
+  return object < 0 ? QString() : my.mouse.tip(object);
+}
 
 void Viewport::setOptions(const ViewOptions& options) {
   impl_->options = options;
@@ -446,6 +461,15 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Wheel: {
       const auto* wheel = static_cast<QWheelEvent*>(event);
       zoom(std::pow(kZoomPerNotch, wheel->angleDelta().y() / 120.0));
+      return true;
+    }
+    case QEvent::ToolTip: {
+      const auto* help = static_cast<QHelpEvent*>(event);
+      const QString text = tipAt(help->pos());
+      if (text.isEmpty())
+        QToolTip::hideText();
+      else
+        QToolTip::showText(help->globalPos(), text, my.gl);
       return true;
     }
     case QEvent::Resize:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QString>
 #include <QWidget>
 #include <memory>
 
@@ -38,6 +39,10 @@ class Viewport : public QWidget {
   /// ms from the start of a picture to that of the next that this kind of OpenGL can keep up with.
   int interval() const;
 
+  /// What the tool tip says of a body; asked for while the pointer rests over it.
+  void setTipSource(std::function<QString(int object)> tip);
+  /// The tip at a point of the picture, logical pixels from the upper left corner; empty where nothing is.
+  QString tipAt(const QPoint& at) const;
   const ViewOptions& options() const;
   void setOptions(const ViewOptions& options);
   void setObjectVisible(int object, bool visible);

@@ -6,9 +6,12 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "ui/model/body_state.hpp"
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
 #include "ui/viewport/canvas.hpp"
@@ -68,18 +71,23 @@ struct Viewport::Impl {
     CameraView last;      ///< of the last picture
   } cameras;
   long frames{0};
-  long shown_step{-1};
+  struct {
+    long step{-1};                  ///< SceneSnapshot::step
+    std::vector<BodyState> bodies;  ///< states of the objects
+  } shown;
   struct {
     QPoint pressed, last;
     std::optional<Vector3d> held;  ///< m, world: the point that the user pulls or pokes
     bool pokes{false};
+    std::function<QString(int)> tip;  ///< of a body under the pointer; empty: none
     /// m, world: a line from a point to where it shall be
     std::optional<std::pair<Vector3d, Vector3d>> pull;
   } mouse;
 
  private:
   void addClosest();
-  void addContactLabels();
+  BodyState stateOf(int object) const;
+  void addBodyLabels();
   void addRobotLabels();
   void addPoke();
   void addLegend();

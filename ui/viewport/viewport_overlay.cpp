@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ui/model/body_state.hpp"
 #include "ui/model/groups.hpp"
 #include "ui/model/inspected_subject.hpp"
 #include "ui/model/pair_class.hpp"
@@ -17,9 +18,26 @@ namespace abstand::ui {
 namespace {
 
 constexpr std::size_t kClosestPairs = 4;  // lines; more hide the scene
-constexpr std::size_t kContactLabels = 4;
+constexpr std::size_t kBodyLabels = 4;
 constexpr double kPokeMetresPerNewton = 1.0 / 400.0;  // the spring of a poke: its arrow ends at the pointer
 constexpr double kFarLine = 1.5;                      // m; farther apart nothing is near
+
+OverlayLabel::Style styleOf(PairLevel level) {
+  switch (level) {
+    case PairLevel::kTouching:
+      return OverlayLabel::Style::kContact;
+    case PairLevel::kInside:
+      return OverlayLabel::Style::kInside;
+    case PairLevel::kNear:
+    case PairLevel::kLost:
+      return OverlayLabel::Style::kNear;
+    case PairLevel::kPaused:
+    case PairLevel::kApart:
+    case PairLevel::kUnknown:
+      break;
+  }
+  return OverlayLabel::Style::kPlain;
+}
 
 QPointF axis(const Camera& camera, const Vector3d& direction) {
   const Vector3d s = camera.onScreen(direction);
@@ -33,7 +51,7 @@ void Viewport::Impl::fillOverlay() {
   content.labels.clear();
   content.segments.clear();
   content.legend.clear();
-  shown_step = snapshot.step;
+  shown.step = snapshot.step;
   if (!outline) return;
   camera.update();
   content.axes = {axis(camera, Vector3d::UnitX()), axis(camera, Vector3d::UnitY()),
@@ -41,7 +59,7 @@ void Viewport::Impl::fillOverlay() {
   if (snapshot.pairs.size() == outline->pairs.size() && snapshot.objects.size() == outline->objects.size()) {
     if (options.closest) addClosest();
     if (options.labels) addRobotLabels();
-    if (options.labels) addContactLabels();
+    if (options.labels) addBodyLabels();
   }
   addPoke();
   if (mouse.pull)
@@ -59,10 +77,9 @@ void Viewport::Impl::addClosest() {
     const view::PairSnapshot& p = snapshot.pairs[static_cast<std::size_t>(pair)];
     return std::isnan(p.result.distance) || p.paused ? kInfinity : p.result.distance;
   };
-  // A hidden body has an outline while it is in contact; else a line would end in the air.
-  const auto drawn = [&](int object) {
-    return objects.isVisible(object) || snapshot.objects[static_cast<std::size_t>(object)].colliding;
-  };
+  // A hidden body has an outline while it touches something or is inside a margin; else a line would end in
+  // the air.
+  const auto drawn = [&](int object) { return objects.isVisible(object) || isBroken(stateOf(object).level); };
   const auto hidden = [&](int pair) {
     const auto& [a, b] = outline->pairs[static_cast<std::size_t>(pair)];
     return !drawn(a) || !drawn(b);
@@ -79,8 +96,7 @@ void Viewport::Impl::addClosest() {
   for (std::size_t i = 0; i < closest_.keys.size(); ++i) {
     const auto pair = static_cast<int>(i);
     const PairLevel level = pairLevel(snapshot, snapshot.pairs[i], outline->pairs[i]);
-    const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
-    const bool first = contact || pairClassOf(*outline, outline->pairs[i]) == PairClass::kPersonRobot;
+    const bool first = isBroken(level) || pairClassOf(*outline, outline->pairs[i]) == PairClass::kPersonRobot;
     const double d = distance(pair);
     closest_.keys[i] = hidden(pair)                              ? kInfinity
                        : pair == selection.pair() || holds(pair) ? -kInfinity
@@ -88,12 +104,12 @@ void Viewport::Impl::addClosest() {
                                                                  : d + kFarLine;
   }
   const auto key = [&](int pair) { return closest_.keys[static_cast<std::size_t>(pair)]; };
-  const std::size_t shown = std::min(kClosestPairs, closest_.order.size());
-  std::partial_sort(closest_.order.begin(), closest_.order.begin() + static_cast<std::ptrdiff_t>(shown),
+  const std::size_t lines = std::min(kClosestPairs, closest_.order.size());
+  std::partial_sort(closest_.order.begin(), closest_.order.begin() + static_cast<std::ptrdiff_t>(lines),
                     closest_.order.end(),
                     [&](int a, int b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
   OverlayContent& content = overlay->content();
-  for (std::size_t k = 0; k < shown; ++k) {
+  for (std::size_t k = 0; k < lines; ++k) {
     const int pair = closest_.order[k];
     const view::PairSnapshot& now = snapshot.pairs[static_cast<std::size_t>(pair)];
     const query::PairResult& result = now.result;
@@ -105,17 +121,9 @@ void Viewport::Impl::addClosest() {
     const QPointF b = camera.project(result.witness_b, &depth_b);
     if (depth_a <= 0.0 || depth_b <= 0.0) continue;
     const PairLevel level = pairLevel(snapshot, now, outline->pairs[static_cast<std::size_t>(pair)]);
-    const bool contact = level == PairLevel::kTouching || level == PairLevel::kInside;
-    const bool near = level == PairLevel::kNear || level == PairLevel::kLost;
-    content.segments.push_back({a, b,
-                                QColor(contact ? kVermillion
-                                       : near  ? kAmber
-                                               : 0xff5f6b77),
-                                near && !contact});
+    const auto style = styleOf(level);
+    content.segments.push_back({a, b, levelColour(level), style == OverlayLabel::Style::kNear});
     if (k > 0 && pair != selection.pair()) continue;
-    const auto style = contact ? OverlayLabel::Style::kContact
-                       : near  ? OverlayLabel::Style::kNear
-                               : OverlayLabel::Style::kPlain;
     content.labels.push_back({0.5 * (a + b), lengthText(result.distance), style, true});
   }
 }
@@ -165,29 +173,38 @@ void Viewport::Impl::addPoke() {
       {to, Viewport::tr("Poke: %1 N").arg(fixed(poke.force_W.norm(), 0)), OverlayLabel::Style::kPlain, true});
 }
 
-void Viewport::Impl::addContactLabels() {
+BodyState Viewport::Impl::stateOf(int object) const {
+  const auto i = static_cast<std::size_t>(object);
+  return i < shown.bodies.size() ? shown.bodies[i] : BodyState{};
+}
+
+/// What touches is named before what is only inside a margin.
+void Viewport::Impl::addBodyLabels() {
   OverlayContent& content = overlay->content();
-  std::size_t contacts = 0;
-  for (std::size_t i = 0; i < std::min(snapshot.objects.size(), outline->objects.size()); ++i) {
-    const view::ObjectSnapshot& object = snapshot.objects[i];
-    // The names of a whole robot would hide it.
-    const bool chosen =
-        selection.contains(static_cast<int>(i)) && selection.objects().size() <= kContactLabels;
-    if (!chosen && (!object.colliding || contacts >= kContactLabels)) continue;
-    double depth = 0.0;
-    const QPointF at = camera.project(object.p_WCom, &depth);
-    if (depth <= 0.0) continue;
-    const QString name = QString::fromStdString(clearName(*outline, i));
-    if (object.colliding) ++contacts;
-    const double force = object.contact.force.norm();
-    if (!object.colliding)
-      content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
-    else if (force >= options.min_force)
+  // The names of a whole robot would hide it.
+  const bool few_chosen = selection.objects().size() <= kBodyLabels;
+  const std::size_t bodies =
+      std::min({snapshot.objects.size(), outline->objects.size(), shown.bodies.size()});
+  std::size_t named = 0;
+  for (const PairLevel level : {PairLevel::kTouching, PairLevel::kInside, PairLevel::kApart})
+    for (std::size_t i = 0; i < bodies; ++i) {
+      const BodyState& state = shown.bodies[i];
+      const bool broken = isBroken(state.level);
+      if (broken ? state.level != level : level != PairLevel::kApart) continue;
+      const bool chosen = few_chosen && selection.contains(static_cast<int>(i));
+      if (!chosen && (!broken || named >= kBodyLabels)) continue;
+      double depth = 0.0;
+      const QPointF at = camera.project(snapshot.objects[i].p_WCom, &depth);
+      if (depth <= 0.0) continue;
+      const QString name = QString::fromStdString(clearName(*outline, i));
+      if (!broken) {
+        content.labels.push_back({at, name, OverlayLabel::Style::kPlain});
+        continue;
+      }
+      ++named;
       content.labels.push_back(
-          {at, Viewport::tr("⚠ %1  %2 N").arg(name, fixed(force, 1)), OverlayLabel::Style::kContact});
-    else
-      content.labels.push_back({at, Viewport::tr("⚠ %1").arg(name), OverlayLabel::Style::kContact});
-  }
+          {at, Viewport::tr("⚠ %1: %2").arg(name, state.words(options.min_force)), styleOf(state.level)});
+    }
 }
 
 void Viewport::Impl::addLegend() {
@@ -201,12 +218,12 @@ void Viewport::Impl::addLegend() {
   add(LegendLine::Mark::kArrow, kContactForce, arrows.forceScale(), Viewport::tr("Contact force: %1 ≙ %2 N"),
       1);
   add(LegendLine::Mark::kThinArrow, kVirtualForce, arrows.virtualScale(),
-      Viewport::tr("Repulsion (margin, virtual): %1 ≙ %2 N"), 1);
+      Viewport::tr("Virtual (margin) force: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kCurvedArrow, kBlue, arrows.torqueScale(), Viewport::tr("Torque: %1 ≙ %2 N·m"), 2);
   add(LegendLine::Mark::kCurvedArrow, kViolet, arrows.jointTorqueScale(),
-      Viewport::tr("Joint torque of contacts: %1 ≙ %2 N·m"), 2);
+      Viewport::tr("Joint torque of contacts and margins: %1 ≙ %2 N·m"), 2);
   add(LegendLine::Mark::kArrow, kViolet, arrows.jointForceScale(),
-      Viewport::tr("Joint force of contacts: %1 ≙ %2 N"), 1);
+      Viewport::tr("Joint force of contacts and margins: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
 }
 

@@ -180,7 +180,8 @@ TEST_F(LiveRecordTest, PlotSamplesComeOnceAndAgain) {
   EXPECT_EQ(samples[4].t, 5.0);
   EXPECT_EQ(samples[4].min_distance, -0.01);  // of pair 1; that of pair 2 is not known
   EXPECT_EQ(samples[4].nearest_pair, 1);
-  EXPECT_NEAR(samples[4].peak_force, Vector3d(1.1, 2.2, 3.3).norm(), 1e-12);
+  EXPECT_NEAR(samples[4].contact_force, Vector3d(1.1, 2.2, 3.3).norm(), 1e-12);
+  EXPECT_EQ(samples[4].virtual_force, 0.0);
   samples.clear();
   record.drainPlot(samples);
   EXPECT_TRUE(samples.empty());

@@ -24,7 +24,7 @@ TEST(EventTable, HasOneRowPerEvent) {
   EventTableModel model(review, nullptr);
   EXPECT_EQ(model.rowCount(), 0);
   model.refresh();
-  ASSERT_EQ(model.rowCount(), static_cast<int>(review.review().events.size()));
+  ASSERT_EQ(model.rowCount(), static_cast<int>(review.events().size()));
   const auto text = [&](int row, Column column) {
     return model.data(model.index(row, column), Qt::DisplayRole).toString().toStdString();
   };

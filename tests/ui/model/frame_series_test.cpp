@@ -90,7 +90,8 @@ TEST(RunHistory, FindsBeginningOfContacts) {
   std::vector<view::PlotSample> samples;
   for (int i = 0; i <= 100; ++i) {
     const bool contact = (i >= 20 && i < 30) || (i >= 70 && i < 72);
-    samples.push_back({i * 0.1, contact ? -0.01 : 0.2, contact ? 5.0 : 0.0, {}});
+    samples.push_back(
+        {.t = i * 0.1, .min_distance = contact ? -0.01 : 0.2, .contact_force = contact ? 5.0 : 0.0});
   }
   history.add(samples);
   EXPECT_DOUBLE_EQ(history.nextContact(0.0).value(), 2.0);
@@ -98,6 +99,74 @@ TEST(RunHistory, FindsBeginningOfContacts) {
   EXPECT_DOUBLE_EQ(history.previousContact(2.5).value(), 2.0);
   EXPECT_FALSE(history.nextContact(7.0).has_value());
   EXPECT_FALSE(history.previousContact(2.0).has_value());
+}
+
+TEST(FrameSeries, ForgetsStretch) {
+  FrameSeries series(0.0, 10.0, 0.1, Keep::kLargest);
+  for (int i = 0; i <= 100; ++i) series.add(0.1 * i, 1.0);
+  const long before = series.revision();
+  series.forget(2.0, 3.0);
+  EXPECT_GT(series.revision(), before);
+  EXPECT_EQ(series.at(1.9), 1.0);
+  EXPECT_TRUE(std::isnan(series.at(2.0)));
+  EXPECT_TRUE(std::isnan(series.at(3.0)));
+  EXPECT_EQ(series.at(3.1), 1.0);
+  series.forget(20.0, 30.0);
+  EXPECT_EQ(series.at(10.0), 1.0);
+}
+
+TEST(RunHistory, ForcesOfEarlierMarginsAreNotThoseOfPresentOnes) {
+  view::SceneOutline outline;
+  outline.end = 10.0;
+  outline.frame_period = 0.1;
+  outline.objects = {{"p/a", "p", true, true}, {"arm/b", "arm", false, true}, {"arm/c", "arm", false, true}};
+  outline.pairs = {{1, 2}, {0, 1}};
+  RunHistory history;
+  history.open(outline);
+  EXPECT_EQ(history.classes(), (std::vector{PairClass::kPersonRobot, PairClass::kRobotRobot}));
+  const auto play = [&](int from, int to, double force, long edits) {
+    std::vector<view::PlotSample> samples;
+    for (int i = from; i <= to; ++i) {
+      view::PlotSample sample{.t = 0.1 * i, .min_distance = 0.05, .virtual_force = force};
+      sample.class_distance[0] = 0.3;
+      sample.class_distance[2] = 0.05;
+      sample.peak_torque.contact = 2.0 * force;
+      sample.peak_torque.gravity = 7.0;
+      sample.margin_edits = edits;
+      samples.push_back(sample);
+    }
+    history.add(samples);
+  };
+  play(0, 50, 8.0, 0);
+  EXPECT_FALSE(history.hasEarlier());
+  EXPECT_TRUE(history.wasInside(2.0, 2.0));
+  EXPECT_EQ(history.firstDistance().at(2.0), 0.3) << "people first";
+  EXPECT_EQ(history.distanceOf(PairClass::kRobotRobot).at(2.0), 0.05);
+  // The margin becomes smaller while the time stands at 5 s.
+  play(50, 50, 0.0, 1);
+  EXPECT_TRUE(history.hasEarlier());
+  EXPECT_TRUE(std::isnan(history.virtualForce().at(2.0))) << "not known under the present margins";
+  EXPECT_FALSE(history.wasInside(2.0, 2.0));
+  EXPECT_TRUE(history.wasInsideEarlier(2.0, 2.0));
+  EXPECT_EQ(history.earlierForce().at(2.0), 8.0);
+  EXPECT_EQ(history.earlierTorque().at(2.0), 16.0);
+  EXPECT_TRUE(std::isnan(history.torques()[0].at(2.0)));
+  EXPECT_EQ(history.torques()[2].at(2.0), 7.0) << "gravity does not depend on margins";
+  EXPECT_EQ(history.virtualForce().at(5.0), 0.0);
+  EXPECT_TRUE(std::isnan(history.earlierForce().at(5.0))) << "played anew";
+  EXPECT_EQ(history.distanceOf(PairClass::kPersonRobot).at(2.0), 0.3) << "distances stay";
+  // And a part is played again.
+  play(10, 20, 3.0, 1);
+  EXPECT_EQ(history.virtualForce().at(1.5), 3.0);
+  EXPECT_TRUE(std::isnan(history.earlierForce().at(1.5)));
+  EXPECT_EQ(history.earlierForce().at(3.0), 8.0);
+  // Twice changed: what was fresh is of earlier margins, too.
+  play(30, 30, 1.0, 3);
+  EXPECT_EQ(history.earlierForce().at(1.5), 3.0);
+  EXPECT_TRUE(std::isnan(history.virtualForce().at(1.5)));
+  EXPECT_EQ(history.nextContact(0.0), std::optional(3.0));
+  history.open(outline);
+  EXPECT_FALSE(history.hasEarlier());
 }
 
 }  // namespace frame_series_test
