@@ -63,6 +63,7 @@
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
 #include "ui/scene_edits.hpp"
+#include "ui/speed_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/kept_keys.hpp"
@@ -176,6 +177,7 @@ void MainWindow::buildCommands() {
   commands_.projects = new ProjectCommands(*document_, this);
   commands_.files = new FileCommands(*actions_, *document_, *commands_.projects, this);
   commands_.reports = new ReportCommands(this);
+  commands_.speeds = new SpeedCommands(this);
   commands_.videos = new VideoRecorder(*playback_, *viewport_, this);
   commands_.margins = new MarginCommands(*document_, follower_, *review_, *panels_.margins, *actions_, this);
   commands_.scene = new SceneEdits({*document_, follower_, *tree_model_, feed_->moment()}, panels_, this);
@@ -204,6 +206,7 @@ void MainWindow::buildCommands() {
 
 void MainWindow::setSession(SessionPort* session) {
   commands_.videos->cancel();
+  commands_.speeds->close();
   if (session_) kept_selection_.keep(*selection_, session_->outline());
   session_ = session;
   selection_->clear();
@@ -248,6 +251,7 @@ void MainWindow::setSession(SessionPort* session) {
 
 void MainWindow::openPanels(const view::SceneOutline& outline) {
   const std::vector<double> margins = follower_.margins(document_->work());
+  review_->setSettings(document_->work().what_if);
   review_->open(session_ ? session_->analysis() : nullptr, outline, margins);
   feed_->open(outline, margins);
   commands_.margins->open(session_ ? &outline : nullptr);
@@ -268,6 +272,7 @@ void MainWindow::followSpan() {
   const view::SceneOutline& outline = session_->outline();
   axis_->open(outline.start, outline.end, outline.frame_period);
   axis_->setRange(document_->work().range);
+  review_->setSpan(outline.start, outline.end);
   playback_->setSpan(outline.start, outline.end);
 }
 

@@ -37,6 +37,7 @@ class ReportCommands;
 class SceneEdits;
 class SceneTreeModel;
 class Selection;
+class SpeedCommands;
 class StartPage;
 class TimeAxis;
 class VideoRecorder;
@@ -71,11 +72,13 @@ class MainWindow : public QMainWindow {
   void keepAutosaves(const QString& folder);
 
   Document& document() const { return *document_; }
+  FileCommands& files() const { return *commands_.files; }
   ProjectCommands& projects() const { return *commands_.projects; }
   VideoRecorder& videos() const { return *commands_.videos; }
   ExchangeCommands& exchange() const { return *commands_.exchange; }
   LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
+  SpeedCommands& speeds() const { return *commands_.speeds; }
   ReportCommands& reports() const { return *commands_.reports; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
@@ -168,6 +171,7 @@ class MainWindow : public QMainWindow {
     LinkDrag* drag;
     LiveCommands* live;
     LinkPoke* poke;
+    SpeedCommands* speeds;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

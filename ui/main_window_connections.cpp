@@ -47,6 +47,7 @@
 #include "ui/project_commands.hpp"
 #include "ui/reading_dialog.hpp"
 #include "ui/report_commands.hpp"
+#include "ui/speed_commands.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/units.hpp"
@@ -54,6 +55,7 @@
 #include "ui/tour_steps.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
+#include "ui/what_if_dialog.hpp"
 
 namespace abstand::ui {
 
@@ -340,7 +342,15 @@ void MainWindow::connectMargins() {
   connect(panels_.curve, &MarginCurve::released, panels_.margins, &MarginPanel::release);
   connect((*actions_)[ActionId::kReport], &QAction::triggered, this, [this] {
     const std::string margins = commands_.margins->presentSet();
-    if (!margins.empty()) commands_.reports->ask(margins, document_->work().scene);
+    if (margins.empty()) return;
+    const Work& work = document_->work();
+    commands_.reports->ask(margins, work.scene.isEmpty() ? work.recording : work.scene, work.what_if);
+  });
+  connect((*actions_)[ActionId::kProposeSpeeds], &QAction::triggered, commands_.speeds, &SpeedCommands::open);
+  connect(commands_.speeds, &SpeedCommands::picked, playback_, &Playback::seek);
+  connect((*actions_)[ActionId::kWhatIf], &QAction::triggered, this, [this] {
+    if (const auto what_if = askWhatIf(document_->work().what_if, this))
+      document_->edit(tr("what-if assumptions"), [&](Work& work) { work.what_if = *what_if; });
   });
   connect(commands_.reports, &ReportCommands::failed, this, &MainWindow::showProblem);
   connect((*actions_)[ActionId::kFindMargin], &QAction::triggered, this, [this] {

@@ -63,6 +63,7 @@ void MainWindow::followWork(const Work& before, const Work& after) {
     panels_.separation->setSettings(after.separation);
     panels_.separation->refresh(feed_->moment());
   }
+  if (!(before.what_if == after.what_if)) review_->setSettings(after.what_if);
   if (before.range != after.range) axis_->setRange(after.range);
   if (before.bookmarks != after.bookmarks) showBookmarks();
   if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);

@@ -26,9 +26,10 @@ namespace {
 
 constexpr std::uintmax_t kMaxSetBytes = 1 << 20;
 constexpr ActionId kMarginActions[] = {
-    ActionId::kResetMargins, ActionId::kNoMargins,      ActionId::kMargins50,     ActionId::kMargins100,
-    ActionId::kMargins200,   ActionId::kCopyMargins,    ActionId::kPasteMargins,  ActionId::kOpenMargins,
-    ActionId::kSaveMargins,  ActionId::kProposeMargins, ActionId::kCompareMargins};
+    ActionId::kResetMargins, ActionId::kNoMargins,      ActionId::kMargins50,      ActionId::kMargins100,
+    ActionId::kMargins200,   ActionId::kCopyMargins,    ActionId::kPasteMargins,   ActionId::kOpenMargins,
+    ActionId::kSaveMargins,  ActionId::kProposeMargins, ActionId::kCompareMargins, ActionId::kProposeSpeeds,
+    ActionId::kWhatIf};
 
 }  // namespace
 
@@ -243,7 +244,8 @@ void MarginCommands::propose() {
   }
   std::vector<bool> all_locked;
   for (int i = 0; i < static_cast<int>(outline_->objects.size()); ++i) all_locked.push_back(locked(i));
-  const std::vector<ProposedRow> rows = proposedRows(*review_.store(), margins(), all_locked);
+  const std::vector<ProposedRow> rows =
+      proposedRows(*review_.store(), margins(), all_locked, review_.options());
   auto* dialog = new ProposalDialog(rows, window_);
   connect(dialog, &ProposalDialog::picked, this, &MarginCommands::picked);
   connect(dialog, &QDialog::accepted, this, [this, rows, outline = outline_] {

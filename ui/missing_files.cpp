@@ -33,7 +33,8 @@ QString chosenFile(const QString& file, QWidget* parent) {
 }
 
 /// Asks until the file exists.
-Answer locate(QString& file, const QString& question, bool may_skip, QWidget* parent) {
+/// @param skip_word  of the button that does without the file; empty: there is none
+Answer locate(QString& file, const QString& question, const QString& skip_word, QWidget* parent) {
   while (isMissing(file)) {
     QMessageBox box(QMessageBox::Warning, text(QT_TRANSLATE_NOOP("missing_files", "Missing file")),
                     question.arg(file), QMessageBox::Cancel, parent);
@@ -42,9 +43,7 @@ Answer locate(QString& file, const QString& question, bool may_skip, QWidget* pa
     QPushButton* find =
         box.addButton(text(QT_TRANSLATE_NOOP("missing_files", "&Locate…")), QMessageBox::AcceptRole);
     QPushButton* skip =
-        may_skip ? box.addButton(text(QT_TRANSLATE_NOOP("missing_files", "&Use the scene's recording")),
-                                 QMessageBox::DestructiveRole)
-                 : nullptr;
+        skip_word.isEmpty() ? nullptr : box.addButton(skip_word, QMessageBox::DestructiveRole);
     box.setDefaultButton(find);
     box.exec();
     if (skip && box.clickedButton() == skip) return Answer::kSkipped;
@@ -58,7 +57,8 @@ Answer locate(QString& file, const QString& question, bool may_skip, QWidget* pa
 
 QStringList missingFiles(const Project& project) {
   QStringList missing;
-  for (const QString& file : {project.work.scene, project.work.recording})
+  for (const QString& file :
+       QStringList{project.work.scene, project.work.recording} + project.work.added_files)
     if (isMissing(file)) missing << file;
   return missing;
 }
@@ -66,15 +66,26 @@ QStringList missingFiles(const Project& project) {
 bool locateMissing(Project& project, QWidget* parent) {
   Work& work = project.work;
   if (locate(work.scene,
-             text(QT_TRANSLATE_NOOP("missing_files", "The scene of the project was not found:\n%1")), false,
+             text(QT_TRANSLATE_NOOP("missing_files", "The scene of the project was not found:\n%1")), {},
              parent) == Answer::kGivenUp)
     return false;
+  const QString scenes_own = text(QT_TRANSLATE_NOOP("missing_files", "&Use the scene's recording"));
   const Answer answer =
       locate(work.recording,
              text(QT_TRANSLATE_NOOP("missing_files", "The recording of the project was not found:\n%1")),
-             !work.scene.isEmpty(), parent);
+             work.scene.isEmpty() ? QString() : scenes_own, parent);
+  if (answer == Answer::kGivenUp) return false;
   if (answer == Answer::kSkipped) work.recording.clear();
-  return answer != Answer::kGivenUp;
+  QStringList found;
+  for (QString file : work.added_files) {
+    const Answer of_file = locate(
+        file, text(QT_TRANSLATE_NOOP("missing_files", "A file that the project adds was not found:\n%1")),
+        text(QT_TRANSLATE_NOOP("missing_files", "&Do without it")), parent);
+    if (of_file == Answer::kGivenUp) return false;
+    if (of_file == Answer::kLocated) found << file;
+  }
+  work.added_files = found;
+  return true;
 }
 
 }  // namespace abstand::ui

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace abstand::ui {
 
-/// The scene or the recording of a project, where they do not exist.
+/// Files of a project that do not exist: scene, recording, added robots and meshes.
 QStringList missingFiles(const Project& project);
 
 /// Asks for each of them: the user says where it is, leaves a recording out, or gives up. False: given up.

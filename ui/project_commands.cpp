@@ -15,7 +15,7 @@ ProjectCommands::ProjectCommands(Document& document, QWidget* window)
     : QObject(window), document_(document), window_(window) {}
 
 bool ProjectCommands::mayDiscard() {
-  const bool empty = document_.work().scene.isEmpty() && document_.work().recording.isEmpty();
+  const bool empty = document_.work().showsNothing();
   if (!dialogs_ || empty || !document_.modified()) return true;
   QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                   tr("The project has changes that are not saved. Save them?"),

@@ -14,7 +14,7 @@ QString say(const char* words) { return QCoreApplication::translate("recovery", 
 
 QString nameOf(const LeftOver& left) {
   const Work& work = left.content.project.work;
-  for (const QString& path : {left.content.saved_as, work.scene, work.recording})
+  for (const QString& path : {left.content.saved_as, work.scene, work.recording, work.added_files.value(0)})
     if (!path.isEmpty()) return QFileInfo(path).fileName();
   return {};
 }

@@ -17,12 +17,17 @@ ReportCommands::ReportCommands(QWidget* window) : QObject(window), window_(windo
   qRegisterMetaType<abstand::ui::ReportRequest>();
 }
 
-void ReportCommands::ask(const std::string& margin_set, const QString& scene_name) {
+void ReportCommands::ask(const std::string& margin_set, const QString& scene_name,
+                         const WhatIfSettings& what_if) {
   if (wait_) {
     wait_->raise();
     return;
   }
   last_.margin_set = margin_set;
+  last_.limit = what_if.limit;
+  last_.reaction_time = what_if.reaction_time;
+  last_.deceleration = what_if.deceleration;
+  last_.restart_time = what_if.restart_time;
   if (last_.file.isEmpty())
     last_.file =
         QDir(recentFolder())

@@ -5,6 +5,7 @@
 #include <QPointer>
 
 #include "ui/model/report_request.hpp"
+#include "ui/model/what_if_settings.hpp"
 
 class QProgressDialog;
 class QWidget;
@@ -19,8 +20,8 @@ class ReportCommands : public QObject {
  public:
   explicit ReportCommands(QWidget* window);
 
-  /// Asks for the rest of the request, beginning with the last answers.
-  void ask(const std::string& margin_set, const QString& scene_name);
+  /// Asks for the rest of the request, beginning with the assumptions of the window.
+  void ask(const std::string& margin_set, const QString& scene_name, const WhatIfSettings& what_if);
   /// The page was written.
   void done(const QString& file);
   /// It was not; nothing was written.

@@ -8,6 +8,7 @@
 
 #include "app/analysis/analysis_feed.hpp"
 #include "app/session/session.hpp"
+#include "app/tune/distance_pass.hpp"
 
 namespace abstand::analysis {
 
@@ -15,6 +16,11 @@ namespace abstand::analysis {
 struct AnalysisRequest {
   scene_file::SceneDescription scene;
   session::SessionOptions options;
+  /// Of `tune`: braking, limit, calibration error and latency. Its other members have no effect.
+  tune::PassOptions pass;
+  /// Names of the pairs of people's parts and robots' links that the session checks.
+  std::vector<std::pair<std::string, std::string>> watched;
+  std::vector<std::pair<std::string, std::string>> left_out;  ///< those of `watched` that are not analysed
 };
 
 /// The request for what `session` shows: it shares the session's structures. `options`: how its recording was
@@ -22,8 +28,13 @@ struct AnalysisRequest {
 std::optional<AnalysisRequest> requestFor(const session::Session& session,
                                           const session::SessionOptions& options = {});
 
+/// Takes pairs, by the names of their bodies, out of those that a scene checks, also those that it names: a
+/// named pair is checked whatever else is said.
+void leaveOut(const std::vector<std::pair<std::string, std::string>>& pairs,
+              scene_file::SceneDescription& scene);
+
 /// Runs the recording as recorded, without reactions, as `tune` does with its usual options, and fills
-/// `feed`. Ends within a few frames once that is cancelled. Throws nothing.
+/// `feed`; without a pair it fails. Ends within a few frames once that is cancelled. Throws nothing.
 void runAnalysis(const AnalysisRequest& request, AnalysisFeed& feed);
 
 /// Runs one analysis at a time, on a thread with low priority. start() and stop() wait for nobody: what was

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/analysis/analysis_feed.hpp"
+#include "app/tune/distance_pass.hpp"
 #include "app/tune/watched_pairs.hpp"
 
 namespace abstand::analysis {
@@ -9,8 +10,8 @@ namespace abstand::analysis {
 /// Parts and links in the order in which the pairs name them first.
 margin::StoreLayout layoutOf(const session::Session& session, const std::vector<tune::WatchedPair>& pairs);
 
-/// Runs all frames until the end or until the feed is cancelled. Throws UsageError for a scene without a pair
-/// of a person and a robot.
-void storePass(session::Session& session, AnalysisFeed& feed);
+/// `pass`: as AnalysisRequest::pass. Runs all frames until the end or until the feed is cancelled. Throws
+/// UsageError for a scene without a pair of a person and a robot.
+void storePass(session::Session& session, AnalysisFeed& feed, const tune::PassOptions& pass = {});
 
 }  // namespace abstand::analysis

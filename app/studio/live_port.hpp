@@ -13,14 +13,19 @@
 
 namespace abstand::studio {
 
+/// Holds another feed when the analysis begins again. GUI thread only.
+struct FeedSlot {
+  std::shared_ptr<analysis::AnalysisFeed> feed;
+};
+
 /// From the feed of an analysis to the window.
 class FeedPort final : public ui::AnalysisPort {
  public:
-  explicit FeedPort(std::shared_ptr<analysis::AnalysisFeed> feed) : feed_(std::move(feed)) {}
-  bool takeNews(view::AnalysisNews& out) override { return feed_->take(out); }
+  explicit FeedPort(std::shared_ptr<FeedSlot> slot) : slot_(std::move(slot)) {}
+  bool takeNews(view::AnalysisNews& out) override { return slot_->feed->take(out); }
 
  private:
-  std::shared_ptr<analysis::AnalysisFeed> feed_;
+  std::shared_ptr<FeedSlot> slot_;
 };
 
 /// By object of the outline; constant.

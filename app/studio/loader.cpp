@@ -9,6 +9,7 @@
 #include "app/studio/opening_progress.hpp"
 #include "app/studio/scene_of_file.hpp"
 #include "app/studio/scene_of_work.hpp"
+#include "app/studio/unreadable_files.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::studio {
@@ -33,7 +34,7 @@ session::SessionOptions optionsOf(const ui::Work& work) {
 std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_file::PackagePaths& packages,
                                               const std::atomic<bool>& cancelled,
                                               const OpeningProgress::Show& show, SceneBodies& bodies) {
-  scene_file::SceneDescription scene = sceneOf(work.scene, work.recording, packages);
+  scene_file::SceneDescription scene = sceneOf(work, packages);
   session::SessionOptions options = optionsOf(work);
   for (const scene_file::HumanDescription& human : scene.humans) bodies[human.name] = human.body;
   applyWork(work, scene);
@@ -68,14 +69,14 @@ void Loader::removeEnded() {
   std::erase_if(jobs_, [](const auto& job) { return job->ended.load(); });
 }
 
-void Loader::start(const ui::Work& work, double t) {
+void Loader::start(const ui::Work& work, double t, bool lenient) {
   abandon();
   removeEnded();
   auto job = std::make_shared<Job>();
   current_ = job;
   jobs_.push_back(job);
   // The thread outlives neither the job nor the loader; what it has posted may outlive the job.
-  job->thread = std::jthread([this, job = job.get(), weak = std::weak_ptr<Job>(job), work, t] {
+  job->thread = std::jthread([this, job = job.get(), weak = std::weak_ptr<Job>(job), work, t, lenient] {
     const auto post = [this, weak](auto&& call) {
       const auto if_current = [this, weak, call] {
         if (current_ && weak.lock() == current_) call();
@@ -87,9 +88,22 @@ void Loader::start(const ui::Work& work, double t) {
       const auto show = [&](const ui::Opening& opening) {
         post([this, opening] { Q_EMIT progressed(opening); });
       };
-      auto session = makeSession(work, packages_, job->cancelled, show, loaded->bodies);
+      loaded->work = work;
+      const auto make = [&] {
+        loaded->bodies.clear();
+        return makeSession(loaded->work, packages_, job->cancelled, show, loaded->bodies);
+      };
+      std::unique_ptr<session::Session> session;
+      try {
+        session = make();
+      } catch (const std::exception&) {
+        if (!lenient || job->cancelled) throw;
+        loaded->left_out = leaveOutUnreadable(loaded->work, packages_);
+        if (loaded->left_out.isEmpty() || loaded->work.showsNothing()) throw;
+        session = make();
+      }
       loaded->notes = run::notesOf(*session);
-      loaded->analysis = analysis::requestFor(*session, optionsOf(work));
+      loaded->analysis = analysis::requestFor(*session, optionsOf(loaded->work));
       loaded->depth = depthPeople(*session);
       loaded->reach = RobotReach(*session);
       for (const scene::Object& object : session->scene().objects())

@@ -30,7 +30,9 @@ struct Loaded {
   SceneBodies bodies;                                 ///< without the options of the work
   std::vector<DepthPerson> depth;                     ///< whose recording is one of depth images
   RobotReach reach;
-  QString problem;  ///< why it failed
+  QString problem;       ///< why it failed
+  ui::Work work;         ///< what was loaded
+  QStringList left_out;  ///< a sentence for each file that could not be read and is not in `work`
 };
 
 /// One load at a time counts, the newest. An older one is abandoned: it is told to end, and nobody waits for
@@ -43,8 +45,9 @@ class Loader : public QObject {
   /// Waits for all loads, which are told to end.
   ~Loader() override;
 
-  /// Scene, recording and reading of `work`; the session starts at `t`.
-  void start(const ui::Work& work, double t);
+  /// Scene, recording, added files and reading of `work`; the session starts at `t`. `lenient`: a file that
+  /// cannot be read is left out, and the others are loaded.
+  void start(const ui::Work& work, double t, bool lenient = false);
   void abandon();
   bool isLoading() const { return current_ != nullptr; }
 

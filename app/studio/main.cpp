@@ -19,6 +19,7 @@
 #include "core/base/number.hpp"
 #include "core/base/output_place.hpp"
 #include "ui/document/autosave.hpp"
+#include "ui/file_commands.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/project_commands.hpp"
@@ -45,7 +46,8 @@ int fail(int code, const QString& text) {
 }
 
 struct Arguments {
-  QString file, recording, server, screenshot;
+  QStringList files;
+  QString recording, server, screenshot;
   robot_file::PackagePaths packages;
   bool react{true};
   QSize size{kDefaultSize};
@@ -87,7 +89,10 @@ void describeOptions(QCommandLineParser& parser) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", QCoreApplication::translate("main", "project, scene, robot or recording"), "[FILE]");
+      "file",
+      QCoreApplication::translate(
+          "main", "projects, scenes, robots, meshes and recordings; several are shown together"),
+      "[FILE...]");
   parser.addOption({"recording",
                     QCoreApplication::translate("main", "recording that replaces those of the scene"),
                     "FILE"});
@@ -158,18 +163,18 @@ bool parse(const QStringList& arguments, Arguments& args) {
     return false;
   }
   args.language = languageFor(arguments);
-  args.file = parser.positionalArguments().value(0);
+  args.files = parser.positionalArguments();
   args.recording = parser.value("recording");
   args.server = parser.value("connect");
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
-  if (args.probe_s > 0.0 && args.file.isEmpty() && args.recording.isEmpty()) {
+  if (args.probe_s > 0.0 && args.files.isEmpty() && args.recording.isEmpty()) {
     fail(kWrongUsage, "abstand-studio: error: --probe: found nothing to play, expected a FILE");
     return false;
   }
-  if (parser.positionalArguments().size() > 1) {
-    fail(kWrongUsage, "abstand-studio: error: found several files, expected one");
+  if (args.files.size() > 1 && !args.server.isEmpty()) {
+    fail(kWrongUsage, "abstand-studio: error: --connect: found several files, expected one scene");
     return false;
   }
   return true;
@@ -213,30 +218,54 @@ void takePicture(ui::MainWindow& window, const Arguments& args) {
   });
 }
 
-/// Asks for the files of the command line.
-void open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args) {
-  if (!args.server.isEmpty()) return studio.connectTo(args.server, args.file);
-  if (!args.recording.isEmpty() && ui::kindOf(args.recording) == ui::FileKind::kMoments)
-    return studio.openMoments(args.recording, args.file);
-  switch (args.file.isEmpty() ? ui::FileKind::kUnknown : ui::kindOf(args.file)) {
+void seekWhenReady(studio::Studio& studio, ui::MainWindow& window, double t) {
+  if (t > 0.0)
+    QObject::connect(&studio, &studio::Studio::ready, &window, [&window, t] { window.playback().seek(t); });
+}
+
+/// Asks for the files of the command line. False: none of them can be opened.
+bool open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args) {
+  const QString file = args.files.value(0);
+  if (!args.server.isEmpty()) {
+    studio.connectTo(args.server, file);
+    return true;
+  }
+  if (args.files.size() > 1) {
+    seekWhenReady(studio, window, args.at);
+    return window.files().open(args.recording.isEmpty() ? args.files
+                                                        : args.files + QStringList{args.recording});
+  }
+  if (!args.recording.isEmpty() && ui::kindOf(args.recording) == ui::FileKind::kMoments) {
+    studio.openMoments(args.recording, file);
+    return true;
+  }
+  switch (file.isEmpty() ? ui::FileKind::kUnknown : ui::kindOf(file)) {
     case ui::FileKind::kProject:
-      if (args.at > 0.0)
-        QObject::connect(&studio, &studio::Studio::ready, &window,
-                         [&window, t = args.at] { window.playback().seek(t); });
-      window.projects().open(args.file);
+      seekWhenReady(studio, window, args.at);
+      window.projects().open(file);
       break;
     case ui::FileKind::kMoments:
-      return studio.openMoments(args.file, QString());
+      studio.openMoments(file, QString());
+      return true;
     case ui::FileKind::kRecording:
-      studio.openRecording(args.file);
+      studio.openRecording(file);
       break;
+    case ui::FileKind::kMesh:
+      seekWhenReady(studio, window, args.at);
+      return window.files().open(args.recording.isEmpty() ? args.files
+                                                          : args.files + QStringList{args.recording});
     case ui::FileKind::kScene:
+    case ui::FileKind::kRobot:
     case ui::FileKind::kMargins:
     case ui::FileKind::kUnknown:
       // What a scene is its reader says best.
-      if (!args.file.isEmpty()) return studio.openScene(args.file, args.recording, args.at);
+      if (!file.isEmpty()) {
+        studio.openScene(file, args.recording, args.at);
+        return true;
+      }
   }
   if (!args.recording.isEmpty()) studio.openRecording(args.recording);
+  return true;
 }
 
 }  // namespace
@@ -293,10 +322,15 @@ int main(int argc, char** argv) {
     QObject::connect(
         &studio, &Studio::failed, &window,
         [](const QString& problem) { QApplication::exit(fail(kBadInput, problem)); }, Qt::QueuedConnection);
-    if (args.file.isEmpty() && args.recording.isEmpty() && args.server.isEmpty()) takePicture(window, args);
+    const auto tell = [](const QString& sentences) { QTextStream(stderr) << sentences << "\n"; };
+    QObject::connect(&window.files(), &ui::FileCommands::failed, &window,
+                     [tell](const QString&, const QString& problem) { tell(problem); });
+    QObject::connect(&studio, &Studio::leftOut, &window,
+                     [tell](const QStringList& sentences) { tell(sentences.join(QLatin1Char('\n'))); });
+    if (args.files.isEmpty() && args.recording.isEmpty() && args.server.isEmpty()) takePicture(window, args);
   } else {
     window.keepAutosaves(ui::Autosave::standardFolder());
   }
-  open(studio, window, args);
+  if (!open(studio, window, args) && unattended) return kBadInput;
   return QApplication::exec();
 }

@@ -16,7 +16,7 @@ namespace abstand::studio {
 
 void writeRange(const ui::Work& work, const robot_file::PackagePaths& packages, const std::string& person,
                 const ui::TimeRange& range, const QString& file) {
-  scene_file::SceneDescription scene = sceneOf(work.scene, work.recording, packages);
+  scene_file::SceneDescription scene = sceneOf(work, packages);
   applyWork(work, scene);
   const auto human = std::find_if(scene.humans.begin(), scene.humans.end(),
                                   [&](const auto& each) { return each.name == person; });

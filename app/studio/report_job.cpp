@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "app/scene_file/scene_description.hpp"
+#include "app/studio/scene_of_file.hpp"
 #include "app/studio/scene_of_work.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
@@ -19,14 +20,14 @@ namespace {
 constexpr int kKillMs = 3000;  // until a program that was asked to end is killed
 constexpr int kPartlyDone = 5;
 
-/// In the quotes of YAML.
-std::string quotedPath(const QString& path) {
-  QString safe = path;
-  safe.replace(QLatin1Char('\\'), QLatin1String("\\\\")).replace(QLatin1Char('"'), QLatin1String("\\\""));
-  return '"' + safe.toStdString() + '"';
+/// The report's assumptions are those of its dialog.
+ui::Work withAssumptions(ui::Work work, const ui::ReportRequest& request) {
+  work.what_if.limit = request.limit;
+  work.what_if.reaction_time = request.reaction_time;
+  work.what_if.deceleration = request.deceleration;
+  work.what_if.restart_time = request.restart_time;
+  return work;
 }
-
-QString number(double value) { return QString::fromStdString(formatDouble(value)); }
 
 /// The last non-empty line.
 QString lastLine(const QString& text) {
@@ -36,19 +37,12 @@ QString lastLine(const QString& text) {
 
 }  // namespace
 
-QString commandLineProgram() {
-  const QFileInfo beside(QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("abstand")));
-  return beside.isExecutable() ? beside.absoluteFilePath()
-                               : QStandardPaths::findExecutable(QStringLiteral("abstand"));
-}
-
 ReportJob::ReportJob(QString program, ui::Work work, ui::ReportRequest request,
                      robot_file::PackagePaths packages, QObject* parent)
     : QObject(parent),
       program_(std::move(program)),
-      work_(std::move(work)),
-      request_(std::move(request)),
-      packages_(std::move(packages)) {
+      call_(withAssumptions(std::move(work), request), std::move(packages)),
+      request_(std::move(request)) {
   connect(&process_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this, &ReportJob::end);
   connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) Q_EMIT failed(tr("%1 cannot be started").arg(program_));
@@ -67,11 +61,12 @@ void ReportJob::start() {
   QString problem;
   if (program_.isEmpty())
     problem = tr("The program \"abstand\" is neither next to this program nor in PATH.");
-  else if (!folder_.isValid())
-    problem = folder_.errorString();
   if (problem.isEmpty()) {
     try {
-      const QStringList words = arguments();
+      const QStringList words = call_.words()
+                                << QStringLiteral("--margin-set")
+                                << call_.keep(QStringLiteral("present_margins.yaml"), request_.margin_set)
+                                << QStringLiteral("--report") << request_.file;
       process_.setStandardInputFile(QProcess::nullDevice());
       process_.setStandardOutputFile(QProcess::nullDevice());
       return process_.start(program_, words);
@@ -80,45 +75,6 @@ void ReportJob::start() {
     }
   }
   Q_EMIT failed(problem);
-}
-
-QString ReportJob::keep(const QString& name, const std::string& text) const {
-  const QString file = folder_.filePath(name);
-  writeFile(QFile::encodeName(file).toStdString(), text);
-  return file;
-}
-
-/// The scene; where the user reads its recordings or builds its people otherwise, one that says so.
-QString ReportJob::sceneFile() {
-  if (!changesScene(work_)) return work_.scene;
-  scene_file::SceneDescription scene =
-      scene_file::loadScene(QFile::encodeName(work_.scene).toStdString(), packages_);
-  applyWork(work_, scene);
-  return keep(QFileInfo(work_.scene).completeBaseName() + QStringLiteral("_as_read.yaml"),
-              scene_file::describeScene(scene));
-}
-
-QStringList ReportJob::arguments() {
-  const QString scene = sceneFile();
-  QStringList words{QStringLiteral("tune")};
-  if (work_.reading.speed == 1.0) {
-    words << scene;
-    if (!work_.recording.isEmpty()) words << QStringLiteral("--recordings") << work_.recording;
-  } else {
-    std::string plan = "abstand_plan: 1\nscenes: [" + quotedPath(scene) + "]\n";
-    if (!work_.recording.isEmpty()) plan += "recordings: [" + quotedPath(work_.recording) + "]\n";
-    plan += "speeds: [" + formatDouble(work_.reading.speed) + "]\n";
-    words << keep(QStringLiteral("plan.yaml"), plan);
-  }
-  if (work_.reading.cut_things) words << QStringLiteral("--cut-things");
-  words << QStringLiteral("--margin-set") << keep(QStringLiteral("present_margins.yaml"), request_.margin_set)
-        << QStringLiteral("--limit") << number(request_.limit)  //
-        << QStringLiteral("--reaction-time") << number(request_.reaction_time)
-        << QStringLiteral("--deceleration") << number(request_.deceleration)
-        << QStringLiteral("--restart-time") << number(request_.restart_time);
-  for (const auto& folder : packages_.folders)
-    words << QStringLiteral("--package-path") << QFile::decodeName(folder.c_str());
-  return words << QStringLiteral("--quiet") << QStringLiteral("--report") << request_.file;
 }
 
 void ReportJob::end(int code, QProcess::ExitStatus status) {

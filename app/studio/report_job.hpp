@@ -4,16 +4,11 @@
 #include <QObject>
 #include <QProcess>
 #include <QString>
-#include <QTemporaryDir>
 
-#include "core/robot_file/mesh_reference.hpp"
-#include "ui/document/work.hpp"
+#include "app/studio/tune_call.hpp"
 #include "ui/model/report_request.hpp"
 
 namespace abstand::studio {
-
-/// Path of `abstand`: beside this program, otherwise in PATH; empty if it is in neither.
-QString commandLineProgram();
 
 /// Runs `abstand tune --report` over what a document shows: its scene, recording, reading options and
 /// margins. A process of its own, so that the window keeps its pace. Destruction ends the process; a page is
@@ -36,16 +31,11 @@ class ReportJob : public QObject {
   void failed(const QString& problem);
 
  private:
-  QStringList arguments();
-  QString sceneFile();
-  QString keep(const QString& name, const std::string& text) const;
   void end(int code, QProcess::ExitStatus status);
 
   QString program_;
-  ui::Work work_;
+  TuneCall call_;
   ui::ReportRequest request_;
-  robot_file::PackagePaths packages_;
-  QTemporaryDir folder_;
   QProcess process_;
 };
 

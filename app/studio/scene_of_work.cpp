@@ -1,7 +1,9 @@
 #include "app/studio/scene_of_work.hpp"
 
 #include <QFile>
+#include <algorithm>
 
+#include "app/analysis/analysis_runner.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::studio {
@@ -47,6 +49,21 @@ void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
   for (const auto& [a, b] : work.added)
     if (a != b && bodies.contains(a) && bodies.contains(b))
       scene.pairs.include.emplace_back(a.toStdString(), b.toStdString());
+}
+
+void leaveOutUnchecked(const ui::Work& work, scene_file::SceneDescription& scene) {
+  if (!hasUnchecked(work)) return;
+  const QSet<QString> bodies = bodiesOf(scene);
+  std::vector<std::pair<std::string, std::string>> unchecked;
+  for (auto it = work.moved.begin(); it != work.moved.end(); ++it)
+    if (it->isEmpty() && bodies.contains(it.key().first) && bodies.contains(it.key().second))
+      unchecked.emplace_back(it.key().first.toStdString(), it.key().second.toStdString());
+  analysis::leaveOut(unchecked, scene);
+}
+
+bool hasUnchecked(const ui::Work& work) {
+  return std::any_of(work.moved.begin(), work.moved.end(),
+                     [](const QString& group) { return group.isEmpty(); });
 }
 
 bool changesScene(const ui::Work& work) {

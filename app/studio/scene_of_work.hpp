@@ -13,6 +13,11 @@ void applyPerson(const ui::PersonOptions& options, humanmodel::HumanOptions& bod
 /// the work that the scene does not have have no effect.
 void applyWork(const ui::Work& work, scene_file::SceneDescription& scene);
 
+/// Leaves out the pairs that the user does not check.
+void leaveOutUnchecked(const ui::Work& work, scene_file::SceneDescription& scene);
+/// There are such pairs.
+bool hasUnchecked(const ui::Work& work);
+
 /// applyWork() changes something.
 bool changesScene(const ui::Work& work);
 

@@ -17,15 +17,18 @@
 #include "humanmodel/body_part.hpp"
 #include "ui/document/document.hpp"
 #include "ui/exchange_commands.hpp"
+#include "ui/file_commands.hpp"
 #include "ui/import_commands.hpp"
 #include "ui/live_commands.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recording_review.hpp"
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/person_editor.hpp"
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
+#include "ui/speed_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -35,7 +38,7 @@ namespace {
 
 bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
   return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading && a.people == b.people &&
-         a.added == b.added;
+         a.added == b.added && a.added_files == b.added_files;
 }
 
 constexpr int kNoticeMs = 8000, kSettleMs = 500;
@@ -58,6 +61,7 @@ struct Studio::Request {
     kNew,        ///< `project` takes its place
     kRecording,  ///< an edit: the recording of `project`
     kPerson,     ///< an edit: `person` as in `project`
+    kFiles,      ///< an edit: scene, added files and recording of `project`
     kFollow      ///< nothing: it is as it should be
   };
   Kind kind{Kind::kFollow};
@@ -67,6 +71,7 @@ struct Studio::Request {
   QString person{};
   std::shared_ptr<LiveSource> live{};  ///< moments of a server in this scene
   ui::Work before{};                   ///< of the document when the request was made
+  bool lenient{false};                 ///< files that cannot be read are left out
 };
 
 Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
@@ -76,11 +81,14 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
   connect(&window, &ui::MainWindow::openSceneRequested, this,
           [this](const QString& path) { openScene(path, QString(), 0.0); });
   connect(&window, &ui::MainWindow::openRecordingRequested, this, &Studio::openRecording);
+  connect(&window.files(), &ui::FileCommands::batchWanted, this, &Studio::openBatch);
   connect(&window, &ui::MainWindow::openProjectRequested, this, &Studio::openProject);
   connect(&window, &ui::MainWindow::personRequested, this, &Studio::changePerson);
   connect(&window, &ui::MainWindow::reloadRequested, this, &Studio::reload);
   connect(&window.reports(), &ui::ReportCommands::wanted, this, &Studio::makeReport);
   connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
+  connect(&window.speeds(), &ui::SpeedCommands::wanted, this, &Studio::proposeSpeeds);
+  connect(&window.speeds(), &ui::SpeedCommands::cancelled, this, [this] { speeds_.reset(); });
   window.imports().setReader(readForImport);
   window.panels().inspector->person()->setPreviewer(
       [this](const QString& person, const ui::PersonOptions& options) {
@@ -112,7 +120,7 @@ void Studio::load(Request request) {
   request.before = window_.document().work();
   request_ = std::make_unique<Request>(std::move(request));
   window_.showOpening({});
-  loader_.start(request_->project.work, request_->project.viewpoint.t);
+  loader_.start(request_->project.work, request_->project.viewpoint.t, request_->lenient);
 }
 
 void Studio::openScene(const QString& scene, const QString& recording, double t) {
@@ -151,6 +159,33 @@ void Studio::openRecording(const QString& recording) {
   load(std::move(request));
 }
 
+void Studio::openBatch(const ui::FileBatch& batch) {
+  const auto loadWith = [&](Request request) {
+    request.lenient = true;
+    ui::Work& work = request.project.work;
+    if (!batch.scene.isEmpty()) work.scene = absolute(batch.scene);
+    if (!batch.recording.isEmpty()) work.recording = absolute(batch.recording);
+    for (const QString& file : batch.added) work.added_files << absolute(file);
+    load(std::move(request));
+  };
+  // Into the scene that is on its way, where one is.
+  if (request_ && request_->kind == Request::Kind::kNew && !batch.fresh) {
+    Request request = std::move(*request_);
+    request.modified |= !request.file.isEmpty();
+    return loadWith(std::move(request));
+  }
+  Request request;
+  if (batch.fresh || !port_) {
+    request.kind = Request::Kind::kNew;
+    request.project.work.view = window_.document().work().view;
+  } else {
+    request.kind = Request::Kind::kFiles;
+    request.project = window_.document().project();
+    request.project.viewpoint.t = batch.recording.isEmpty() ? window_.playback().time() : 0.0;
+  }
+  loadWith(std::move(request));
+}
+
 void Studio::changePerson(const QString& name, const ui::PersonOptions& options) {
   if (!port_) return;
   Request request;
@@ -171,7 +206,7 @@ void Studio::openProject(const ui::Project& project, const QString& file, bool m
   request.project = project;
   request.file = file;
   request.modified = modified;
-  if (!project.work.scene.isEmpty() || !project.work.recording.isEmpty()) return load(std::move(request));
+  if (!project.work.showsNothing()) return load(std::move(request));
   close();
   window_.document().open(project, file, modified);
 }
@@ -198,7 +233,7 @@ void Studio::giveUp(const Request& request) {
 void Studio::close() {
   cancel();
   window_.setSession(nullptr);
-  analyses_.stop();
+  analysis_.close();
   port_.reset();
   record_.reset();
   shown_ = {};
@@ -208,6 +243,8 @@ void Studio::close() {
 }
 
 void Studio::followWork(const ui::Work& before, const ui::Work& after) {
+  analysis_.follow(after);
+  window_.review().setLeftOut(analysis_.leftOut());
   if (isLoadedAlike(before, after) || isLoadedAlike(after, request_ ? request_->project.work : shown_))
     return;
   Request request;
@@ -216,11 +253,28 @@ void Studio::followWork(const ui::Work& before, const ui::Work& after) {
   load(std::move(request));
 }
 
+/// As it is shown, with the pairs and the assumptions that need no other session.
+ui::Work Studio::tunedWork() const {
+  ui::Work work = shown_;
+  work.moved = window_.document().work().moved;
+  work.what_if = window_.document().work().what_if;
+  return work;
+}
+
 void Studio::makeReport(const ui::ReportRequest& request) {
-  report_ = std::make_unique<ReportJob>(commandLineProgram(), shown_, request, packages_);
+  report_ = std::make_unique<ReportJob>(commandLineProgram(), tunedWork(), request, packages_);
   connect(report_.get(), &ReportJob::done, &window_.reports(), &ui::ReportCommands::done);
   connect(report_.get(), &ReportJob::failed, &window_.reports(), &ui::ReportCommands::fail);
   report_->start();
+}
+
+void Studio::proposeSpeeds(const ui::SpeedRequest& request) {
+  ui::Work work = tunedWork();
+  work.separation = window_.document().work().separation;
+  speeds_ = std::make_unique<SpeedJob>(commandLineProgram(), work, request, packages_);
+  connect(speeds_.get(), &SpeedJob::done, &window_.speeds(), &ui::SpeedCommands::done);
+  connect(speeds_.get(), &SpeedJob::failed, &window_.speeds(), &ui::SpeedCommands::fail);
+  speeds_->start();
 }
 
 void Studio::fail(const QString& problem) {
@@ -259,12 +313,12 @@ void Studio::openMoments(const QString& file, const QString& scene) {
 }
 
 void Studio::openLive(std::shared_ptr<LiveSource> source, const QString& scene) {
-  Request request;
-  request.kind = Request::Kind::kNew;
-  request.project.work.view = window_.document().work().view;
-  request.project.work.scene = absolute(scene);
-  request.live = std::move(source);
-  load(std::move(request));
+  auto request = std::make_unique<Request>();
+  request->kind = Request::Kind::kNew;
+  request->project.work.view = window_.document().work().view;
+  request->project.work.scene = absolute(scene);
+  request->live = std::move(source);
+  load(std::move(*request));
 }
 
 void Studio::disconnectLive() {
@@ -323,7 +377,7 @@ void Studio::savePairs(const QString& robot, const QString& file) {
 /// A file that was replaced is watched no longer: all are added again.
 void Studio::watchFiles() {
   if (!files_.files().isEmpty()) files_.removePaths(files_.files());
-  for (const QString& file : {shown_.scene, shown_.recording})
+  for (const QString& file : QStringList{shown_.scene, shown_.recording} + shown_.added_files)
     if (QFileInfo::exists(file)) files_.addPath(file);
 }
 
@@ -336,6 +390,16 @@ void Studio::editDocument(const Request& request) {
     case Request::Kind::kRecording:
       return document.edit(tr("open recording %1").arg(QFileInfo(wanted.recording).fileName()),
                            [&](ui::Work& work) { work.recording = wanted.recording; });
+    case Request::Kind::kFiles: {
+      const ui::Work& shown = document.work();
+      const int count = (wanted.scene != shown.scene) + (wanted.recording != shown.recording) +
+                        (wanted.added_files.size() - shown.added_files.size());
+      return document.edit(tr("open %n files", nullptr, count), [&](ui::Work& work) {
+        work.scene = wanted.scene;
+        work.recording = wanted.recording;
+        work.added_files = wanted.added_files;
+      });
+    }
     case Request::Kind::kPerson:
       return document.edit(tr("change the person %1").arg(request.person),
                            [&](ui::Work& work) { work.people = wanted.people; });
@@ -347,8 +411,7 @@ void Studio::editDocument(const Request& request) {
 std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& request) {
   record_ = request.live ? request.live->record : nullptr;
   if (!request.live) {
-    std::unique_ptr<FeedPort> feed;
-    if (loaded.analysis) feed = std::make_unique<FeedPort>(analyses_.start(std::move(*loaded.analysis)));
+    std::unique_ptr<FeedPort> feed = analysis_.open(std::move(loaded.analysis), request.project.work);
     return std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
                                       std::move(loaded.meshes), std::move(loaded.structures),
                                       std::move(loaded.depth), std::move(loaded.reach));
@@ -378,6 +441,13 @@ void Studio::take(Loaded& loaded) {
     giveUp(*request);
     return fail(loaded.problem);
   }
+  if (!loaded.left_out.isEmpty()) {
+    request->project.work.scene = loaded.work.scene;
+    request->project.work.recording = loaded.work.recording;
+    request->project.work.added_files = loaded.work.added_files;
+    window_.showProblem(tr("Not opened"), loaded.left_out.join(QLatin1Char('\n')));
+    Q_EMIT leftOut(loaded.left_out);
+  }
   ui::Document& document = window_.document();
   const bool is_new = request->kind == Request::Kind::kNew;
   // Work that was done while it was loading.
@@ -394,13 +464,16 @@ void Studio::take(Loaded& loaded) {
       !why.isEmpty())
     return fail(tr("%1 cannot be shown with this scene. %2").arg(request->live->name, why));
   window_.setSession(nullptr);
-  analyses_.stop();
+  analysis_.close();
   port_ = portOf(loaded, *request);
   bodies_ = std::move(loaded.bodies);
   shown_ = wanted;
   watchFiles();
   editDocument(*request);
   window_.setSession(port_.get());
+  analysis_.follow(document.work());
+  window_.review().setLeftOut(analysis_.leftOut());
+  window_.files().sessionShown();
   if (goes_on) {
     window_.playback().seek(t);
     if (was_playing) window_.playback().setPlaying(true);

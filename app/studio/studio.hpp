@@ -12,9 +12,12 @@
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
 #include "app/studio/range_file.hpp"
+#include "app/studio/recording_analysis.hpp"
 #include "app/studio/report_job.hpp"
+#include "app/studio/speed_job.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
+#include "ui/model/file_batch.hpp"
 
 namespace abstand::studio {
 
@@ -35,6 +38,9 @@ class Studio : public QObject {
   /// Replaces the recordings of the people in the present scene, as an edit of the document. Without a scene
   /// the person of the recording is shown alone.
   void openRecording(const QString& recording);
+  /// Shows files together. A batch with a scene begins a new document if it is fresh; what else it has is an
+  /// edit of the document. A file of it that cannot be read is left out, with leftOut().
+  void openBatch(const ui::FileBatch& batch);
   /// Begins with a document that was read.
   void openProject(const ui::Project& project, const QString& file, bool modified);
   /// Shows what a running server computes, in the window's scene; an empty `scene`: the file that it states.
@@ -55,6 +61,8 @@ class Studio : public QObject {
  Q_SIGNALS:
   void ready();
   void failed(const QString& problem);
+  /// The others are shown: ready() follows.
+  void leftOut(const QStringList& sentences);
 
  private:
   struct Request;
@@ -63,7 +71,9 @@ class Studio : public QObject {
   void editDocument(const Request& request);
   void giveUp(const Request& request);
   void followWork(const ui::Work& before, const ui::Work& after);
+  ui::Work tunedWork() const;
   void makeReport(const ui::ReportRequest& request);
+  void proposeSpeeds(const ui::SpeedRequest& request);
   void connectExchange();
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
@@ -79,10 +89,11 @@ class Studio : public QObject {
   Loader loader_;
   std::unique_ptr<ui::SessionPort> port_;
   SceneBodies bodies_;  // of the scene that port_ shows
-  analysis::AnalysisRunner analyses_;
+  RecordingAnalysis analysis_;
   std::unique_ptr<Request> request_;  // of the load that is under way
   ui::Work shown_;                    // what port_ was loaded from
   std::unique_ptr<ReportJob> report_;
+  std::unique_ptr<SpeedJob> speeds_;
   RangeJob range_;
   LiveOpening opening_;
   std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server

@@ -76,7 +76,10 @@ QString whyNotShown(const moment::SceneCard& card, const view::SceneOutline& out
 }
 
 ViewerPort::ViewerPort(Parts parts, std::function<double()> clock)
-    : my_(std::move(parts)), clock_(std::move(clock)), moment_(moment::makeMoment(*my_.record->card())) {
+    : my_(std::move(parts)),
+      review_(my_.record, my_.outline),
+      clock_(std::move(clock)),
+      moment_(moment::makeMoment(*my_.record->card())) {
   adapt(my_.outline);
   const auto kept = my_.record->span();
   my_.outline.frame_period = 1.0 / kept.rate;

@@ -7,6 +7,7 @@
 
 #include "app/studio/inside_of_body.hpp"
 #include "app/studio/live_port.hpp"
+#include "app/studio/viewer_review.hpp"
 #include "app/viewer/live_record.hpp"
 #include "app/viewer/viewer_link.hpp"
 #include "core/scene/cycle_statistics.hpp"
@@ -42,6 +43,7 @@ class ViewerPort final : public ui::SessionPort {
   std::optional<ui::LiveStatus> live() const override;
   void toLive() override;
   ui::TimeRange span() const override { return span_; }
+  ui::AnalysisPort* analysis() override { return review_.empty() ? nullptr : &review_; }
   bool takeSnapshot(view::SceneSnapshot& out) override;
   void drainPlot(std::vector<view::PlotSample>& out) override;
   void play(bool on) override;
@@ -72,6 +74,7 @@ class ViewerPort final : public ui::SessionPort {
   bool decode(view::SceneSnapshot& out);
 
   Parts my_;
+  ViewerReview review_;
   std::function<double()> clock_;
   ui::TimeRange span_;
   moment::Moment moment_;

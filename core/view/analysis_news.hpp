@@ -15,11 +15,15 @@ struct AnalysisNews {
     kRunning,
     kDone,
     kFailed,  ///< see `problem`; what came before stays right
+    kLive,    ///< of moments that a server sends, without end; nothing is known between them
   };
   State state{State::kOpening};
   std::string problem;                                ///< one line
   std::size_t done{0}, frames{0};                     ///< frames that were run; in all, 0: not known yet
-  std::shared_ptr<const margin::StoreLayout> layout;  ///< null: not known yet; never changes again
+  std::shared_ptr<const margin::StoreLayout> layout;  ///< null: not known yet; another one: the
+                                                      ///< analysis has begun again, and `chunks` are all
+  /// `chunks` are all that there are: what came before is no longer valid.
+  bool all{false};
   /// Those that are new, in order of time.
   std::vector<std::shared_ptr<const margin::ClearanceChunk>> chunks;
 };

@@ -11,13 +11,19 @@
 #include <nlohmann/json.hpp>
 
 #include "app/serve/udp_socket.hpp"
+#include "app/studio/viewer_review.hpp"
 #include "app/viewer/live_record.hpp"
 #include "core/base/text_file.hpp"
+#include "tests/app/viewer/example_moment.hpp"
 #include "tests/ui/studio_window.hpp"
 #include "ui/live_commands.hpp"
+#include "ui/model/event_text.hpp"
 #include "ui/model/pair_level.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recording_review.hpp"
+#include "ui/panels/lane_view.hpp"
 #include "ui/panels/margin_tools.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/style/actions.hpp"
 #include "ui/style/elided_label.hpp"
 
@@ -162,6 +168,135 @@ TEST_F(StudioLive, ShowsGoesBackSavesAndGoesStale) {
   const auto answer = nlohmann::json::parse(readFile(out));
   EXPECT_NEAR(answer["min_distance"]["value"].get<double>(), before,
               window.moment().pairs[0].result.bound + 1e-9);
+}
+
+/// A record of moments without a server: the person's torso at a known distance from the robot.
+struct ReviewOfMoments : ::testing::Test {
+  static constexpr double kPeriod = 0.05;  // s, longer than that of the moments that are kept
+  /// Of half floats and steps of the store.
+  static constexpr double kStored = 2e-3;  // m
+
+  ReviewOfMoments() {
+    for (const char* name : {"arm/link1", "anna/torso", "wall"})
+      outline.objects.push_back({name, "", false, true});
+    outline.objects[0].group = "arm";
+    outline.objects[1].group = "anna";
+    outline.objects[1].human = true;
+    outline.objects[2].group = "objects";
+    outline.pairs = {{0, 1}, {0, 2}, {1, 2}};
+    outline.frame_period = kPeriod;
+    record->begin(moment::exampleCard(), viewer::LinkState::kConnected, 0.0);
+  }
+  static double distance(double t) { return 0.3 + 0.2 * std::sin(t); }
+  void add(double t, bool seen = true) {
+    moment::Moment m = moment::exampleMoment(t, distance(t));
+    for (view::ObjectSnapshot& object : m.shown.objects) {
+      object.pose_uncertainty = 0.01;
+      object.pose_state = seen ? scene::PoseState::kFresh : scene::PoseState::kStale;
+    }
+    ASSERT_TRUE(record->add(moment::exampleFrame(m), m, t));
+  }
+  void open() {
+    outline.end = record->span().last + 1.0;
+    port.emplace(record, outline);
+    review.open(&*port, outline, {0.05, 0.05, 0.0});
+  }
+  /// All moments that are kept are in the review.
+  bool caughtUp() {
+    return QTest::qWaitFor(
+        [&] {
+          review.pull();
+          return review.store() && !review.store()->empty() &&
+                 review.store()->t(review.store()->frames() - 1) == record->span().last;
+        },
+        kLimitMs);
+  }
+
+  std::shared_ptr<viewer::LiveRecord> record = std::make_shared<viewer::LiveRecord>();
+  view::SceneOutline outline;
+  std::optional<ViewerReview> port;
+  ui::RecordingReview review;
+};
+
+TEST_F(ReviewOfMoments, LanesHaveEveryMomentAndGrow) {
+  for (int i = 0; i < 600; ++i) add(kPeriod * i);
+  open();
+  ASSERT_TRUE(caughtUp());
+  EXPECT_EQ(review.state(), view::AnalysisNews::State::kLive);
+  ASSERT_EQ(review.store()->layout().pairs.size(), 1u) << "of people and robots alone";
+  EXPECT_EQ(review.store()->layout().parts[0].name, "anna/torso");
+  EXPECT_EQ(review.store()->frames(), 600u);
+  const auto expectExact = [&] {
+    for (std::size_t i = 0; i < review.store()->frames(); ++i) {
+      const double t = review.store()->t(i);
+      const auto nearest = review.store()->nearest(0, i);
+      EXPECT_NEAR(nearest.distance, distance(t), kStored);
+      // Certified: bound 1 mm and 10 mm of each pose.
+      EXPECT_LE(nearest.clearance, distance(t) - 0.021 + 1e-9);
+      EXPECT_NEAR(nearest.clearance, distance(t) - 0.021, kStored);
+      EXPECT_FALSE(nearest.unknown);
+    }
+  };
+  expectExact();
+  // Below 0.1 m once in each period of the sine.
+  long inside = 0;
+  for (const auto& event : review.review().events) {
+    inside += event.kind == margin::ReviewEvent::Kind::kIntrusion;
+    EXPECT_FALSE(event.false_stop || event.missed) << "nothing is known between moments";
+  }
+  EXPECT_EQ(inside, 5);
+  EXPECT_TRUE(ui::whatIfText(review).contains("Moments"));
+  for (int i = 600; i < 700; ++i) add(kPeriod * i);
+  ASSERT_TRUE(caughtUp());
+  EXPECT_EQ(review.store()->frames(), 700u);
+  expectExact();
+}
+
+TEST_F(ReviewOfMoments, StaleMomentsAreUnknown) {
+  for (int i = 0; i < 40; ++i) add(kPeriod * i, i < 20 || i >= 30);
+  open();
+  ASSERT_TRUE(caughtUp());
+  for (std::size_t i = 0; i < 40; ++i)
+    EXPECT_EQ(review.store()->nearest(0, i).unknown, i >= 20 && i < 30) << i;
+  EXPECT_TRUE(review.store()->look(0, 0, 40).unknown);
+  EXPECT_FALSE(review.store()->look(0, 0, 20).unknown);
+  ASSERT_FALSE(review.review().events.empty()) << "what is unknown is inside every margin";
+}
+
+TEST_F(ReviewOfMoments, KeepsTenMinutes) {
+  for (int i = 0; i < 1500; ++i) add(0.5 * i);
+  open();
+  ASSERT_TRUE(caughtUp());
+  const double first = record->span().first;
+  EXPECT_GT(first, 0.0);
+  for (int i = 1500; i < 2400; ++i) add(0.5 * i);
+  ASSERT_TRUE(caughtUp());
+  EXPECT_LE(review.store()->t(0), record->span().first);
+  // Whole chunks are dropped.
+  EXPECT_GT(review.store()->t(0), record->span().first - 0.5 * margin::ClearanceChunk::kFrames);
+}
+
+TEST_F(StudioLive, PersonHasALaneWhileConnected) {
+  folder.write("scene.yaml",
+               "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05}\nmechanisms:\n  - name: slide\n    file: "
+               "slide.mech\n    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.1}}}]\n"
+               "humans:\n  - {name: anna}\n");
+  ASSERT_TRUE(serve());
+  ASSERT_TRUE(connects()) << problem;
+  const ui::RecordingReview& review = window.review();
+  EXPECT_TRUE(review.available());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return review.store() && review.store()->frames() > 10; }, kLimitMs));
+  EXPECT_EQ(review.state(), view::AnalysisNews::State::kLive);
+  EXPECT_FALSE(review.store()->layout().parts.empty());
+  EXPECT_TRUE(window.panels().timeline->laneView()->isVisible());
+  const std::size_t before = review.store()->frames();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return review.store()->frames() > before; }, kLimitMs)) << "they go on";
+  for (std::size_t part = 0; part < review.store()->layout().parts.size(); ++part) {
+    // As the window shows the newest moment: the person was never seen, so that nothing is known.
+    EXPECT_EQ(review.store()->nearest(part, before - 1).unknown,
+              window.moment().objects[review.store()->layout().parts[part].object].pose_state ==
+                  scene::PoseState::kStale);
+  }
 }
 
 TEST_F(StudioLive, FollowsAServerThatStartsAgainAndLetsGo) {

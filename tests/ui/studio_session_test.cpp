@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
@@ -13,15 +15,19 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/depth/open_session.hpp"
 #include "app/studio/studio.hpp"
 #include "core/base/text_file.hpp"
 #include "core/margin/proposed_margin.hpp"
 #include "tests/app/tune/slide_scene.hpp"
+#include "tests/ui/modal_answer.hpp"
+#include "ui/document/document.hpp"
 #include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
+#include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/proposal_dialog.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/style/actions.hpp"
@@ -64,6 +70,10 @@ struct StudioSession : ::testing::Test {
                                 "'";
     EXPECT_EQ(std::system(command.c_str()), 0);
     return nlohmann::json::parse(readFile(out, 1 << 28, true));
+  }
+  /// As the window's session has it.
+  view::SceneOutline outline() const {
+    return depth::openSession(scene_file::loadScene(scene), {})->outline();
   }
   /// By the sliders of all parts of a group, mm.
   void drag(const char* group, int millimetres) {
@@ -179,6 +189,128 @@ TEST_F(StudioSession, CommandLineReadsSetOfWindow) {
   EXPECT_EQ(outcome.stops, set["stops"].get<long>());
   EXPECT_EQ(outcome.missed_stops, set["missed_stops"].get<long>());
   EXPECT_NEAR(outcome.stoppedShare(), set["stopped_share"].get<double>(), 1e-3);
+}
+
+/// Answers the dialog of the assumptions: numbers as its boxes show them.
+void answerAssumptions(const ui::MainWindow& window, const std::map<std::string, double>& numbers) {
+  const ui::ModalAnswer answer("what_if_settings", [&](QWidget* dialog) {
+    for (const auto& [name, value] : numbers)
+      dialog->findChild<QDoubleSpinBox*>(QString::fromStdString(name))->setValue(value);
+    static_cast<QDialog*>(dialog)->accept();
+  });
+  window.actions()[ui::ActionId::kWhatIf]->trigger();
+  EXPECT_TRUE(answer.answered());
+}
+
+TEST_F(StudioSession, AssumptionsMatchTune) {
+  open();
+  ASSERT_TRUE(analysed());
+  drag("person", 120);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().marginOf(0, 0) > 0.119; }, kLimitMs));
+  const auto expectAs = [&](const std::string& options) {
+    SCOPED_TRACE(options);
+    QCoreApplication::processEvents();  // judged before the next turn of the event loop
+    const auto answer = tune("--margins 0.12 " + options);
+    for (const auto& row : answer["margins"]) {
+      if (row["part"] != "whole_body") continue;
+      const margin::MarginOutcome& outcome = window.review().review().outcome;
+      EXPECT_EQ(outcome.stops, row["stops"].get<long>());
+      EXPECT_EQ(outcome.false_stops, row["false_stops"].get<long>());
+      EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
+      EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
+    }
+    const auto proposals = margin::proposeMargins(*window.review().store(), window.review().options());
+    for (std::size_t i = 0; i < proposals.size(); ++i)
+      if (std::isfinite(proposals[i].margin)) {
+        EXPECT_EQ(proposals[i].margin, answer["proposed"][i]["margin"].get<double>());
+      }
+  };
+  const auto analysedAgain = [&](long before) {
+    return QTest::qWaitFor([&] { return window.review().opened() > before; }, kLimitMs) && analysed();
+  };
+  expectAs("");
+  const margin::MarginOutcome usual = window.review().review().outcome;
+  // The restart time needs no other distances: the outcome is there at once.
+  long opened = window.review().opened();
+  answerAssumptions(window, {{"restart_time", 0.7}});
+  EXPECT_EQ(window.document().work().what_if.restart_time, 0.7);
+  EXPECT_EQ(window.review().opened(), opened);
+  EXPECT_EQ(window.review().options().restart_time, 0.7);
+  EXPECT_GE(window.review().review().outcome.stopped_time, usual.stopped_time);
+  expectAs("--restart-time 0.7");
+  answerAssumptions(
+      window, {{"reaction_time", 0.5}, {"deceleration", 0.8}, {"limit", 20.0}, {"calibration_error", 5.0}});
+  ASSERT_TRUE(analysedAgain(opened));
+  expectAs(
+      "--restart-time 0.7 --reaction-time 0.5 --deceleration 0.8 --limit 0.02 --calibration-error 0.005");
+  EXPECT_NE(window.review().review().outcome.missed_stops, usual.missed_stops) << "the assumptions matter";
+  EXPECT_TRUE(window.panels().timeline->whatIf()->toolTip().contains("reaction time 0.5 s"));
+  opened = window.review().opened();
+  window.actions()[ui::ActionId::kUndo]->trigger();
+  window.actions()[ui::ActionId::kUndo]->trigger();
+  EXPECT_EQ(window.document().work().what_if, ui::WhatIfSettings());
+  ASSERT_TRUE(analysedAgain(opened));
+  expectAs("");
+}
+
+TEST_F(StudioSession, UncheckedPairsAreLeftOut) {
+  open();
+  ASSERT_TRUE(analysed());
+  drag("person", 120);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().marginOf(0, 0) > 0.119; }, kLimitMs));
+  QCoreApplication::processEvents();
+  ASSERT_GT(window.review().review().outcome.stops, 0);
+  // The pairs of the part that breaks its margin first are unticked.
+  const margin::StoreLayout layout = window.review().store()->layout();
+  const std::size_t nearest = window.review().review().events.front().part;
+  const std::vector<std::pair<int, int>> pairs = outline().pairs;
+  std::string excluded;
+  int unticked = 0;
+  const long opened = window.review().opened();
+  const std::size_t lanes = layout.parts.size();
+  for (const auto& [part, link] : layout.pairs) {
+    if (part != nearest) continue;
+    const int pair = window.review().pairOf(part, link);
+    ASSERT_GE(pair, 0);
+    const auto [a, b] = pairs[static_cast<std::size_t>(pair)];
+    Q_EMIT window.panels().matrix->checkWanted(a, b, false);
+    excluded += (unticked++ ? ", [" : "[") + layout.parts[part].name + ", " + layout.links[link].name + "]";
+  }
+  EXPECT_EQ(window.review().leftOut(), unticked);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().opened() > opened; }, kLimitMs));
+  ASSERT_TRUE(analysed());
+  EXPECT_EQ(window.review().store()->layout().parts.size(), lanes - 1) << "a part without pairs has no lane";
+  for (const auto& part : window.review().store()->layout().parts)
+    EXPECT_NE(part.name, layout.parts[nearest].name);
+  const std::string text = readFile(scene, 1 << 20, true);
+  scene = folder.write("fewer.yaml", text + "pairs: {exclude: [" + excluded + "]}\n");
+  const auto row = tuned("0.12");
+  const margin::MarginOutcome& outcome = window.review().review().outcome;
+  EXPECT_EQ(outcome.stops, row["stops"].get<long>());
+  EXPECT_EQ(outcome.missed_stops, row["missed_stops"].get<long>());
+  EXPECT_NEAR(outcome.stoppedShare(), row["stopped_share"].get<double>(), 1e-12);
+  EXPECT_TRUE(window.panels().timeline->whatIf()->text().contains("left out"))
+      << window.panels().timeline->whatIf()->text().toStdString();
+  while (window.document().steps().canUndo()) window.document().steps().undo();
+  EXPECT_EQ(window.review().leftOut(), 0);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window.review().store() && window.review().store()->layout().parts.size() == lanes; },
+      kLimitMs));
+}
+
+TEST_F(StudioSession, WithoutACheckedPairTheAnalysisSaysSo) {
+  open();
+  ASSERT_TRUE(analysed());
+  const margin::StoreLayout layout = window.review().store()->layout();
+  window.document().edit("none", [&](ui::Work& work) {
+    for (const auto& [part, link] : layout.pairs)
+      for (const auto& [a, b] : {std::pair(layout.parts[part].name, layout.links[link].name),
+                                 std::pair(layout.links[link].name, layout.parts[part].name)})
+        work.moved[{QString::fromStdString(a), QString::fromStdString(b)}] = QString();
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.review().state() == State::kFailed; }, kLimitMs));
+  EXPECT_FALSE(window.review().store());
+  EXPECT_EQ(window.review().leftOut(), static_cast<int>(layout.pairs.size()));
 }
 
 TEST_F(StudioSession, OpeningAnotherSceneEndsAnalysis) {

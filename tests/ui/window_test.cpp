@@ -23,7 +23,9 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "tests/support/paths.hpp"
 #include "tests/ui/fake_session.hpp"
+#include "ui/file_commands.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recent_files.hpp"
 #include "ui/model/stop_text.hpp"
@@ -139,14 +141,23 @@ TEST_F(WindowTest, MarginReachesSession) {
 }
 
 TEST_F(WindowTest, DroppedFilesOpenByType) {
-  QSignalSpy scenes(&window, &MainWindow::openSceneRequested);
-  QSignalSpy recordings(&window, &MainWindow::openRecordingRequested);
-  drop({"/somewhere/walk.bvh", "/somewhere/cell.yaml"});
+  const testing::ScratchFolder folder;
+  const auto made = [&](const char* name) {
+    return QString::fromStdString(folder.write(name, "abstand: 1\n").string());
+  };
+  const QSignalSpy scenes(&window, &MainWindow::openSceneRequested);
+  const QSignalSpy batches(&window.files(), &FileCommands::batchWanted);
+  drop({made("walk.bvh"), made("cell.yaml"), made("table.stl")});
   EXPECT_TRUE(accepted);
+  ASSERT_EQ(batches.size(), 1) << "together";
+  const auto batch = batches[0][0].value<FileBatch>();
+  EXPECT_EQ(batch.scene, made("cell.yaml"));
+  EXPECT_EQ(batch.recording, made("walk.bvh"));
+  EXPECT_EQ(batch.added, QStringList{made("table.stl")});
+  EXPECT_TRUE(batch.fresh);
+  drop({made("cell.yaml")});
   ASSERT_EQ(scenes.size(), 1);
-  EXPECT_EQ(scenes[0][0].toString(), "/somewhere/cell.yaml");
-  ASSERT_EQ(recordings.size(), 1);
-  EXPECT_EQ(recordings[0][0].toString(), "/somewhere/walk.bvh");
+  EXPECT_EQ(scenes[0][0].toString(), made("cell.yaml"));
   const QSignalSpy projects(&window.projects(), &ProjectCommands::failed);
   drop({"/somewhere/work.abstand"});
   EXPECT_TRUE(accepted);

@@ -28,7 +28,7 @@ void Autosave::write() {
   if (!timer_.isActive()) return;
   Q_EMIT aboutToWrite();
   const Work& work = document_.work();
-  if (work.scene.isEmpty() && work.recording.isEmpty()) return removeFile();
+  if (work.showsNothing()) return removeFile();
   std::string text = projectText(document_.project(), QString(), document_.file());
   if (text == written_) return;
   try {

@@ -216,6 +216,18 @@ void readSeparation(const YamlFields& in, SeparationSettings& separation) {
   separation.clamped = flagOf(fields, "clamped", separation.clamped);
 }
 
+void readWhatIf(const YamlFields& in, WhatIfSettings& what_if) {
+  const YamlNode* node = in.find("what_if");
+  if (!node) return;
+  std::vector<std::string> known;
+  WhatIfSettings::eachNumber(what_if,
+                             [&](const char* name, double, const auto&) { known.emplace_back(name); });
+  const YamlFields fields(*node, in.file(), "`what_if`", known);
+  WhatIfSettings::eachNumber(what_if, [&](const char* name, double& value, const config::NumberRule& rule) {
+    value = fields.number(name, YamlRange{rule.min, rule.max, rule.unit, rule.above}).value_or(value);
+  });
+}
+
 void readView(const YamlFields& in, ViewOptions& view) {
   const YamlNode* node = in.find("view");
   if (!node) return;
@@ -239,7 +251,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
                        "people",      "posed_robots", "margins",     "locked_margins", "compared_margins",
                        "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
                        "range",       "separation",   "view",        "camera",         "time",
-                       "reactions"});
+                       "reactions",   "added_files",  "what_if"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -248,6 +260,9 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   out.saved_as = pathOf(in, "saved_as", folder);
   work.scene = pathOf(in, "scene", folder);
   work.recording = pathOf(in, "recording", folder);
+  for (const YamlNode& item : in.list("added_files"))
+    work.added_files << QDir::cleanPath(QDir(folder).absoluteFilePath(
+        QString::fromStdString(config::yamlText(item, in.file(), "`added_files`"))));
   readReading(in, folder, work.reading);
   readPeople(in, work);
   readPosed(in, work);
@@ -259,6 +274,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   work.hidden = namesUnder(in, "hidden");
   readTimes(in, work);
   readSeparation(in, work.separation);
+  readWhatIf(in, work.what_if);
   readView(in, work.view);
   out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0)};
   return out;

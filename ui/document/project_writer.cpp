@@ -173,6 +173,21 @@ void addSeparation(JsonText& json, const SeparationSettings& separation) {
   json.close();
 }
 
+/// What differs from the usual.
+void addWhatIf(JsonText& json, const WhatIfSettings& what_if) {
+  if (what_if == WhatIfSettings()) return;
+  json.open("what_if", '{');
+  WhatIfSettings usual;
+  std::vector<double> usual_numbers;
+  WhatIfSettings::eachNumber(usual,
+                             [&](const char*, double value, const auto&) { usual_numbers.push_back(value); });
+  std::size_t i = 0;
+  WhatIfSettings::eachNumber(what_if, [&](const char* name, double value, const auto&) {
+    if (value != usual_numbers[i++]) json.addNumber(name, value);
+  });
+  json.close();
+}
+
 void addView(JsonText& json, const ViewOptions& view) {
   json.open("view", '{');
   for (const ViewFlag& flag : kViewFlags) json.addFlag(flag.name, view.*flag.member);
@@ -192,6 +207,11 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   if (!saved_as.isEmpty()) json.addText("saved_as", fileName(saved_as, folder));
   if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
   if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
+  if (!work.added_files.isEmpty()) {
+    json.open("added_files", '[');
+    for (const QString& file : work.added_files) json.addText("", fileName(file, folder));
+    json.close();
+  }
   addReading(json, work.reading, folder);
   addPeople(json, work.people);
   addPosed(json, work.posed);
@@ -203,6 +223,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addNames(json, "hidden", work.hidden);
   addTimes(json, work);
   addSeparation(json, work.separation);
+  addWhatIf(json, work.what_if);
   addView(json, work.view);
   if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);
   json.addNumber("time", project.viewpoint.t);

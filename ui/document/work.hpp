@@ -6,6 +6,7 @@
 #include <QPair>
 #include <QSet>
 #include <QString>
+#include <QStringList>
 #include <QVector>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "ui/document/view_options.hpp"
 #include "ui/model/separation_settings.hpp"
 #include "ui/model/time_range.hpp"
+#include "ui/model/what_if_settings.hpp"
 
 namespace abstand::ui {
 
@@ -49,8 +51,9 @@ struct PersonOptions {
 /// Everything that can be undone. Objects, groups and pairs go by their names, so that they outlive another
 /// recording and a scene that was edited. What is not named here is as the scene file says.
 struct Work {
-  QString scene;      ///< absolute path; empty: none
-  QString recording;  ///< absolute path; empty: those of the scene
+  QString scene;            ///< absolute path; empty: none
+  QString recording;        ///< absolute path; empty: those of the scene
+  QStringList added_files;  ///< absolute paths of robots and meshes that the scene does not name
   ReadingOptions reading;
   QMap<QString, PersonOptions> people;   ///< those that differ from the scene
   QMap<QString, QVector<double>> posed;  ///< rad or m, all joints of each robot that is posed by hand
@@ -65,8 +68,11 @@ struct Work {
   QVector<Bookmark> bookmarks;                       ///< in order of time
   std::optional<TimeRange> range;  ///< between the marks IN and OUT; none: the whole recording
   SeparationSettings separation;
+  WhatIfSettings what_if;
   ViewOptions view;
 
+  /// There is nothing to load.
+  bool showsNothing() const { return scene.isEmpty() && recording.isEmpty() && added_files.isEmpty(); }
   bool operator==(const Work&) const = default;
 };
 

@@ -21,6 +21,9 @@ bool isMissing(const margin::ClearanceStore* store, double t) {
   return t > store->t(last) + period;
 }
 
+/// As short as it is exact.
+QString assumedNumber(double value) { return QLocale().toString(value, 'g', 6); }
+
 }  // namespace
 
 QString partText(const margin::ClearanceStore& store, std::size_t part) {
@@ -95,19 +98,45 @@ QString outcomeText(const margin::MarginOutcome& outcome) {
       .arg(outcome.missed_stops);
 }
 
-QString whatIfText(const RecordingReview& review) {
-  if (!review.store() || review.store()->empty()) return {};
-  const QString text = outcomeText(review.review().outcome);
-  return review.progress() < 1.0 ? tr("So far: %1").arg(text) : text;
+QString leftOutText(const RecordingReview& review) {
+  return review.leftOut() > 0 ? QCoreApplication::translate("abstand::ui", "%n unchecked pairs left out",
+                                                            nullptr, review.leftOut())
+                              : QString();
 }
 
-QString whatIfTip() {
-  return tr(
-      "Outcome of the present margins over the whole recording, as recorded and without\n"
-      "reactions: protective stops, and the share of time in which the robot would have stood.\n"
-      "False: even without the stop nobody would have been touched.\n"
-      "Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration\n"
-      "5 rad/s² or m/s²), or nobody told the robot. The same numbers as those of \"abstand tune\".");
+QString whatIfText(const RecordingReview& review) {
+  QString text;
+  const bool live = review.state() == view::AnalysisNews::State::kLive;
+  if (live) text = tr("Moments as they arrived; nothing is said about the time between them");
+  if (!live && review.store() && !review.store()->empty()) {
+    text = outcomeText(review.review().outcome);
+    if (review.progress() < 1.0) text = tr("So far: %1").arg(text);
+  }
+  const QString left_out = leftOutText(review);
+  if (left_out.isEmpty()) return text;
+  return text.isEmpty() ? left_out : tr("%1; %2").arg(text, left_out);
+}
+
+QString whatIfTip(const RecordingReview& review) {
+  const WhatIfSettings& with = review.settings();
+  QString tip =
+      tr("Outcome of the present margins over the whole recording, as recorded and without\n"
+         "reactions: protective stops, and the share of time in which the robot would have stood.\n"
+         "False: even without the stop nobody would have been touched.\n"
+         "Missed: a touch before the robot stands is not excluded, or nobody told the robot.\n"
+         "The same numbers as those of \"abstand tune\".");
+  tip += QLatin1Char('\n') +
+         tr("Assumed (Margins > What-if assumptions): reaction time %1 s, deceleration %2 rad/s² or m/s²,\n"
+            "limit %3, restart time %4 s, calibration error %5, age of poses %6 s.")
+             .arg(assumedNumber(with.reaction_time), assumedNumber(with.deceleration),
+                  lengthText(with.limit, 0), assumedNumber(with.restart_time),
+                  lengthText(with.calibration_error, 0), assumedNumber(with.latency));
+  if (review.leftOut() > 0)
+    tip += QLatin1Char('\n') + QCoreApplication::translate(
+                                   "abstand::ui",
+                                   "%n pairs of people and robots are not checked, and are not part of it.",
+                                   nullptr, review.leftOut());
+  return tip;
 }
 
 QString analysisText(const RecordingReview& review) {
@@ -120,6 +149,7 @@ QString analysisText(const RecordingReview& review) {
       return tr("Analysis %1 %").arg(static_cast<int>(100.0 * review.progress()));
     case State::kFailed:
       return tr("⚠ Analysis failed");
+    case State::kLive:
     case State::kDone:
       break;
   }

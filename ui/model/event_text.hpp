@@ -29,7 +29,9 @@ QString outcomeText(const margin::MarginOutcome& outcome);
 /// The same: what the present margins would have done.
 QString whatIfText(const RecordingReview& review);
 /// How the numbers of whatIfText() come about.
-QString whatIfTip();
+QString whatIfTip(const RecordingReview& review);
+/// How many pairs are not part of the analysis, because the user does not check them; empty: none.
+QString leftOutText(const RecordingReview& review);
 /// "Analysis 45 %"; empty once it is done or where there is none.
 QString analysisText(const RecordingReview& review);
 

@@ -33,6 +33,8 @@ QString proposalProblem(const RecordingReview& review) {
     return tr("Margins are proposed from a recording of a person and a robot; the scene has none.");
   if (review.state() == State::kFailed)
     return tr("Nothing is proposed, because the analysis of the recording failed: %1").arg(review.problem());
+  if (review.state() == State::kLive)
+    return tr("Margins are proposed from a recording, not from the moments of a running server.");
   if (review.state() != State::kDone || !review.store() || review.store()->empty())
     return tr("Nothing is proposed yet: the analysis of the recording is at %1 %.")
         .arg(static_cast<int>(100.0 * review.progress()));
@@ -40,9 +42,9 @@ QString proposalProblem(const RecordingReview& review) {
 }
 
 std::vector<ProposedRow> proposedRows(const margin::ClearanceStore& store, const std::vector<double>& margins,
-                                      const std::vector<bool>& locked) {
+                                      const std::vector<bool>& locked, const margin::MarginOptions& options) {
   std::vector<ProposedRow> rows;
-  for (const margin::PartProposal& proposal : margin::proposeMargins(store, {})) {
+  for (const margin::PartProposal& proposal : margin::proposeMargins(store, options)) {
     for (const std::size_t part : proposal.parts) {
       ProposedRow row;
       row.object = static_cast<int>(store.layout().parts[part].object);

@@ -28,6 +28,6 @@ QString proposalProblem(const RecordingReview& review);
 /// checked with it, whose rows stay.
 /// @param margins  m, of each object
 std::vector<ProposedRow> proposedRows(const margin::ClearanceStore& store, const std::vector<double>& margins,
-                                      const std::vector<bool>& locked);
+                                      const std::vector<bool>& locked, const margin::MarginOptions& options);
 
 }  // namespace abstand::ui

@@ -47,31 +47,58 @@ RecordingReview::RecordingReview(QObject* parent) : QObject(parent), later_{new 
 void RecordingReview::open(AnalysisPort* port, const view::SceneOutline& outline,
                            std::vector<double> margins) {
   port_ = port;
-  ++opened_;
-  state_ = {};
-  done_ = frames_ = 0;
-  problem_.clear();
+  left_out_ = 0;
   margins_ = std::move(margins);
   margins_.resize(outline.objects.size(), 0.0);
   pair_of_.clear();
   for (std::size_t p = 0; p < outline.pairs.size(); ++p)
     pair_of_[std::minmax(outline.pairs[p].first, outline.pairs[p].second)] = static_cast<int>(p);
+  start_ = outline.start;
+  end_ = outline.end;
+  period_ = outline.frame_period;
+  events_.stops.clear();
+  forget();
+  judge();
+}
+
+void RecordingReview::forget() {
+  ++opened_;
+  state_ = {};
+  done_ = frames_ = 0;
+  problem_.clear();
   store_.reset();
   events_.scan.clear();
-  events_.stops.clear();
-  nearest_ = FrameSeries(outline.start, outline.end, outline.frame_period, Keep::kSmallest);
+  nearest_ = FrameSeries(start_, end_, period_, Keep::kSmallest);
   reviewer_ = {};
-  half_frame_ = 0.5 * outline.frame_period;
+}
+
+void RecordingReview::setSettings(const WhatIfSettings& settings) {
+  if (settings_ == settings) return;
+  settings_ = settings;
+  reviewer_ = {};
   judge();
+}
+
+void RecordingReview::setLeftOut(int pairs) {
+  if (left_out_ == pairs) return;
+  left_out_ = pairs;
+  ++revision_;
+  Q_EMIT changed();
 }
 
 void RecordingReview::pull() {
   view::AnalysisNews news;
   if (!port_ || !port_->takeNews(news)) return;
+  if (store_ && &store_->layout() != news.layout.get()) forget();
   state_ = news.state;
   done_ = news.done;
   frames_ = news.frames;
   problem_ = QString::fromStdString(news.problem);
+  if (news.all) {
+    store_.reset();
+    nearest_ = FrameSeries(start_, end_, period_, Keep::kSmallest);
+    reviewer_ = {};
+  }
   if (!store_ && news.layout) store_.emplace(news.layout);
   for (auto& chunk : news.chunks) {
     for (std::size_t i = 0; i < chunk->frames(); ++i) nearest_.add(chunk->t(i), chunk->leastClearance(i));
@@ -85,6 +112,11 @@ void RecordingReview::pull() {
   }
 }
 
+void RecordingReview::setSpan(double start, double end) {
+  start_ = start;
+  end_ = end;
+}
+
 void RecordingReview::setMargin(int object, double metres) {
   const auto i = static_cast<std::size_t>(object);
   if (i >= margins_.size() || margins_[i] == metres) return;
@@ -96,7 +128,15 @@ void RecordingReview::judge() {
   later_->stop();
   static const margin::MarginReview kNothing;
   judged_.start();
-  review_ = store_ ? &reviewer_.review(*store_, margins_, {{}, kNearFactor}) : &kNothing;
+  review_ = store_ ? &reviewer_.review(*store_, margins_, {options(), kNearFactor}) : &kNothing;
+  if (state_ == view::AnalysisNews::State::kLive) {
+    // Nothing is known between moments, nor how the robot would have braked: no stop is said to be false or
+    // missed.
+    live_ = *review_;
+    for (margin::ReviewEvent& event : live_.events) event.false_stop = event.missed = false;
+    live_.outcome = {};
+    review_ = &live_;
+  }
   gatherEvents();
   cost_ms_ = judged_.restart();
   ++revision_;
@@ -104,7 +144,8 @@ void RecordingReview::judge() {
 }
 
 double RecordingReview::progress() const {
-  if (state_ == view::AnalysisNews::State::kDone) return 1.0;
+  using State = view::AnalysisNews::State;
+  if (state_ == State::kDone || state_ == State::kLive) return 1.0;
   return frames_ > 0 ? static_cast<double>(done_) / static_cast<double>(frames_) : 0.0;
 }
 
@@ -133,7 +174,7 @@ margin::PartMargins RecordingReview::linkMargins(std::size_t part) const {
 margin::MarginOutcome RecordingReview::outcomeOf(std::size_t part, double margin) const {
   std::vector<double> margins = margins_;
   margins[store_->layout().parts[part].object] = margin;
-  return margin::partOutcome(*store_, part, margin::partMargins(store_->layout(), margins)[part], {});
+  return margin::partOutcome(*store_, part, margin::partMargins(store_->layout(), margins)[part], options());
 }
 
 int RecordingReview::pairOf(std::size_t part, std::size_t link) const {
@@ -147,7 +188,7 @@ std::optional<double> RecordingReview::nextEvent(double t, EventKinds kinds) con
   std::optional<double> next;
   for (const RecordingEvent& event : events_.all) {
     const double at = event.mark();
-    if (kinds[static_cast<std::size_t>(event.kind)] && at > t + half_frame_ && (!next || at < *next))
+    if (kinds[static_cast<std::size_t>(event.kind)] && at > t + 0.5 * period_ && (!next || at < *next))
       next = at;
   }
   return next;
@@ -157,7 +198,7 @@ std::optional<double> RecordingReview::previousEvent(double t, EventKinds kinds)
   std::optional<double> last;
   for (const RecordingEvent& event : events_.all) {
     const double at = event.mark();
-    if (kinds[static_cast<std::size_t>(event.kind)] && at < t - half_frame_ && (!last || at > *last))
+    if (kinds[static_cast<std::size_t>(event.kind)] && at < t - 0.5 * period_ && (!last || at > *last))
       last = at;
   }
   return last;

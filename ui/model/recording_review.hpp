@@ -12,6 +12,7 @@
 #include "ui/model/contact_scan.hpp"
 #include "ui/model/frame_series.hpp"
 #include "ui/model/stop_spans.hpp"
+#include "ui/model/what_if_settings.hpp"
 
 class QTimer;
 
@@ -28,11 +29,22 @@ class RecordingReview : public QObject {
   /// Forgets everything. Null: there is no analysis. The port must outlive its stay here. `margins`: m, of
   /// each object.
   void open(AnalysisPort* port, const view::SceneOutline& outline, std::vector<double> margins);
+  /// Of a session that goes on without end: the times of the outline now, s.
+  void setSpan(double start, double end);
   /// Takes what the analysis has found since. While more is to come, it is judged as often as costs a fifth
   /// of the time at most; what was not judged yet has no events.
   void pull();
   /// m. Judges anew before the next turn of the event loop, once for all changes before it.
   void setMargin(int object, double metres);
+
+  /// Judges anew; who fills the port runs the analysis again where its distances depend on them.
+  void setSettings(const WhatIfSettings& settings);
+  const WhatIfSettings& settings() const { return settings_; }
+  /// What margins are judged with.
+  margin::MarginOptions options() const { return {settings_.limit, settings_.restart_time}; }
+  /// Pairs of people and robots that the user does not check: the port leaves them out.
+  void setLeftOut(int pairs);
+  int leftOut() const { return left_out_; }
 
   bool available() const { return port_ != nullptr; }
   view::AnalysisNews::State state() const { return state_; }
@@ -67,7 +79,7 @@ class RecordingReview : public QObject {
   int pairOf(std::size_t part, std::size_t link) const;
   /// Grows whenever changed() is emitted.
   long revision() const { return revision_; }
-  /// Grows with every open(): the store is another one.
+  /// Grows with every open(), and when the analysis begins again: the store is another one.
   long opened() const { return opened_; }
 
   /// Where an event of these kinds after `t` begins, or the last one before it; near misses count at their
@@ -84,6 +96,7 @@ class RecordingReview : public QObject {
  private:
   void judge();
   void gatherEvents();
+  void forget();
 
   AnalysisPort* port_{nullptr};
   view::AnalysisNews::State state_{};
@@ -102,7 +115,10 @@ class RecordingReview : public QObject {
     EventKinds shown{allKinds()};
     QElapsedTimer stops_told;  ///< since they were taken over
   } events_;
-  double half_frame_{0.0};  ///< s
+  margin::MarginReview live_;                   ///< of moments of a server
+  double start_{0.0}, end_{0.0}, period_{0.0};  ///< s, of the outline
+  WhatIfSettings settings_;
+  int left_out_{0};
   long revision_{0}, opened_{0};
   QElapsedTimer judged_;
   qint64 cost_ms_{0};  ///< of judging

@@ -99,13 +99,14 @@ void CompareLanes::refresh() {
     for (auto& stops : stops_) stops.clear();
     return;
   }
-  if (opened_ != review_.opened()) {
+  if (opened_ != review_.opened() || !(settings_ == review_.settings())) {
+    settings_ = review_.settings();
     opened_ = review_.opened();
     reviewer_ = {};
     judged_ = false;
   }
   if (!judged_ || kept_.frames != review_.review().frames)
-    kept_ = reviewer_.review(*review_.store(), margins_, {{}, kNearFactor});
+    kept_ = reviewer_.review(*review_.store(), margins_, {review_.options(), kNearFactor});
   judged_ = true;
   stops_[0] = stopsOf(review_.review());
   stops_[1] = stopsOf(kept_);

@@ -7,6 +7,7 @@
 
 #include "core/margin/margin_review.hpp"
 #include "ui/model/time_range.hpp"
+#include "ui/model/what_if_settings.hpp"
 
 namespace abstand::ui {
 
@@ -53,6 +54,7 @@ class CompareLanes : public QWidget {
   margin::MarginReviewer reviewer_;
   margin::MarginReview kept_;
   long opened_{-1};
+  WhatIfSettings settings_;
   double time_{0.0};  ///< s
   bool judged_{false};
   std::vector<TimeRange> stops_[2];

@@ -134,6 +134,8 @@ void MarginCurve::compute() {
 void MarginCurve::say() {
   if (!review_.available())
     return sentence_->setText(tr("There is a curve where a scene has a person and a robot"));
+  if (review_.state() == view::AnalysisNews::State::kLive)
+    return sentence_->setText(tr("There is a curve of a recording, not of a running server"));
   if (part_ < 0)
     return sentence_->setText(review_.state() == view::AnalysisNews::State::kFailed
                                   ? tr("The analysis of the recording failed")

@@ -49,7 +49,7 @@ MarginTools::MarginTools(MarginPanel* panel, const Actions& actions, QWidget* pa
                  {Id::kResetMargins, Id::kNoMargins, Id::kMargins50, Id::kMargins100, Id::kMargins200}));
   row->addWidget(menuButton(this, actions, tr("Sets"), tr("Copy, save, propose and compare margins"),
                             {Id::kCopyMargins, Id::kPasteMargins, Id::kOpenMargins, Id::kSaveMargins,
-                             Id::kProposeMargins, Id::kCompareMargins}));
+                             Id::kProposeMargins, Id::kProposeSpeeds, Id::kCompareMargins, Id::kWhatIf}));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);

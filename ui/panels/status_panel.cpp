@@ -205,7 +205,8 @@ void StatusPanel::showOpening(const Opening& opening) {
 }
 
 void StatusPanel::showAnalysis(const RecordingReview& review) {
-  const QString text = analysisText(review);
+  QString text = analysisText(review);
+  if (text.isEmpty() && review.available()) text = leftOutText(review);
   analysis_->setText(text);
   analysis_->setVisible(!text.isEmpty());
   analysis_->setToolTip(

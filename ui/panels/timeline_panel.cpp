@@ -134,7 +134,7 @@ void TimelinePanel::buildTransport(const Actions& actions) {
 
   what_if_->setObjectName(QStringLiteral("what_if"));
   what_if_->setAccessibleName(tr("Outcome of the present margins"));
-  what_if_->setToolTip(whatIfTip());
+  what_if_->setToolTip(whatIfTip(review_));
   what_if_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(what_if_, 1);
   row->addSpacing(8);
@@ -158,6 +158,7 @@ void TimelinePanel::showReview() {
   const bool available = review_.available();
   lanes_->setVisible(available);
   what_if_->setText(whatIfText(review_));
+  what_if_->setToolTip(whatIfTip(review_));
   no_lanes_->setVisible(!available);
 }
 

@@ -16,7 +16,18 @@ const QStringList& projectSuffixes() {
 }
 
 const QStringList& sceneSuffixes() {
-  static const QStringList suffixes{"yaml", "yml", "urdf", "mech"};
+  static const QStringList suffixes{"yaml", "yml"};
+  return suffixes;
+}
+
+const QStringList& robotSuffixes() {
+  static const QStringList suffixes{"urdf", "mech"};
+  return suffixes;
+}
+
+/// Those that core/mesh_file reads by itself.
+const QStringList& meshSuffixes() {
+  static const QStringList suffixes{"stl", "obj", "ply", "off", "dae"};
   return suffixes;
 }
 
@@ -30,6 +41,12 @@ QString patterns(const QStringList& suffixes) {
   QStringList globs;
   for (const QString& suffix : suffixes) globs << QStringLiteral("*.") + suffix;
   return globs.join(QLatin1Char(' '));
+}
+
+QString endings(const QStringList& suffixes) {
+  QStringList words;
+  for (const QString& suffix : suffixes) words << QLatin1Char('.') + suffix;
+  return words.join(QStringLiteral(", "));
 }
 
 QString withAll(const QString& title, const QStringList& suffixes) {
@@ -54,23 +71,23 @@ FileKind kindOf(const QString& path) {
   const QString suffix = info.suffix().toLower();
   if (projectSuffixes().contains(suffix)) return FileKind::kProject;
   if (sceneSuffixes().contains(suffix)) return isMarginSet(path) ? FileKind::kMargins : FileKind::kScene;
+  if (robotSuffixes().contains(suffix)) return FileKind::kRobot;
+  if (meshSuffixes().contains(suffix)) return FileKind::kMesh;
   if (recordingSuffixes().contains(suffix)) return FileKind::kRecording;
   if (suffix == QLatin1String("moments")) return FileKind::kMoments;
   return FileKind::kUnknown;
 }
 
 QString openFilter() {
-  return withAll(QCoreApplication::translate("file_kinds", "Projects, scenes and robots"),
-                 projectSuffixes() + sceneSuffixes() + QStringList{"moments"});
+  return withAll(QCoreApplication::translate("file_kinds", "Projects, scenes, robots, meshes and recordings"),
+                 projectSuffixes() + sceneSuffixes() + robotSuffixes() + meshSuffixes() +
+                     recordingSuffixes() + QStringList{"moments"});
 }
 QString projectFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Projects"), projectSuffixes());
 }
-QString recordingEndings() {
-  QStringList endings;
-  for (const QString& suffix : recordingSuffixes()) endings << QLatin1Char('.') + suffix;
-  return endings.join(QStringLiteral(", "));
-}
+QString recordingEndings() { return endings(recordingSuffixes()); }
+QString meshEndings() { return endings(meshSuffixes()); }
 QString recordingFilter() {
   return withAll(QCoreApplication::translate("file_kinds", "Recordings"), recordingSuffixes());
 }

@@ -5,9 +5,8 @@
 
 namespace abstand::ui {
 
-/// A robot file counts as a scene with that robot alone.
 /// Moments are the recording of a server. A file of margins is told from a scene by its first key.
-enum class FileKind { kProject, kScene, kRecording, kMargins, kMoments, kUnknown };
+enum class FileKind { kProject, kScene, kRobot, kMesh, kRecording, kMargins, kMoments, kUnknown };
 
 /// A folder counts as a (depth) recording.
 FileKind kindOf(const QString& path);
@@ -17,5 +16,7 @@ QString projectFilter();
 QString recordingFilter();
 /// ".bvh, .c3d ..."
 QString recordingEndings();
+/// ".stl, .obj ..."
+QString meshEndings();
 
 }  // namespace abstand::ui

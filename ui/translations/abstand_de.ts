@@ -226,6 +226,21 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     </message>
 </context>
 <context>
+    <name>abstand::studio::SpeedJob</name>
+    <message>
+        <source>%1 cannot be started</source>
+        <translation>%1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
+        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
+    </message>
+    <message>
+        <source>%1 ended with code %2</source>
+        <translation>%1 endete mit dem Code %2</translation>
+    </message>
+</context>
+<context>
     <name>abstand::studio::Studio</name>
     <message>
         <source>%1 has changed. Reload it with Ctrl+R</source>
@@ -266,6 +281,17 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>%1 cannot be shown with this scene. %2</source>
         <translation>%1 lässt sich mit dieser Szene nicht zeigen. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>open %n files</source>
+        <translation>
+            <numerusform>%n Datei öffnen</numerusform>
+            <numerusform>%n Dateien öffnen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Not opened</source>
+        <translation>Nicht geöffnet</translation>
     </message>
 </context>
 <context>
@@ -317,18 +343,6 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>So far: %1</source>
         <translation>Bisher: %1</translation>
-    </message>
-    <message>
-        <source>Outcome of the present margins over the whole recording, as recorded and without
-reactions: protective stops, and the share of time in which the robot would have stood.
-False: even without the stop nobody would have been touched.
-Missed: a touch before the robot stands is not excluded (reaction time 0.1 s, deceleration
-5 rad/s² or m/s²), or nobody told the robot. The same numbers as those of &quot;abstand tune&quot;.</source>
-        <translation>Was die jetzigen Sicherheitsabstände über die ganze Aufnahme bewirkt hätten, wie aufgenommen und ohne
-Reaktionen: Sicherheitshalte und der Anteil der Zeit, in dem der Roboter gestanden hätte.
-Fehlauslösung: Auch ohne den Stopp wäre niemand berührt worden.
-Verpasster Stopp: Eine Berührung vor dem Stillstand des Roboters ist nicht ausgeschlossen (Reaktionszeit 0,1 s,
-Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Dieselben Zahlen wie die von „abstand tune“.</translation>
     </message>
     <message>
         <source>Analysis: reading files</source>
@@ -617,10 +631,6 @@ Verzögerung 5 rad/s² oder m/s²), oder niemand meldete sie dem Roboter. Diesel
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project, a scene or a robot</source>
-        <translation>Ein Projekt, eine Szene oder einen Roboter öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recording…</source>
@@ -3558,16 +3568,16 @@ Roboter gestoppt: wie abgespielt; Verfolgung verloren: Körperteile, die nicht g
         <translation>Öffnen nicht möglich</translation>
     </message>
     <message>
-        <source>%1 is no file that this program opens.
-
-It opens projects (.abstand), scenes and margins (.yaml), robots (.urdf, .mech) and recordings: folders of depth images and the files %2.</source>
-        <translation>%1 ist keine Datei, die dieses Programm öffnet.
-
-Es öffnet Projekte (.abstand), Szenen und Sicherheitsabstände (.yaml), Roboter (.urdf, .mech) und Aufnahmen: Ordner mit Tiefenbildern und die Dateien %2.</translation>
-    </message>
-    <message>
         <source>%1  (%2)</source>
         <translation>%1  (%2)</translation>
+    </message>
+    <message>
+        <source>Open depth images</source>
+        <translation>Tiefenbilder öffnen</translation>
+    </message>
+    <message>
+        <source>Not opened</source>
+        <translation>Nicht geöffnet</translation>
     </message>
 </context>
 <context>
@@ -4189,6 +4199,10 @@ Hier nicht: Was gezeigt wird, kommt von einem Server, und der entscheidet.</tran
         <source>Inside of the selection: distances on a plane through its middle, dark from 50 mm on; pink: inside.</source>
         <translation>Inneres der Auswahl: Abstände auf einer Ebene durch die Mitte, dunkel ab 50 mm; rosa: innen.</translation>
     </message>
+    <message>
+        <source>what-if assumptions</source>
+        <translation>Annahmen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::MarginCommands</name>
@@ -4343,6 +4357,10 @@ Hier nicht: Was gezeigt wird, kommt von einem Server, und der entscheidet.</tran
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is a curve of a recording, not of a running server</source>
+        <translation>Eine Kurve gibt es von einer Aufnahme, nicht von einem laufenden Server</translation>
     </message>
 </context>
 <context>
@@ -5466,6 +5484,141 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     </message>
 </context>
 <context>
+    <name>abstand::ui::SpeedDialog</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>limits of a contact</source>
+        <translation>Grenzwerte einer Berührung</translation>
+    </message>
+    <message>
+        <source>protective distance</source>
+        <translation>Schutzabstand</translation>
+    </message>
+    <message>
+        <source>%1: %2 at %3</source>
+        <translation>%1: %2 bei %3</translation>
+    </message>
+    <message>
+        <source>The program takes %1 instead of %2.</source>
+        <translation>Das Programm dauert %1 statt %2.</translation>
+    </message>
+    <message>
+        <source>The robot would have to stand where the speed is 0 %: there is no program.</source>
+        <translation>Der Roboter müsste stehen, wo die Geschwindigkeit 0 % ist: Es gibt kein Programm.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>No motion was saved: %1</source>
+        <translation>Es wurde keine Bewegung gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Proposed speeds</source>
+        <translation>Vorgeschlagene Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>The highest share of its speed in each segment of the robots&apos; program at which no recorded person would have broken a limit, as &quot;abstand tune&quot; computes it. It holds for this recording alone and replaces no risk assessment.</source>
+        <translation>Der höchste Anteil der Geschwindigkeit in jedem Abschnitt des Programms der Roboter, bei dem keine aufgenommene Person eine Grenze verletzt hätte, wie „abstand tune“ ihn berechnet. Er gilt nur für diese Aufnahme und ersetzt keine Risikobeurteilung.</translation>
+    </message>
+    <message>
+        <source>Protective distance and contact limits</source>
+        <translation>Schutzabstand und Grenzwerte von Berührungen</translation>
+    </message>
+    <message>
+        <source>Protective distance alone</source>
+        <translation>Nur Schutzabstand</translation>
+    </message>
+    <message>
+        <source>Contact limits alone</source>
+        <translation>Nur Grenzwerte von Berührungen</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>&amp;Rule</source>
+        <translation>&amp;Regel</translation>
+    </message>
+    <message>
+        <source>&amp;Length of a segment</source>
+        <translation>&amp;Länge eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Begrenzt durch</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>Durch Abstand</translation>
+    </message>
+    <message>
+        <source>By contact</source>
+        <translation>Durch Berührung</translation>
+    </message>
+    <message>
+        <source>Permitted speeds</source>
+        <translation>Zulässige Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>The speeds are being computed</source>
+        <translation>Die Geschwindigkeiten werden berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save motion…</source>
+        <translation>Bewegung &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Replays the slower program beside the recording until no limit is broken, and saves it as motion files</source>
+        <translation>Spielt das langsamere Programm neben der Aufnahme ab, bis keine Grenze verletzt ist, und speichert es als Bewegungsdateien</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Computing distances and speeds…</source>
+        <translation>Abstände und Geschwindigkeiten werden berechnet…</translation>
+    </message>
+    <message>
+        <source>Replaying the slower program…</source>
+        <translation>Das langsamere Programm wird abgespielt…</translation>
+    </message>
+    <message>
+        <source>Folder for the motions</source>
+        <translation>Ordner für die Bewegungen</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::StartPage</name>
     <message>
         <source>Start</source>
@@ -5956,16 +6109,16 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
         <translation>Alle Dateien</translation>
     </message>
     <message>
-        <source>Projects, scenes and robots</source>
-        <translation>Projekte, Szenen und Roboter</translation>
-    </message>
-    <message>
         <source>Projects</source>
         <translation>Projekte</translation>
     </message>
     <message>
         <source>Recordings</source>
         <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Projects, scenes, robots, meshes and recordings</source>
+        <translation>Projekte, Szenen, Roboter, Netze und Aufnahmen</translation>
     </message>
 </context>
 <context>
@@ -6059,10 +6212,6 @@ Example: abstand-studio data/scenes/hug_boxing.yaml --at 5</source>
 Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
     </message>
     <message>
-        <source>project, scene, robot or recording</source>
-        <translation>Projekt, Szene, Roboter oder Aufnahme</translation>
-    </message>
-    <message>
         <source>recording that replaces those of the scene</source>
         <translation>Aufnahme, die die der Szene ersetzt</translation>
     </message>
@@ -6102,6 +6251,10 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
         <source>show what a running abstand serve computes at this address</source>
         <translation>zeigen, was ein laufendes abstand serve unter dieser Adresse berechnet</translation>
     </message>
+    <message>
+        <source>projects, scenes, robots, meshes and recordings; several are shown together</source>
+        <translation>Projekte, Szenen, Roboter, Netze und Aufnahmen; mehrere werden zusammen gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>missing_files</name>
@@ -6132,6 +6285,16 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
 %1</source>
         <translation>Die Aufnahme des Projekts wurde nicht gefunden:
 %1</translation>
+    </message>
+    <message>
+        <source>A file that the project adds was not found:
+%1</source>
+        <translation>Eine Datei, die das Projekt hinzufügt, wurde nicht gefunden:
+%1</translation>
+    </message>
+    <message>
+        <source>&amp;Do without it</source>
+        <translation>&amp;Ohne sie weiter</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>abstand::studio::Studio</name>
+    <message numerus="yes">
+        <source>open %n files</source>
+        <translation>
+            <numerusform>open %n file</numerusform>
+            <numerusform>open %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui</name>
+    <message numerus="yes">
+        <source>%n unchecked pairs left out</source>
+        <translation>
+            <numerusform>%n unchecked pair left out</numerusform>
+            <numerusform>%n unchecked pairs left out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of people and robots are not checked, and are not part of it.</source>
+        <translation>
+            <numerusform>%n pair of a person and a robot is not checked, and is not part of it.</numerusform>
+            <numerusform>%n pairs of people and robots are not checked, and are not part of it.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::MainWindow</name>
     <message numerus="yes">
         <source>The project has settings for %n names that the scene does not have. They have no effect:

@@ -10,7 +10,9 @@ inline Project sampleProject() {
   Work& work = project.work;
   work.scene = "/cell/scenes/hug \"one\".yaml";
   work.recording = "/recordings/Bücher/walk.bvh";
+  work.added_files = QStringList{"/cell/arm.urdf", "/cell/table \"old\".stl"};
   work.reading = {"cm", "-y", "sides", "/recordings/own.map", 1.5, true};
+  work.what_if = {0.05, 0.25, 1.0 / 3.0, 2.0, 0.003, 0.04};
   work.separation.options.reaction_time = 0.25;
   work.separation.options.person_acceleration = 9.0;
   work.separation.robot_mass = 1.0 / 3.0;
