@@ -42,8 +42,8 @@ void sortInto(SortedFiles& sorted, const QString& file) {
 }  // namespace
 
 QString whyNotOpened(const QString& file) {
-  if (!QFileInfo::exists(file)) return tr("%1 was not found.").arg(file);
-  if (kindOf(file) != FileKind::kUnknown) return {};
+  if (kindOf(file) != FileKind::kUnknown)
+    return QFileInfo::exists(file) ? QString() : tr("%1 was not found.").arg(file);
   return tr("%1 is no file that this program opens: it opens projects (.abstand), scenes and margins "
             "(.yaml), robots (.urdf, .mech), meshes (%2) and recordings, which are folders of depth images "
             "and the files %3.")
