@@ -2980,6 +2980,174 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <source>%1 and %2 are not certainly outside the margin</source>
         <translation>Bei %1 und %2 ist nicht sicher, dass der Sicherheitsabstand eingehalten ist,</translation>
     </message>
+    <message numerus="yes">
+        <source>%n unchecked pairs left out</source>
+        <translation>
+            <numerusform>%n nicht geprüftes Paar ausgelassen</numerusform>
+            <numerusform>%n nicht geprüfte Paare ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Moments as they arrived; nothing is said about the time between them</source>
+        <translation>Zeitpunkte, wie sie ankamen; über die Zeit dazwischen ist nichts gesagt</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Outcome of the present margins over the whole recording, as recorded and without
+reactions: protective stops, and the share of time in which the robot would have stood.
+False: even without the stop nobody would have been touched.
+Missed: a touch before the robot stands is not excluded, or nobody told the robot.
+The same numbers as those of &quot;abstand tune&quot;.</source>
+        <translation>Ergebnis der jetzigen Sicherheitsabstände über die ganze Aufnahme, wie aufgenommen und ohne
+Reaktionen: Sicherheitshalte, und der Anteil der Zeit, in der der Roboter gestanden hätte.
+Fehlauslösung: Auch ohne den Halt wäre niemand berührt worden.
+Verpasst: Eine Berührung vor dem Stillstand ist nicht ausgeschlossen, oder niemand sagte es dem Roboter.
+Dieselben Zahlen wie die von „abstand tune“.</translation>
+    </message>
+    <message>
+        <source>Assumed (Margins &gt; What-if assumptions): reaction time %1 s, deceleration %2 rad/s² or m/s²,
+limit %3, restart time %4 s, calibration error %5, age of poses %6 s.</source>
+        <translation>Angenommen (Sicherheitsabstände &gt; Annahmen): Reaktionszeit %1 s, Verzögerung %2 rad/s² oder m/s²,
+einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der Posen %6 s.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of people and robots are not checked, and are not part of it.</source>
+        <translation>
+            <numerusform>%n Paar aus Person und Roboter wird nicht geprüft und ist nicht dabei.</numerusform>
+            <numerusform>%n Paare aus Person und Roboter werden nicht geprüft und sind nicht dabei.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2 at a time, and %3 is there.</source>
+        <translation>%1 wurde nicht geöffnet: Gleichzeitig %2, und %3 ist schon da.</translation>
+    </message>
+    <message>
+        <source>one project is shown</source>
+        <translation>wird ein Projekt gezeigt</translation>
+    </message>
+    <message>
+        <source>one scene is shown</source>
+        <translation>wird eine Szene gezeigt</translation>
+    </message>
+    <message>
+        <source>one recording is shown</source>
+        <translation>wird eine Aufnahme gezeigt</translation>
+    </message>
+    <message>
+        <source>one set of margins holds</source>
+        <translation>gilt ein Abstandssatz</translation>
+    </message>
+    <message>
+        <source>one recording of a server is shown</source>
+        <translation>wird eine Aufnahme eines Servers gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 was not found.</source>
+        <translation>%1 wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 is no file that this program opens: it opens projects (.abstand), scenes and margins (.yaml), robots (.urdf, .mech), meshes (%2) and recordings, which are folders of depth images and the files %3.</source>
+        <translation>%1 ist keine Datei, die dieses Programm öffnet: Es öffnet Projekte (.abstand), Szenen und Abstandssätze (.yaml), Roboter (.urdf, .mech), Netze (%2) und Aufnahmen, nämlich Ordner mit Tiefenbildern und die Dateien %3.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: the project %2 has a scene.</source>
+        <translation>%1 wurde nicht geöffnet: Das Projekt %2 hat eine Szene.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: the recording of a server is opened by itself.</source>
+        <translation>%1 wurde nicht geöffnet: Die Aufnahme eines Servers wird für sich geöffnet.</translation>
+    </message>
+    <message>
+        <source>Margins are proposed from a recording, not from the moments of a running server.</source>
+        <translation>Sicherheitsabstände werden aus einer Aufnahme vorgeschlagen, nicht aus den Zeitpunkten eines laufenden Servers.</translation>
+    </message>
+    <message>
+        <source>Open projects, scenes, robots, meshes and recordings; several at once become one scene</source>
+        <translation>Projekte, Szenen, Roboter, Netze und Aufnahmen öffnen; mehrere zugleich werden eine Szene</translation>
+    </message>
+    <message>
+        <source>Open depth folder…</source>
+        <translation>Ordner mit Tiefenbildern öffnen…</translation>
+    </message>
+    <message>
+        <source>Let the person move as in the depth images of a folder</source>
+        <translation>Die Person bewegt sich wie in den Tiefenbildern eines Ordners</translation>
+    </message>
+    <message>
+        <source>Propose sp&amp;eeds…</source>
+        <translation>Geschwin&amp;digkeiten vorschlagen…</translation>
+    </message>
+    <message>
+        <source>How fast the robots&apos; program may be in each of its segments, so that no limit is broken</source>
+        <translation>Wie schnell das Programm der Roboter in jedem seiner Abschnitte sein darf, ohne eine Grenze zu verletzen</translation>
+    </message>
+    <message>
+        <source>What-&amp;if assumptions…</source>
+        <translation>Ann&amp;ahmen…</translation>
+    </message>
+    <message>
+        <source>Reaction time, braking, limit and errors that lanes, events and report are judged with</source>
+        <translation>Reaktionszeit, Bremsen, einzuhaltender Abstand und Fehler, mit denen Spuren, Ereignisse und Bericht beurteilt werden</translation>
+    </message>
+    <message>
+        <source>Clearance &amp;limit</source>
+        <translation>Einzuhaltender &amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Clearance that a moving robot must keep; 0: no contact</source>
+        <translation>Abstand, den ein bewegter Roboter einhalten muss; 0: Er darf nicht berühren</translation>
+    </message>
+    <message>
+        <source>&amp;Reaction time</source>
+        <translation>Rea&amp;ktionszeit</translation>
+    </message>
+    <message>
+        <source>From the frame that breaks a margin until the robot slows down: sensor, network and controller</source>
+        <translation>Vom Bild, in dem der Sicherheitsabstand unterschritten wird, bis der Roboter bremst: Sensor, Netzwerk und Steuerung</translation>
+    </message>
+    <message>
+        <source>&amp;Deceleration</source>
+        <translation>&amp;Verzögerung</translation>
+    </message>
+    <message>
+        <source>Of every joint, on the path of its motion</source>
+        <translation>Jedes Gelenks, auf der Bahn seiner Bewegung</translation>
+    </message>
+    <message>
+        <source>Re&amp;start time</source>
+        <translation>&amp;Wiederanlaufzeit</translation>
+    </message>
+    <message>
+        <source>From the end of an intrusion until the robot resumes</source>
+        <translation>Vom Ende einer Unterschreitung, bis der Roboter weiterfährt</translation>
+    </message>
+    <message>
+        <source>&amp;Calibration error</source>
+        <translation>&amp;Kalibrierfehler</translation>
+    </message>
+    <message>
+        <source>Largest error between the frames of recording and robots; part of every uncertainty</source>
+        <translation>Größter Fehler zwischen den Koordinatensystemen von Aufnahme und Robotern; Teil jeder Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Age of &amp;poses</source>
+        <translation>Alter der &amp;Posen</translation>
+    </message>
+    <message>
+        <source>How old a person&apos;s pose is when it arrives</source>
+        <translation>Wie alt die Pose einer Person ist, wenn sie ankommt</translation>
+    </message>
+    <message>
+        <source>What-if assumptions</source>
+        <translation>Annahmen</translation>
+    </message>
+    <message>
+        <source>Lanes, events, margin curve, proposed margins and report are judged with these numbers of your cell; they are those of &quot;abstand tune&quot;. Another reaction time, deceleration, limit, calibration error or age of poses runs the analysis of the recording again.</source>
+        <translation>Spuren, Ereignisse, Abstandskurve, vorgeschlagene Sicherheitsabstände und Bericht werden mit diesen Zahlen Ihrer Zelle beurteilt; es sind die von „abstand tune“. Mit anderer Reaktionszeit, Verzögerung, anderem einzuhaltenden Abstand, Kalibrierfehler oder Alter der Posen beginnt die Auswertung der Aufnahme neu.</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
