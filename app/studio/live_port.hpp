@@ -35,18 +35,23 @@ using Structures = std::vector<std::shared_ptr<const structure::HapticStructure>
 /// order, so that a change of many margins reaches it whole.
 class LivePort final : public ui::SessionPort {
  public:
-  /// `analysis`: null for none.
-  LivePort(std::unique_ptr<loop::LiveSession> live, std::vector<scene::SceneNote> notes,
-           std::unique_ptr<FeedPort> analysis = nullptr,
-           std::shared_ptr<const ui::PreparedMeshes> meshes = nullptr, Structures structures = {},
-           std::vector<DepthPerson> depth = {}, RobotReach reach = {})
-      : live_(std::move(live)),
-        notes_(std::move(notes)),
-        analysis_(std::move(analysis)),
-        meshes_(std::move(meshes)),
-        structures_(std::move(structures)),
-        reach_(std::move(reach)) {
-    if (!depth.empty()) depth_ = std::make_unique<DepthPictures>(std::move(depth));
+  struct Parts {
+    std::unique_ptr<loop::LiveSession> live;
+    std::vector<scene::SceneNote> notes;
+    std::unique_ptr<FeedPort> analysis;  ///< null: none
+    std::shared_ptr<const ui::PreparedMeshes> meshes;
+    Structures structures;
+    std::vector<DepthPerson> depth;
+    RobotReach reach;
+  };
+  explicit LivePort(Parts parts)
+      : live_(std::move(parts.live)),
+        notes_(std::move(parts.notes)),
+        analysis_(std::move(parts.analysis)),
+        meshes_(std::move(parts.meshes)),
+        structures_(std::move(parts.structures)),
+        reach_(std::move(parts.reach)) {
+    if (!parts.depth.empty()) depth_ = std::make_unique<DepthPictures>(std::move(parts.depth));
   }
 
   const view::SceneOutline& outline() const override { return live_->outline(); }

@@ -36,8 +36,8 @@ namespace {
 using namespace abstand;
 
 constexpr int kWrongUsage = 2, kBadInput = 3, kNotWritten = 4;
-constexpr int kSettle_ms = 700;         // until the first snapshots are drawn
-constexpr int kLongestWait_ms = 20000;  // for the analysis of a recording that shall be in a picture
+constexpr int kSettleMs = 700;         // until the first snapshots are drawn
+constexpr int kLongestWaitMs = 20000;  // for the analysis of a recording that shall be in a picture
 const QSize kDefaultSize(1500, 950);
 
 int fail(int code, const QString& text) {
@@ -198,13 +198,12 @@ void saveWhenAnalysed(ui::MainWindow& window, const Arguments& args, int waited_
   using State = view::AnalysisNews::State;
   const ui::RecordingReview& review = window.review();
   const bool busy = review.available() && review.state() != State::kDone && review.state() != State::kFailed;
-  if (busy && waited_ms < kLongestWait_ms) {
-    QTimer::singleShot(kSettle_ms, &window, [&window, args, waited_ms] {
-      saveWhenAnalysed(window, args, waited_ms + kSettle_ms);
-    });
+  if (busy && waited_ms < kLongestWaitMs) {
+    QTimer::singleShot(kSettleMs, &window,
+                       [&window, args, waited_ms] { saveWhenAnalysed(window, args, waited_ms + kSettleMs); });
     return;
   }
-  QTimer::singleShot(kSettle_ms, &window, [&window, args] {
+  QTimer::singleShot(kSettleMs, &window, [&window, args] {
     QApplication::exit(written([&] { ui::savePicture(ui::grabWindow(window), args.screenshot); }));
   });
 }

@@ -15,9 +15,9 @@
 namespace abstand::studio {
 namespace {
 
-constexpr int kWarmUp_ms = 1000;
-constexpr int kLook_ms = 200;
-constexpr int kLongestWait_ms = 120000;
+constexpr int kWarmUpMs = 1000;
+constexpr int kLookMs = 200;
+constexpr int kLongestWaitMs = 120000;
 
 /// NaN of nothing.
 double quantile(std::vector<double> values, double q) {
@@ -79,13 +79,13 @@ void Probe::waitForAnalysis(int waited_ms) {
   using State = view::AnalysisNews::State;
   const ui::RecordingReview& review = window_.review();
   const bool busy = review.available() && review.state() != State::kDone && review.state() != State::kFailed;
-  if (busy && waited_ms < kLongestWait_ms) {
-    QTimer::singleShot(kLook_ms, this, [this, waited_ms] { waitForAnalysis(waited_ms + kLook_ms); });
+  if (busy && waited_ms < kLongestWaitMs) {
+    QTimer::singleShot(kLookMs, this, [this, waited_ms] { waitForAnalysis(waited_ms + kLookMs); });
     return;
   }
   opening_ = stalls_.gaps();
   window_.playback().setPlaying(true);
-  QTimer::singleShot(kWarmUp_ms, this, [this] { begin(); });
+  QTimer::singleShot(kWarmUpMs, this, [this] { begin(); });
 }
 
 void Probe::begin() {

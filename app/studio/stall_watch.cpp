@@ -5,14 +5,14 @@
 namespace abstand::studio {
 namespace {
 
-constexpr int kTick_ms = 2;
+constexpr int kTickMs = 2;
 constexpr double kShortest = 0.02;  // s
 
 }  // namespace
 
 StallWatch::StallWatch(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
-  timer_.setInterval(kTick_ms);
+  timer_.setInterval(kTickMs);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   restart();
   timer_.start();

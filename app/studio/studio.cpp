@@ -412,9 +412,9 @@ std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& r
   record_ = request.live ? request.live->record : nullptr;
   if (!request.live) {
     std::unique_ptr<FeedPort> feed = analysis_.open(std::move(loaded.analysis), request.project.work);
-    return std::make_unique<LivePort>(std::move(loaded.live), std::move(loaded.notes), std::move(feed),
-                                      std::move(loaded.meshes), std::move(loaded.structures),
-                                      std::move(loaded.depth), std::move(loaded.reach));
+    return std::make_unique<LivePort>(LivePort::Parts{
+        std::move(loaded.live), std::move(loaded.notes), std::move(feed), std::move(loaded.meshes),
+        std::move(loaded.structures), std::move(loaded.depth), std::move(loaded.reach)});
   }
   ViewerPort::Parts parts;
   parts.record = record_;

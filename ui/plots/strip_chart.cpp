@@ -31,6 +31,9 @@ namespace {
 constexpr double kShortestWindow = 0.05;  // s
 constexpr double kZoomStep = 0.8;         // a notch of the wheel
 constexpr int kTimeLabelOverhang = 14;    // px
+constexpr int kMinHeight = 90;            // px
+// px: a plot with its title, and also with a time axis, below the names of its lines.
+constexpr int kMinWithTitle = 65, kMinWithTitles = 95;
 constexpr int kSpareWidth = 24;           // px, so that the room of a value seldom changes
 constexpr double kValueAxisWidth = 44.0;  // px; the same for all charts, so that their times line up
 
@@ -103,7 +106,7 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
   }
   setQuantity(text_.quantity, text_.unit);
   setToolTip(tr("Drag to move the time, wheel to zoom, right button to move the window"));
-  setMinimumHeight(90);
+  setMinimumHeight(kMinHeight);
   applyPalette();
 }
 
@@ -167,6 +170,8 @@ void StripChart::placeValues() {
   }
   values_box_->setFixedHeight(rows * values_->fontMetrics().lineSpacing() + 2);
   values_->setGeometry(0, 0, this->width(), values_box_->height());
+  const int above = names_.size() > 1 ? values_box_->height() : 0;
+  setMinimumHeight(std::max(kMinHeight, above + (text_.time_axis ? kMinWithTitles : kMinWithTitle)));
 }
 
 void StripChart::resizeEvent(QResizeEvent* event) {
@@ -196,6 +201,8 @@ QString StripChart::valuesText() const {
     // A name and its value stay together.
     QString words = QStringLiteral("%1 %2").arg(names_[i], fixed(value, text_.decimals)).toHtmlEscaped();
     words.replace(QLatin1Char(' '), QLatin1String("&nbsp;"));
+    // Qt would break a line behind a dash.
+    words.replace(QStringLiteral("–"), QStringLiteral("\u2060–\u2060"));
     parts << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3").arg(trace.colour.name(), mark, words);
   }
   return parts.join(QStringLiteral(" &nbsp; "));
