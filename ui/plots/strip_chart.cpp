@@ -33,7 +33,7 @@ constexpr double kZoomStep = 0.8;         // a notch of the wheel
 constexpr int kTimeLabelOverhang = 14;    // px
 constexpr int kMinHeight = 90;            // px
 // px: a plot with its title, and also with a time axis, below the names of its lines.
-constexpr int kMinWithTitle = 65, kMinWithTitles = 95;
+constexpr int kMinWithTitle = 40, kMinWithTitles = 64;
 constexpr int kSpareWidth = 24;           // px, so that the room of a value seldom changes
 constexpr double kValueAxisWidth = 44.0;  // px; the same for all charts, so that their times line up
 
@@ -85,6 +85,7 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
   plot_->plotLayout()->setAlignCanvasToScales(true);
   QFont small = plot_->font();
   small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.0));
+  values_->setFont(small);
   for (const int axis : {QwtPlot::yLeft, QwtPlot::xBottom}) {
     plot_->setAxisFont(axis, small);
     plot_->axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
@@ -151,6 +152,12 @@ void StripChart::setLines(const std::vector<Line>& lines) {
   }
   values_box_->setVisible(names_.size() > 1);
   placeValues();
+  if (names_.size() > 1) {
+    // Whatever the width is: the window must not grow where it is narrow for a moment.
+    const int rows = static_cast<int>(names_.size()) - 1;
+    setMinimumHeight(rows * values_->fontMetrics().lineSpacing() +
+                     (text_.time_axis ? kMinWithTitles : kMinWithTitle));
+  }
   value_->setVisible(names_.size() <= 1);
   dirty_ = true;
 }
@@ -159,19 +166,13 @@ void StripChart::setLines(const std::vector<Line>& lines) {
 void StripChart::placeValues() {
   const QMargins edges = values_->contentsMargins();
   const int width = std::max(1, this->width() - edges.left() - edges.right());
-  int rows = 1, used = 0;
-  for (const QString& name : names_) {
-    const int item = values_->fontMetrics().horizontalAdvance(QStringLiteral("━ %1 -8888.8   ").arg(name));
-    if (used > 0 && used + item > width) {
-      ++rows;
-      used = 0;
-    }
-    used += item;
-  }
-  values_box_->setFixedHeight(rows * values_->fontMetrics().lineSpacing() + 2);
+  QTextDocument text;
+  text.setDefaultFont(values_->font());
+  text.setDocumentMargin(0.0);
+  text.setHtml(valuesText(true));
+  text.setTextWidth(width);
+  values_box_->setFixedHeight(static_cast<int>(std::ceil(text.size().height())) + 2);
   values_->setGeometry(0, 0, this->width(), values_box_->height());
-  const int above = names_.size() > 1 ? values_box_->height() : 0;
-  setMinimumHeight(std::max(kMinHeight, above + (text_.time_axis ? kMinWithTitles : kMinWithTitle)));
 }
 
 void StripChart::resizeEvent(QResizeEvent* event) {
@@ -192,14 +193,15 @@ long StripChart::revision() const {
   return sum;
 }
 
-QString StripChart::valuesText() const {
+QString StripChart::valuesText(bool widest) const {
   QStringList parts;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const Trace& trace = *traces_[i];
     const double value = trace.valueAtPlayhead() * text_.factor;
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
     // A name and its value stay together.
-    QString words = QStringLiteral("%1 %2").arg(names_[i], fixed(value, text_.decimals)).toHtmlEscaped();
+    const QString number = widest ? QStringLiteral("-8888.8") : fixed(value, text_.decimals);
+    QString words = QStringLiteral("%1 %2").arg(names_[i], number).toHtmlEscaped();
     words.replace(QLatin1Char(' '), QLatin1String("&nbsp;"));
     // Qt would break a line behind a dash.
     words.replace(QStringLiteral("–"), QStringLiteral("\u2060–\u2060"));
@@ -248,7 +250,7 @@ void StripChart::refresh() {
   shown_revision_ = now;
   fitValues();
   const double value = shownNow() * text_.factor;
-  if (names_.size() > 1) values_->setText(valuesText());
+  if (names_.size() > 1) values_->setText(valuesText(false));
   const QString text = QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit);
   const int room = value_->fontMetrics().horizontalAdvance(text) + 4;
   if (room > value_->minimumWidth() || room < value_->minimumWidth() - kSpareWidth)
@@ -283,7 +285,7 @@ void StripChart::paint(QPainter& painter, const QRectF& area) {
     values.setDocumentMargin(0.0);
     values.setTextWidth(rest.width());
     values.setHtml(QStringLiteral("<span style='color:%1'>%2</span>")
-                       .arg(palette().color(QPalette::WindowText).name(), valuesText()));
+                       .arg(palette().color(QPalette::WindowText).name(), valuesText(false)));
     painter.translate(rest.topLeft());
     values.drawContents(&painter);
     painter.translate(-rest.topLeft());

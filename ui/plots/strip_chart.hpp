@@ -79,7 +79,8 @@ class StripChart : public QWidget {
 
  private:
   void fitValues();
-  QString valuesText() const;
+  /// Names and values above the chart; `widest`: with as much room as a value takes.
+  QString valuesText(bool widest) const;
   void placeValues();
   long revision() const;
   void applyPalette();
