@@ -197,10 +197,10 @@ QString StripChart::valuesText(bool widest) const {
   QStringList parts;
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const Trace& trace = *traces_[i];
-    const double value = trace.valueAtPlayhead() * text_.factor;
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
-    // A name and its value stay together.
-    const QString number = widest ? QStringLiteral("-8888.8") : fixed(value, text_.decimals);
+    // A name and its value stay together. Lines can have been laid before their series are set.
+    const QString number =
+        widest ? QStringLiteral("-8888.8") : fixed(trace.valueAtPlayhead() * text_.factor, text_.decimals);
     QString words = QStringLiteral("%1 %2").arg(names_[i], number).toHtmlEscaped();
     words.replace(QLatin1Char(' '), QLatin1String("&nbsp;"));
     // Qt would break a line behind a dash.
