@@ -66,6 +66,10 @@ void RecordingReview::forget() {
   state_ = {};
   done_ = frames_ = 0;
   problem_.clear();
+  forgetStore();
+}
+
+void RecordingReview::forgetStore() {
   store_.reset();
   events_.scan.clear();
   nearest_ = FrameSeries(start_, end_, period_, Keep::kSmallest);
@@ -94,11 +98,7 @@ void RecordingReview::pull() {
   done_ = news.done;
   frames_ = news.frames;
   problem_ = QString::fromStdString(news.problem);
-  if (news.all) {
-    store_.reset();
-    nearest_ = FrameSeries(start_, end_, period_, Keep::kSmallest);
-    reviewer_ = {};
-  }
+  if (news.all) forgetStore();
   if (!store_ && news.layout) store_.emplace(news.layout);
   for (auto& chunk : news.chunks) {
     for (std::size_t i = 0; i < chunk->frames(); ++i) nearest_.add(chunk->t(i), chunk->leastClearance(i));

@@ -97,6 +97,8 @@ class RecordingReview : public QObject {
   void judge();
   void gatherEvents();
   void forget();
+  /// Everything that was taken from the store, which is another one from now on.
+  void forgetStore();
 
   AnalysisPort* port_{nullptr};
   view::AnalysisNews::State state_{};

@@ -162,5 +162,38 @@ TEST_F(RecordingReviewTest, DescribesMoment) {
   EXPECT_TRUE(nearestMomentText(review, 2.0).contains("head not seen")) << "never shown as farther";
 }
 
+/// Hands out what a test puts into it, as a server does that drops what is old.
+struct HandedOut final : AnalysisPort {
+  bool takeNews(view::AnalysisNews& out) override {
+    out = news;
+    return true;
+  }
+  view::AnalysisNews news;
+};
+
+TEST_F(RecordingReviewTest, ReplacedChunksLeaveNoEventsOfThoseThatWent) {
+  // Not seen in the first chunk, and again near the end.
+  FakeAnalysis gaps(session.outline(), [](std::size_t part, std::size_t frame) {
+    return part == 1 && (frame < 100 || frame >= 560) ? kNaN : 0.5;
+  });
+  gaps.runAll();
+  HandedOut port;
+  ASSERT_TRUE(gaps.takeNews(port.news));
+  ASSERT_EQ(port.news.chunks.size(), 3u);
+  port.news.state = State::kLive;
+  port.news.all = true;
+  review.open(&port, session.outline(), std::vector<double>(session.outline().objects.size(), 0.0));
+  const auto losses = [&] {
+    review.pull();
+    std::vector<double> begins;
+    for (const RecordingEvent& event : review.events())
+      if (event.kind == EventKind::kLost) begins.push_back(event.t0);
+    return begins;
+  };
+  EXPECT_EQ(losses(), (std::vector<double>{gaps.t(0), gaps.t(560)}));
+  port.news.chunks.erase(port.news.chunks.begin());
+  EXPECT_EQ(losses(), (std::vector<double>{gaps.t(560)}));
+}
+
 }  // namespace recording_review_test
 }  // namespace abstand::ui
