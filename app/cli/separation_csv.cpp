@@ -11,8 +11,7 @@ namespace {
 
 constexpr const char* kHeader =
     "recording,t_s,part,link,clearance_m,robot_speed_m_per_s,person_speed_m_per_s,person_m,reaction_m,"
-    "stopping_"
-    "m,constant_m,protective_distance_m,missing_m,permitted_speed_m_per_s,largest_term\n";
+    "stopping_m,constant_m,protective_distance_m,missing_m,permitted_speed_m_per_s,largest_term\n";
 constexpr const char* kNothingMoves = ",,,,,,,,,,,,\n";
 
 void addRow(std::string& text, const tune::PassResult& pass, const tune::SeparationMoment& m) {

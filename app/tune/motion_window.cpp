@@ -37,8 +37,7 @@ void MotionWindow::add(double t, const std::vector<query::PairResult>& results,
   for (const scene::Object& o : scene.objects()) now.X_WB.push_back(o.X_WB);
   for (const auto& m : session_.mechanisms()) now.q.insert(now.q.end(), m->q().begin(), m->q().end());
   lost_.clear();
-  for (const scene::Object& o : scene.objects())
-    lost_.push_back(o.pose_state == scene::PoseState::kStale || o.pose_state == scene::PoseState::kRejected);
+  for (const scene::Object& o : scene.objects()) lost_.push_back(scene::isPoseLost(o.pose_state));
   for (auto* list : {&now.distance, &now.bound, &now.clearance, &now.uncertainty, &now.age_uncertainty})
     list->resize(pairs_.size());
   now.on_part.resize(pairs_.size());

@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace abstand::tune {
+
 SeparationRow separationRow(const std::vector<TunedRecording>& recordings, const std::string& name) {
   SeparationRow row;
   row.part = name;

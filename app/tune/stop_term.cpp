@@ -5,14 +5,14 @@
 namespace abstand::tune {
 
 std::optional<StopTerm> stopTerm(const MarginEvent& event, const safety::SeparationOptions& options) {
-  if (event.kind != MarginEvent::Kind::kIntrusion || !(event.told_robot_speed > 0.0)) return std::nullopt;
-  // As takeSeparation().
-  const double approach = options.person_acceleration > 0.0 ? event.told_person_speed : kNaN;
-  StopTerm term;
-  term.clearance = event.told_clearance;
-  term.needed = safety::protectiveDistance(options, event.told_robot_speed, approach, event.told_clearance);
-  term.largest = largestTerm(term.needed);
-  return term;
+  if (event.kind != MarginEvent::Kind::kIntrusion) return std::nullopt;
+  SeparationMoment pair;
+  pair.clearance = event.told_clearance;
+  pair.robot_speed = event.told_robot_speed;
+  pair.person_speed = event.told_person_speed;
+  const std::optional<SeparationMoment> moment = separationMoment(pair, options);
+  if (!moment) return std::nullopt;
+  return StopTerm{moment->needed, moment->clearance, largestTerm(moment->needed)};
 }
 
 }  // namespace abstand::tune
