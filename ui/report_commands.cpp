@@ -24,10 +24,7 @@ void ReportCommands::ask(const std::string& margin_set, const QString& scene_nam
     return;
   }
   last_.margin_set = margin_set;
-  last_.limit = what_if.limit;
-  last_.reaction_time = what_if.reaction_time;
-  last_.deceleration = what_if.deceleration;
-  last_.restart_time = what_if.restart_time;
+  last_.what_if = what_if;
   if (last_.file.isEmpty())
     last_.file =
         QDir(recentFolder())

@@ -5,7 +5,6 @@
 #include <QPointer>
 
 #include "ui/model/report_request.hpp"
-#include "ui/model/what_if_settings.hpp"
 
 class QProgressDialog;
 class QWidget;

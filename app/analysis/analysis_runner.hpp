@@ -16,7 +16,7 @@ namespace abstand::analysis {
 struct AnalysisRequest {
   scene_file::SceneDescription scene;
   session::SessionOptions options;
-  /// Of `tune`: braking, limit, calibration error and latency. Its other members have no effect.
+  /// As of `tune`; keep_frames and on_frame have no effect.
   tune::PassOptions pass;
   /// Names of the pairs of people's parts and robots' links that the session checks.
   std::vector<std::pair<std::string, std::string>> watched;

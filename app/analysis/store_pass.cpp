@@ -42,12 +42,7 @@ margin::StoreLayout layoutOf(const session::Session& session, const std::vector<
   return layout;
 }
 
-void storePass(session::Session& session, AnalysisFeed& feed, const tune::PassOptions& pass_options) {
-  tune::PassOptions options;
-  options.braking = pass_options.braking;
-  options.limit = pass_options.limit;
-  options.calibration_error = pass_options.calibration_error;
-  options.latency = pass_options.latency;
+void storePass(session::Session& session, AnalysisFeed& feed, tune::PassOptions options) {
   options.keep_frames = false;
   std::unique_ptr<margin::ChunkWriter> writer;
   std::vector<margin::PairSample> samples;

@@ -10,8 +10,8 @@ namespace abstand::analysis {
 /// Parts and links in the order in which the pairs name them first.
 margin::StoreLayout layoutOf(const session::Session& session, const std::vector<tune::WatchedPair>& pairs);
 
-/// `pass`: as AnalysisRequest::pass. Runs all frames until the end or until the feed is cancelled. Throws
+/// `options`: as AnalysisRequest::pass. Runs all frames until the end or until the feed is cancelled. Throws
 /// UsageError for a scene without a pair of a person and a robot.
-void storePass(session::Session& session, AnalysisFeed& feed, const tune::PassOptions& pass = {});
+void storePass(session::Session& session, AnalysisFeed& feed, tune::PassOptions options = {});
 
 }  // namespace abstand::analysis

@@ -229,11 +229,12 @@ bool open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args)
     studio.connectTo(args.server, file);
     return true;
   }
-  if (args.files.size() > 1) {
+  const auto open_together = [&] {
     seekWhenReady(studio, window, args.at);
     return window.files().open(args.recording.isEmpty() ? args.files
                                                         : args.files + QStringList{args.recording});
-  }
+  };
+  if (args.files.size() > 1) return open_together();
   if (!args.recording.isEmpty() && ui::kindOf(args.recording) == ui::FileKind::kMoments) {
     studio.openMoments(args.recording, file);
     return true;
@@ -250,9 +251,7 @@ bool open(studio::Studio& studio, ui::MainWindow& window, const Arguments& args)
       studio.openRecording(file);
       break;
     case ui::FileKind::kMesh:
-      seekWhenReady(studio, window, args.at);
-      return window.files().open(args.recording.isEmpty() ? args.files
-                                                          : args.files + QStringList{args.recording});
+      return open_together();
     case ui::FileKind::kScene:
     case ui::FileKind::kRobot:
     case ui::FileKind::kMargins:

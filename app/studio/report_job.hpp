@@ -2,17 +2,16 @@
 #pragma once
 
 #include <QObject>
-#include <QProcess>
 #include <QString>
 
 #include "app/studio/tune_call.hpp"
+#include "app/studio/tune_process.hpp"
 #include "ui/model/report_request.hpp"
 
 namespace abstand::studio {
 
 /// Runs `abstand tune --report` over what a document shows: its scene, recording, reading options and
-/// margins. A process of its own, so that the window keeps its pace. Destruction ends the process; a page is
-/// written completely or not at all. GUI thread only.
+/// margins. Destruction ends the process; a page is written completely or not at all. GUI thread only.
 class ReportJob : public QObject {
   Q_OBJECT
 
@@ -20,7 +19,6 @@ class ReportJob : public QObject {
   /// `program`: path of `abstand`.
   ReportJob(QString program, ui::Work work, ui::ReportRequest request, robot_file::PackagePaths packages,
             QObject* parent = nullptr);
-  ~ReportJob() override;
 
   /// done() or failed() follows.
   void start();
@@ -31,12 +29,9 @@ class ReportJob : public QObject {
   void failed(const QString& problem);
 
  private:
-  void end(int code, QProcess::ExitStatus status);
-
-  QString program_;
   TuneCall call_;
   ui::ReportRequest request_;
-  QProcess process_;
+  TuneProcess process_;
 };
 
 }  // namespace abstand::studio

@@ -18,13 +18,6 @@ using scene_file::SceneDescription;
 constexpr double kMillimetre = 1e-3;
 constexpr char kPersonText[] = "abstand: 1\nhumans:\n  - {name: person}\n";
 
-/// In the quotes of YAML.
-std::string quoted(const QString& text) {
-  QString safe = text;
-  safe.replace(QLatin1Char('\\'), QLatin1String("\\\\")).replace(QLatin1Char('"'), QLatin1String("\\\""));
-  return '"' + safe.toStdString() + '"';
-}
-
 std::filesystem::path pathOf(const QString& file) { return QFile::encodeName(file).toStdString(); }
 
 /// Letters and digits of the file's name, which is free to be used as the name of a body.
@@ -80,10 +73,14 @@ void addRobot(const QString& file, const robot_file::PackagePaths& packages, Sce
   scene.remarks.insert(scene.remarks.end(), robot.remarks.begin(), robot.remarks.end());
 }
 
+/// The scene of `work` is a scene file, not a robot.
+bool hasSceneFile(const ui::Work& work) {
+  return !work.scene.isEmpty() && ui::kindOf(work.scene) != ui::FileKind::kRobot;
+}
+
 /// Without a scene file, messages and the title go by the first file that there is.
 SceneDescription baseOf(const ui::Work& work, const robot_file::PackagePaths& packages) {
-  if (!work.scene.isEmpty() && ui::kindOf(work.scene) != ui::FileKind::kRobot)
-    return scene_file::loadScene(pathOf(work.scene), packages);
+  if (hasSceneFile(work)) return scene_file::loadScene(pathOf(work.scene), packages);
   if (!work.scene.isEmpty()) return robotAlone(work.scene, "robot", packages);
   const QString name = work.recording.isEmpty() ? work.added_files.value(0) : work.recording;
   return scene_file::parseScene("abstand: 1\n", pathOf(QFileInfo(name).absoluteFilePath()), packages);
@@ -91,10 +88,15 @@ SceneDescription baseOf(const ui::Work& work, const robot_file::PackagePaths& pa
 
 }  // namespace
 
+std::string quoted(const QString& text) {
+  QString safe = text;
+  safe.replace(QLatin1Char('\\'), QLatin1String("\\\\")).replace(QLatin1Char('"'), QLatin1String("\\\""));
+  return '"' + safe.toStdString() + '"';
+}
+
 SceneDescription sceneOf(const ui::Work& work, const robot_file::PackagePaths& packages) {
   SceneDescription scene = baseOf(work, packages);
-  const bool of_file = !work.scene.isEmpty() && ui::kindOf(work.scene) != ui::FileKind::kRobot;
-  if (!work.recording.isEmpty() && !of_file) {
+  if (!work.recording.isEmpty() && !hasSceneFile(work)) {
     const QString path = QFileInfo(work.recording).absoluteFilePath();
     scene.humans = scene_file::parseScene(kPersonText, scene.file, packages).humans;
     scene.humans[0].recording.file = pathOf(path);
@@ -109,9 +111,6 @@ SceneDescription sceneOf(const ui::Work& work, const robot_file::PackagePaths& p
   return scene;
 }
 
-bool isComposed(const ui::Work& work) {
-  return work.scene.isEmpty() || !work.added_files.isEmpty() ||
-         ui::kindOf(work.scene) == ui::FileKind::kRobot;
-}
+bool isComposed(const ui::Work& work) { return !hasSceneFile(work) || !work.added_files.isEmpty(); }
 
 }  // namespace abstand::studio

@@ -12,26 +12,15 @@ namespace abstand::studio {
 
 namespace {
 
-constexpr int kSpeedKillMs = 3000;  // until a program that was asked to end is killed
-constexpr int kSpeedsPartlyDone = 5, kSpeedsNotProven = 1;
+constexpr int kSpeedsDone = 0, kSpeedsNotProven = 1, kSpeedsPartlyDone = 5;
 
 QString speedNumber(double value) { return QString::fromStdString(formatDouble(value)); }
 
-QString lastLineOf(const QString& text) {
-  const QStringList lines = text.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-  return lines.isEmpty() ? QString() : lines.constLast().trimmed();
-}
-
 /// What differs from the usual terms, for `--separation`.
 QStringList separationTerms(const ui::SeparationSettings& settings) {
-  const safety::SeparationOptions usual_options;
-  std::vector<double> usual;
-  safety::SeparationOptions::eachNumber(
-      usual_options, [&](const char*, double value, const auto&) { usual.push_back(value); });
   QStringList terms;
-  std::size_t i = 0;
-  safety::SeparationOptions::eachNumber(settings.options, [&](const char* name, double value, const auto&) {
-    if (value != usual[i++]) terms << QString::fromLatin1(name) + QLatin1Char('=') + speedNumber(value);
+  config::eachChangedNumber(settings.options, [&](const char* name, double value) {
+    terms << QString::fromLatin1(name) + QLatin1Char('=') + speedNumber(value);
   });
   return terms;
 }
@@ -87,56 +76,32 @@ ui::SpeedProposal speedsOf(const QByteArray& json, const QString& said) {
 SpeedJob::SpeedJob(QString program, const ui::Work& work, ui::SpeedRequest request,
                    const robot_file::PackagePaths& packages, QObject* parent)
     : QObject(parent),
-      program_(std::move(program)),
       call_(work, packages),
       request_(std::move(request)),
-      separation_(separationTerms(work.separation)) {
+      separation_(separationTerms(work.separation)),
+      process_(std::move(program), {kSpeedsDone, kSpeedsNotProven, kSpeedsPartlyDone}) {
   if (work.separation.clamped)
     for (const std::string_view part : humanmodel::partNames())
       clamped_ << QString::fromUtf8(part.data(), static_cast<int>(part.size()));
-  connect(&process_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this, &SpeedJob::end);
-  connect(&process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) Q_EMIT failed(tr("%1 cannot be started").arg(program_));
-  });
-}
-
-SpeedJob::~SpeedJob() {
-  process_.disconnect(this);
-  if (process_.state() == QProcess::NotRunning) return;
-  process_.terminate();
-  if (!process_.waitForFinished(kSpeedKillMs)) process_.kill();
-  process_.waitForFinished(kSpeedKillMs);
+  connect(&process_, &TuneProcess::answered, this, &SpeedJob::end);
+  connect(&process_, &TuneProcess::failed, this, &SpeedJob::failed);
 }
 
 void SpeedJob::start() {
-  if (program_.isEmpty()) {
-    Q_EMIT failed(tr("The program \"abstand\" is neither next to this program nor in PATH."));
-    return;
-  }
-  try {
+  process_.start([this] {
     QStringList words = call_.words();
     words << QStringLiteral("--json") << QStringLiteral("--speed-rule") << request_.rule
           << QStringLiteral("--segment") << speedNumber(request_.segment);
     if (!separation_.isEmpty()) words << QStringLiteral("--separation") << separation_;
     if (!clamped_.isEmpty()) words << QStringLiteral("--clamped") << clamped_;
     if (!request_.folder.isEmpty()) words << QStringLiteral("--speed-profile") << request_.folder;
-    process_.setStandardInputFile(QProcess::nullDevice());
-    process_.start(program_, words);
-  } catch (const std::exception& e) {
-    Q_EMIT failed(QString::fromUtf8(e.what()));
-  }
+    return words;
+  });
 }
 
-void SpeedJob::end(int code, QProcess::ExitStatus status) {
-  const QString said = lastLineOf(QString::fromUtf8(process_.readAllStandardError()));
-  const bool answered =
-      status == QProcess::NormalExit && (code == 0 || code == kSpeedsPartlyDone || code == kSpeedsNotProven);
-  if (!answered) {
-    Q_EMIT failed(said.isEmpty() ? tr("%1 ended with code %2").arg(program_).arg(code) : said);
-    return;
-  }
+void SpeedJob::end(const QByteArray& output, const QString& said) {
   try {
-    Q_EMIT done(speedsOf(process_.readAllStandardOutput(), said));
+    Q_EMIT done(speedsOf(output, said));
   } catch (const std::exception& e) {
     Q_EMIT failed(QString::fromUtf8(e.what()));
   }

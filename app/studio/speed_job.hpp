@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QObject>
-#include <QProcess>
 
 #include "app/studio/tune_call.hpp"
+#include "app/studio/tune_process.hpp"
 #include "ui/model/speed_proposal.hpp"
 
 namespace abstand::studio {
@@ -13,7 +13,7 @@ namespace abstand::studio {
 /// @param said  the last line on stderr: why no motion was written
 ui::SpeedProposal speedsOf(const QByteArray& json, const QString& said);
 
-/// Runs `abstand tune` in a process of its own, so that the window keeps its pace; destruction ends it.
+/// Runs `abstand tune`; destruction ends it.
 /// Motion files are written completely or not at all. GUI thread only.
 class SpeedJob : public QObject {
   Q_OBJECT
@@ -22,7 +22,6 @@ class SpeedJob : public QObject {
   /// `program`: path of `abstand`.
   SpeedJob(QString program, const ui::Work& work, ui::SpeedRequest request,
            const robot_file::PackagePaths& packages, QObject* parent = nullptr);
-  ~SpeedJob() override;
 
   /// done() or failed() follows.
   void start();
@@ -32,14 +31,13 @@ class SpeedJob : public QObject {
   void failed(const QString& problem);
 
  private:
-  void end(int code, QProcess::ExitStatus status);
+  void end(const QByteArray& output, const QString& said);
 
-  QString program_;
   TuneCall call_;
   ui::SpeedRequest request_;
   QStringList separation_;  ///< KEY=VALUE of the window's separation panel
   QStringList clamped_;
-  QProcess process_;
+  TuneProcess process_;
 };
 
 }  // namespace abstand::studio

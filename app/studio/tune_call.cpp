@@ -17,13 +17,6 @@ namespace abstand::studio {
 
 namespace {
 
-/// In the quotes of YAML.
-std::string quotedPath(const QString& path) {
-  QString safe = path;
-  safe.replace(QLatin1Char('\\'), QLatin1String("\\\\")).replace(QLatin1Char('"'), QLatin1String("\\\""));
-  return '"' + safe.toStdString() + '"';
-}
-
 QString number(double value) { return QString::fromStdString(formatDouble(value)); }
 
 }  // namespace
@@ -62,21 +55,15 @@ QStringList TuneCall::words() const {
     words << scene;
     if (!work_.recording.isEmpty()) words << QStringLiteral("--recordings") << work_.recording;
   } else {
-    std::string plan = "abstand_plan: 1\nscenes: [" + quotedPath(scene) + "]\n";
-    if (!work_.recording.isEmpty()) plan += "recordings: [" + quotedPath(work_.recording) + "]\n";
+    std::string plan = "abstand_plan: 1\nscenes: [" + quoted(scene) + "]\n";
+    if (!work_.recording.isEmpty()) plan += "recordings: [" + quoted(work_.recording) + "]\n";
     plan += "speeds: [" + formatDouble(work_.reading.speed) + "]\n";
     words << keep(QStringLiteral("plan.yaml"), plan);
   }
   if (work_.reading.cut_things) words << QStringLiteral("--cut-things");
-  const ui::WhatIfSettings usual;
-  std::vector<double> usual_numbers;
-  ui::WhatIfSettings::eachNumber(
-      usual, [&](const char*, double value, const auto&) { usual_numbers.push_back(value); });
-  std::size_t i = 0;
-  ui::WhatIfSettings::eachNumber(work_.what_if, [&](const char* name, double value, const auto&) {
-    if (value != usual_numbers[i++])
-      words << QStringLiteral("--") + QString::fromLatin1(name).replace(QLatin1Char('_'), QLatin1Char('-'))
-            << number(value);
+  config::eachChangedNumber(work_.what_if, [&](const char* name, double value) {
+    words << QStringLiteral("--") + QString::fromLatin1(name).replace(QLatin1Char('_'), QLatin1Char('-'))
+          << number(value);
   });
   for (const auto& folder : packages_.folders)
     words << QStringLiteral("--package-path") << QFile::decodeName(folder.c_str());

@@ -39,4 +39,17 @@ void requireNumbers(const Options& options) {
   });
 }
 
+/// Calls visit(name, value) for every number of such options that is not the default one.
+template <class Options, class Visit>
+void eachChangedNumber(const Options& options, Visit visit) {
+  const Options usual;
+  std::vector<double> defaults;
+  Options::eachNumber(usual,
+                      [&](const char*, double value, const NumberRule&) { defaults.push_back(value); });
+  std::size_t i = 0;
+  Options::eachNumber(options, [&](const char* name, double value, const NumberRule&) {
+    if (value != defaults[i++]) visit(name, value);
+  });
+}
+
 }  // namespace abstand::config

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
@@ -162,12 +161,8 @@ void addSeparation(JsonText& json, const SeparationSettings& separation) {
   const SeparationSettings usual;
   if (separation == usual) return;
   json.open("separation", '{');
-  std::map<std::string, double> usual_numbers;
-  safety::SeparationOptions::eachNumber(
-      usual.options, [&](const char* name, double value, const auto&) { usual_numbers[name] = value; });
-  safety::SeparationOptions::eachNumber(separation.options, [&](const char* name, double value, const auto&) {
-    if (value != usual_numbers[name]) json.addNumber(name, value);
-  });
+  config::eachChangedNumber(separation.options,
+                            [&](const char* name, double value) { json.addNumber(name, value); });
   if (separation.robot_mass != usual.robot_mass) json.addNumber("robot_mass", separation.robot_mass);
   if (separation.clamped) json.addFlag("clamped", true);
   json.close();
@@ -177,14 +172,7 @@ void addSeparation(JsonText& json, const SeparationSettings& separation) {
 void addWhatIf(JsonText& json, const WhatIfSettings& what_if) {
   if (what_if == WhatIfSettings()) return;
   json.open("what_if", '{');
-  WhatIfSettings usual;
-  std::vector<double> usual_numbers;
-  WhatIfSettings::eachNumber(usual,
-                             [&](const char*, double value, const auto&) { usual_numbers.push_back(value); });
-  std::size_t i = 0;
-  WhatIfSettings::eachNumber(what_if, [&](const char* name, double value, const auto&) {
-    if (value != usual_numbers[i++]) json.addNumber(name, value);
-  });
+  config::eachChangedNumber(what_if, [&](const char* name, double value) { json.addNumber(name, value); });
   json.close();
 }
 

@@ -38,13 +38,13 @@ ReportDialog::ReportDialog(const ReportRequest& request, QWidget* parent)
   setObjectName(QStringLiteral("report"));
   setWindowTitle(tr("Report"));
   resize(kDialogWidth, 0);
-  limit_ = numberField(request.limit, 0.0, 10.0, 0.01, tr(" m"),
+  limit_ = numberField(request.what_if.limit, 0.0, 10.0, 0.01, tr(" m"),
                        tr("Clearance that a moving robot must keep; 0: no contact"));
-  reaction_ = numberField(request.reaction_time, 0.0, 100.0, 0.01, tr(" s"),
+  reaction_ = numberField(request.what_if.reaction_time, 0.0, 100.0, 0.01, tr(" s"),
                           tr("From the frame that breaks a margin until the robot slows down"));
-  deceleration_ = numberField(request.deceleration, 0.001, 1e4, 0.5, tr(" rad/s² or m/s²"),
+  deceleration_ = numberField(request.what_if.deceleration, 0.001, 1e4, 0.5, tr(" rad/s² or m/s²"),
                               tr("Of every joint, on the path of its motion"));
-  restart_ = numberField(request.restart_time, 0.0, 1000.0, 0.1, tr(" s"),
+  restart_ = numberField(request.what_if.restart_time, 0.0, 1000.0, 0.1, tr(" s"),
                          tr("From the end of an intrusion until the robot resumes"));
   auto* head = new QLabel(
       tr("A report to read and sign: the outcome of the present margins over the whole "
@@ -92,10 +92,10 @@ void ReportDialog::chooseFile() {
 ReportRequest ReportDialog::request() const {
   ReportRequest request = first_;
   request.file = QFileInfo(file_->text().trimmed()).absoluteFilePath();
-  request.limit = limit_->value();
-  request.reaction_time = reaction_->value();
-  request.deceleration = deceleration_->value();
-  request.restart_time = restart_->value();
+  request.what_if.limit = limit_->value();
+  request.what_if.reaction_time = reaction_->value();
+  request.what_if.deceleration = deceleration_->value();
+  request.what_if.restart_time = restart_->value();
   return request;
 }
 

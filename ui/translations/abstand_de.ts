@@ -211,36 +211,6 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     </message>
 </context>
 <context>
-    <name>abstand::studio::ReportJob</name>
-    <message>
-        <source>%1 cannot be started</source>
-        <translation>%1 kann nicht gestartet werden</translation>
-    </message>
-    <message>
-        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
-        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
-    </message>
-    <message>
-        <source>%1 ended with code %2</source>
-        <translation>%1 endete mit dem Code %2</translation>
-    </message>
-</context>
-<context>
-    <name>abstand::studio::SpeedJob</name>
-    <message>
-        <source>%1 cannot be started</source>
-        <translation>%1 kann nicht gestartet werden</translation>
-    </message>
-    <message>
-        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
-        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
-    </message>
-    <message>
-        <source>%1 ended with code %2</source>
-        <translation>%1 endete mit dem Code %2</translation>
-    </message>
-</context>
-<context>
     <name>abstand::studio::Studio</name>
     <message>
         <source>%1 has changed. Reload it with Ctrl+R</source>
@@ -292,6 +262,21 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>Not opened</source>
         <translation>Nicht geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::studio::TuneProcess</name>
+    <message>
+        <source>%1 cannot be started</source>
+        <translation>%1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
+        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
+    </message>
+    <message>
+        <source>%1 ended with code %2</source>
+        <translation>%1 endete mit dem Code %2</translation>
     </message>
 </context>
 <context>
