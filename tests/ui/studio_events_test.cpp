@@ -4,13 +4,10 @@
 #include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 
-#include "app/studio/studio.hpp"
-#include "tests/app/tune/slide_scene.hpp"
+#include "tests/ui/slide_studio.hpp"
 #include "ui/model/event_table_model.hpp"
 #include "ui/model/pair_table_model.hpp"
 #include "ui/model/playback.hpp"
@@ -24,26 +21,14 @@
 namespace abstand::studio {
 namespace studio_events_test {
 
-constexpr int kLimitMs = 240000;  // nothing takes so long
-constexpr double kFrame = 0.01;   // s
+constexpr double kFrame = 0.01;  // s
 using ui::EventKind;
 
-struct StudioEvents : ::testing::Test {
-  StudioEvents() {
-    QSettings().clear();
-    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
-    scene = testing::writeSlide(folder, {.robot = 0.8, .person = 0.3, .seconds = 4.0});
-    window.resize(1400, 1000);
-    window.show();
-    studio = std::make_unique<Studio>(window);
-  }
+struct StudioEvents : SlideStudio {
+  StudioEvents() : SlideStudio({.robot = 0.8, .person = 0.3, .seconds = 4.0}) {}
   void open() {
-    QSignalSpy ready(studio.get(), &Studio::ready);
-    studio->openScene(QString::fromStdString(scene.string()), {}, 0.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLimitMs));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [this] { return window.review().state() == view::AnalysisNews::State::kDone; }, kLimitMs))
-        << window.review().problem().toStdString();
+    SlideStudio::open();
+    ASSERT_TRUE(analysed()) << window.review().problem().toStdString();
   }
   std::vector<ui::RecordingEvent> of(EventKind kind) const {
     std::vector<ui::RecordingEvent> found;
@@ -62,11 +47,6 @@ struct StudioEvents : ::testing::Test {
   const view::PairSnapshot& nearest() const {
     return window.moment().pairs[static_cast<std::size_t>(window.moment().nearest_pair)];
   }
-
-  testing::ScratchFolder folder;
-  std::filesystem::path scene;
-  ui::MainWindow window;
-  std::unique_ptr<Studio> studio;
 };
 
 TEST_F(StudioEvents, TouchBeginsWhereDistanceIsWithinItsBound) {

@@ -8,17 +8,15 @@
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTest>
 
-#include "app/studio/studio.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text_file.hpp"
-#include "tests/app/tune/slide_scene.hpp"
 #include "tests/ui/modal_answer.hpp"
+#include "tests/ui/slide_studio.hpp"
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/margin_panel.hpp"
@@ -30,23 +28,10 @@
 namespace abstand::studio {
 namespace studio_report_test {
 
-constexpr int kLimitMs = 240000;  // nothing takes so long, under a sanitizer either
-
-struct StudioReport : ::testing::Test {
-  StudioReport() {
-    QSettings().clear();
-    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
-    scene = testing::writeSlide(folder, {.robot = 0.5, .person = 0.3, .stops_at = 1.8, .seconds = 4.0});
+struct StudioReport : SlideStudio {
+  StudioReport() : SlideStudio({.robot = 0.5, .person = 0.3, .stops_at = 1.8, .seconds = 4.0}) {
     page = QString::fromStdString((folder.path() / "page.html").string());
-    window.resize(1400, 1000);
-    window.show();
-    studio = std::make_unique<Studio>(window);
     open();
-  }
-  void open() {
-    QSignalSpy ready(studio.get(), &Studio::ready);
-    studio->openScene(QString::fromStdString(scene.string()), {}, 0.0);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLimitMs));
   }
   ui::ReportRequest request() const {
     ui::ReportRequest request;
@@ -64,11 +49,7 @@ struct StudioReport : ::testing::Test {
   }
   std::string written() const { return readFile(page.toStdString(), 1 << 28, true); }
 
-  testing::ScratchFolder folder;
-  std::filesystem::path scene;
   QString page;
-  ui::MainWindow window;
-  std::unique_ptr<Studio> studio;
 };
 
 TEST_F(StudioReport, UsesMarginsOfWindow) {

@@ -8,19 +8,16 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 
 #include <nlohmann/json.hpp>
 
 #include "app/depth/open_session.hpp"
-#include "app/studio/studio.hpp"
 #include "core/base/text_file.hpp"
 #include "core/margin/proposed_margin.hpp"
-#include "tests/app/tune/slide_scene.hpp"
 #include "tests/ui/modal_answer.hpp"
+#include "tests/ui/slide_studio.hpp"
 #include "ui/document/document.hpp"
 #include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
@@ -35,26 +32,10 @@
 namespace abstand::studio {
 namespace studio_session_test {
 
-constexpr int kLimitMs = 240000;  // nothing takes so long, under a sanitizer either
 using State = view::AnalysisNews::State;
 
-struct StudioSession : ::testing::Test {
-  StudioSession() {
-    QSettings().clear();
-    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
-    scene = testing::writeSlide(folder, {.robot = 0.5, .person = 0.3, .stops_at = 1.8, .seconds = 4.0});
-    window.resize(1400, 1000);
-    window.show();
-    studio = std::make_unique<Studio>(window);
-  }
-  bool analysed() {
-    return QTest::qWaitFor([this] { return window.review().state() == State::kDone; }, kLimitMs);
-  }
-  void open() {
-    QSignalSpy ready(studio.get(), &Studio::ready);
-    studio->openScene(QString::fromStdString(scene.string()), {}, 0.0);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLimitMs));
-  }
+struct StudioSession : SlideStudio {
+  StudioSession() : SlideStudio({.robot = 0.5, .person = 0.3, .stops_at = 1.8, .seconds = 4.0}) {}
   /// The row of `abstand tune` for all parts with this margin (m).
   nlohmann::json tuned(const std::string& margin) {
     const auto answer = tune("--margins " + margin);
@@ -82,11 +63,6 @@ struct StudioSession : ::testing::Test {
         ->findChild<QSlider*>()
         ->setValue(millimetres);
   }
-
-  testing::ScratchFolder folder;
-  std::filesystem::path scene;
-  ui::MainWindow window;
-  std::unique_ptr<Studio> studio;
 };
 
 TEST_F(StudioSession, DraggedMarginsMatchTune) {

@@ -7,16 +7,14 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
 #include <nlohmann/json.hpp>
 
-#include "app/studio/studio.hpp"
 #include "core/base/text_file.hpp"
-#include "tests/app/tune/slide_scene.hpp"
 #include "tests/ui/modal_answer.hpp"
+#include "tests/ui/slide_studio.hpp"
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/panels/speed_dialog.hpp"
@@ -27,21 +25,11 @@
 namespace abstand::studio {
 namespace studio_speeds_test {
 
-constexpr int kLimitMs = 240000;  // nothing takes so long, under a sanitizer either
-
-struct StudioSpeeds : ::testing::Test {
-  StudioSpeeds() {
-    QSettings().clear();
-    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
+struct StudioSpeeds : SlideStudio {
+  // The ball ends 1.1 m before the person, who stands.
+  StudioSpeeds() : SlideStudio({.robot = 0.3, .person = 0.0, .seconds = 4.0}) {
     qputenv("PATH", QFileInfo(ABSTAND_PROGRAM).absolutePath().toLocal8Bit() + ":" + qgetenv("PATH"));
-    // The ball ends 1.1 m before the person, who stands.
-    scene = testing::writeSlide(folder, {.robot = 0.3, .person = 0.0, .seconds = 4.0});
-    window.resize(1400, 1000);
-    window.show();
-    studio = std::make_unique<Studio>(window);
-    QSignalSpy ready(studio.get(), &Studio::ready);
-    studio->openScene(QString::fromStdString(scene.string()), {}, 0.0);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !ready.isEmpty(); }, kLimitMs));
+    open();
     window.actions()[ui::ActionId::kProposeSpeeds]->trigger();
     dialog = window.speeds().dialog();
   }
@@ -62,10 +50,6 @@ struct StudioSpeeds : ::testing::Test {
   }
   QString cell(int row, int column) const { return dialog->table()->item(row, column)->text(); }
 
-  testing::ScratchFolder folder;
-  std::filesystem::path scene;
-  ui::MainWindow window;
-  std::unique_ptr<Studio> studio;
   ui::SpeedDialog* dialog{nullptr};
 };
 

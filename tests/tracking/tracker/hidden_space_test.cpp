@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
-#include "tracking/depth/simulator/depth_render.hpp"
+#include "tests/tracking/tracker/small_camera.hpp"
 
 namespace abstand::tracking {
 namespace hidden_space_test {
@@ -22,7 +22,7 @@ std::size_t at(Joint joint) { return static_cast<std::size_t>(joint); }
 struct Stand {
   BodyRig rig = makeRig(humanmodel::makeHuman({}));
   RigPlacement X_WS;
-  DepthCamera camera;
+  DepthCamera camera = smallCamera();
   DepthImage image;
   std::vector<std::uint8_t> is_person;
   BodyObservation seen;
@@ -31,12 +31,6 @@ struct Stand {
     RigPose pose;
     pose.X_WP.translation().z() = 0.95;
     place(rig, pose, X_WS);
-    camera.width = 160;
-    camera.height = 120;
-    camera.fx = camera.fy = 145.0;
-    camera.cx = 79.5;
-    camera.cy = 59.5;
-    camera.X_WC = lookingAt({2.5, 0.0, 1.0}, {0.0, 0.0, 1.0});
     image = DepthImage(camera.width, camera.height);
     is_person.assign(image.z.size(), 0);
   }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
-#include "tracking/depth/simulator/depth_render.hpp"
+#include "tests/tracking/tracker/small_camera.hpp"
 
 namespace abstand::tracking {
 namespace still_things_test {
@@ -16,19 +16,13 @@ constexpr double kBeyondLegMoved = 1.2 * StillThings::kLegMoved;
 struct PostBeside {
   BodyRig rig = makeRig(humanmodel::makeHuman({}));
   DepthFit fit{rig};
-  DepthCamera camera;
+  DepthCamera camera = smallCamera();
   DepthImage image;
   std::vector<std::uint8_t> is_person;
   BodyObservation seen;
   StillThings things;
 
   PostBeside() {
-    camera.width = 160;
-    camera.height = 120;
-    camera.fx = camera.fy = 145.0;
-    camera.cx = 79.5;
-    camera.cy = 59.5;
-    camera.X_WC = lookingAt({2.5, 0.0, 1.0}, {0.0, 0.0, 1.0});
     image = DepthImage(camera.width, camera.height);
     is_person.assign(image.z.size(), 0);
   }
