@@ -187,8 +187,7 @@ void PassState::takeRenewed() {
 void PassState::watchPoses() {
   const auto& objects = session.scene().objects();
   for (std::size_t i = 0; i < stale.size(); ++i) {
-    const scene::PoseState s = objects[i].pose_state;
-    if (s == scene::PoseState::kStale || s == scene::PoseState::kRejected) stale[i] = true;
+    if (scene::isPoseLost(objects[i].pose_state)) stale[i] = true;
   }
 }
 

@@ -8,14 +8,6 @@
 
 namespace abstand::studio {
 
-namespace {
-
-bool isKnown(const view::ObjectSnapshot& object) {
-  return object.pose_state != scene::PoseState::kStale && object.pose_state != scene::PoseState::kRejected;
-}
-
-}  // namespace
-
 ViewerReview::ViewerReview(std::shared_ptr<viewer::LiveRecord> record, const view::SceneOutline& outline)
     : record_(std::move(record)), moment_(moment::makeMoment(*record_->card())) {
   auto layout = std::make_shared<margin::StoreLayout>();
@@ -50,7 +42,7 @@ void ViewerReview::add(double t, const view::SceneSnapshot& moment) {
     const view::ObjectSnapshot& link = moment.objects[layout_->links[layout_->pairs[k].link].object];
     margin::PairSample sample;
     sample.uncertainty = part.pose_uncertainty + link.pose_uncertainty;
-    sample.lost = pair.paused || !isKnown(part) || !isKnown(link);
+    sample.lost = pair.paused || scene::isPoseLost(part.pose_state) || scene::isPoseLost(link.pose_state);
     sample.distance = pair.result.distance;
     sample.clearance = pair.result.distance - pair.result.bound - sample.uncertainty;
     if (sample.lost || std::isnan(sample.clearance)) {

@@ -21,6 +21,10 @@ struct ObjectSpec {
 
 /// Reliability of an object's pose; all states except kFresh are shown and never count as safe.
 enum class PoseState : std::uint8_t { kFresh, kInferred, kStale, kRejected };
+/// The object may be anywhere else by now.
+inline bool isPoseLost(PoseState state) {
+  return state == PoseState::kStale || state == PoseState::kRejected;
+}
 
 /// One body of the scene with its recent motion and total contact wrench. World frame.
 struct Object {

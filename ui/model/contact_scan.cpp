@@ -16,8 +16,6 @@ bool isTouch(const margin::ClearanceChunk::Nearest& nearest) {
   return nearest.clearance + nearest.uncertainty * (1.0 - kRoundingShare) - kSmallestStep <= 0.0;
 }
 
-std::string personOfPart(const std::string& name) { return name.substr(0, name.rfind('/')); }
-
 }  // namespace
 
 void ContactScan::clear() {
@@ -75,7 +73,7 @@ void ContactScan::append(const margin::ClearanceStore& store, std::vector<Record
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     for (const Stretch& stretch : parts_[k].contacts)
       events.push_back(event(EventKind::kContact, k, stretch));
-    const std::string person = personOfPart(store.layout().parts[k].name);
+    const std::string person = personOf(store.layout().parts[k].name);
     for (const Stretch& stretch : parts_[k].losses) {
       const auto [at, made] = lost.emplace(Key{person, stretch.begin, stretch.end}, events.size());
       if (made)

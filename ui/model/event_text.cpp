@@ -11,8 +11,6 @@ namespace abstand::ui {
 
 namespace {
 
-std::string personOf(const std::string& name) { return name.substr(0, name.rfind('/')); }
-
 /// Outside of what has been analysed.
 bool isMissing(const margin::ClearanceStore* store, double t) {
   if (!store || store->empty() || t < store->t(0)) return true;

@@ -81,8 +81,7 @@ void addBody(Rows& rows, int object) {
   rows.add(tr("Speed"),
            tr("%1 m/s, turns at %2/s")
                .arg(fixed(now.velocity.linear.norm(), 3), angleText(now.velocity.angular.norm())));
-  const bool lost =
-      now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
+  const bool lost = scene::isPoseLost(now.pose_state);
   rows.add(tr("Pose"), poseStateText(now), lost ? Mark::kAlarm : Mark::kPlain);
   rows.add(tr("Margin"), lengthText(now.margin, 0));
   std::vector<BodyState> states;

@@ -54,8 +54,7 @@ QColor levelColour(PairLevel level) {
 PairLevel pairLevel(const view::SceneSnapshot& snapshot, const view::PairSnapshot& pair,
                     std::pair<int, int> objects) {
   const auto lost = [&](int object) {
-    const scene::PoseState state = snapshot.objects[static_cast<std::size_t>(object)].pose_state;
-    return state == scene::PoseState::kStale || state == scene::PoseState::kRejected;
+    return scene::isPoseLost(snapshot.objects[static_cast<std::size_t>(object)].pose_state);
   };
   if (pair.paused) return PairLevel::kPaused;
   const query::PairResult& result = pair.result;

@@ -87,8 +87,7 @@ QString bodySentence(const view::SceneOutline& outline, const view::SceneSnapsho
   QString text = QString::fromStdString(outline.objects[i].name);
   if (states[i].pair >= 0)
     text += QLatin1Char('\n') + pairSentence(outline, snapshot, states[i].pair, times.of(states[i].pair));
-  const scene::PoseState pose = snapshot.objects[i].pose_state;
-  if (pose == scene::PoseState::kStale || pose == scene::PoseState::kRejected)
+  if (scene::isPoseLost(snapshot.objects[i].pose_state))
     text += QLatin1Char('\n') + tr("The pose is stale or was rejected: drawn hollow, never safe");
   return text;
 }

@@ -6,6 +6,8 @@
 
 namespace abstand::ui {
 
+std::string personOf(const std::string& part) { return part.substr(0, part.rfind('/')); }
+
 QString kindText(EventKind kind) {
   switch (kind) {
     case EventKind::kLost:

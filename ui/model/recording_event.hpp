@@ -5,6 +5,7 @@
 #include <QString>
 #include <bitset>
 #include <cstddef>
+#include <string>
 
 #include "core/math/transform.hpp"
 
@@ -41,6 +42,9 @@ struct RecordingEvent {
   /// s: where keys go and markers stand.
   double mark() const { return kind == EventKind::kNear ? t_nearest : t0; }
 };
+
+/// "operator" of a part's full name, "operator/hand_left".
+std::string personOf(const std::string& part);
 
 /// "touching", "inside margin", "near miss", "touch between frames", "robot stopped", "tracking lost".
 QString kindText(EventKind kind);

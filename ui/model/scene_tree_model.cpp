@@ -81,8 +81,7 @@ void SceneTreeModel::refresh(const view::SceneOutline& outline, const view::Scen
       const auto i = static_cast<std::size_t>(object);
       const view::ObjectSnapshot& now = snapshot.objects[i];
       Row& row = rows_[i];
-      const bool hollow =
-          now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
+      const bool hollow = scene::isPoseLost(now.pose_state);
       const PairLevel level = isBroken(states_[i].level) ? states_[i].level : PairLevel::kApart;
       if (row.level == level && row.hollow == hollow && sameShown(row.distance, nearest_[i])) continue;
       group_changed |= row.level != level;

@@ -18,9 +18,7 @@ namespace {
 
 constexpr double kHalf = 0.5;  // share of a limit from which a contact is drawn with a mark
 
-bool isSeen(const view::ObjectSnapshot& object) {
-  return object.pose_state != scene::PoseState::kStale && object.pose_state != scene::PoseState::kRejected;
-}
+bool isSeen(const view::ObjectSnapshot& object) { return !scene::isPoseLost(object.pose_state); }
 
 void judgeContact(SeparationRow& row, const std::string& part, const SeparationSettings& settings,
                   const contact::ContactLimits* limits) {

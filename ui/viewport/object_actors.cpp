@@ -172,8 +172,7 @@ bool ObjectActors::paint(Item& item, const view::ObjectSnapshot& now, const Look
   vtkProperty* look = item.body->GetProperty();
   const auto before = look->GetMTime();
   const bool chosen = as.chosen, halted = as.halt != Halt::kNone, stopped = as.halt == Halt::kStopped;
-  const bool hollow =
-      now.pose_state == scene::PoseState::kStale || now.pose_state == scene::PoseState::kRejected;
+  const bool hollow = scene::isPoseLost(now.pose_state);
   const bool broken = isBroken(as.level);
   const bool marked = broken || chosen || halted;
   setColour(look, broken   ? levelColour(as.level)
