@@ -1,5 +1,6 @@
 // abstand export: exports results of `tune --out`.
 #include "app/cli/command_line.hpp"
+#include "app/cli/contact_csv.hpp"
 #include "app/cli/csv_field.hpp"
 #include "app/cli/pair_csv.hpp"
 #include "app/cli/separation_csv.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct ExportArguments {
   std::vector<std::string> folders;
-  std::string csv, pairs_csv, separation_csv, mcap, margin;
+  std::string csv, pairs_csv, separation_csv, contact_csv, mcap, margin;
 };
 
 /// Returns the number of rows.
@@ -42,9 +43,11 @@ std::size_t writeClearances(const tune::TuneAnswer& answer, const std::filesyste
 }
 
 int runExport(const CommandLine& line, const ExportArguments& args) {
-  if (args.csv.empty() && args.pairs_csv.empty() && args.separation_csv.empty() && args.mcap.empty())
+  if (args.csv.empty() && args.pairs_csv.empty() && args.separation_csv.empty() && args.contact_csv.empty() &&
+      args.mcap.empty())
     throw UsageError(
-        "found none of --csv, --pairs-csv, --separation-csv and --mcap, expected a file to write");
+        "found none of --csv, --pairs-csv, --separation-csv, --contact-csv and --mcap, expected a file to "
+        "write");
   if (!args.margin.empty() && args.mcap.empty())
     throw UsageError(
         "--margin: found without --mcap, expected --mcap, which writes the events at that margin");
@@ -67,6 +70,11 @@ int runExport(const CommandLine& line, const ExportArguments& args) {
     const std::size_t rows = writeSeparationTable(answer, args.separation_csv);
     document["separation_rows"] = rows;
     text += format("%zu rows of protective distances of %zu recordings\n", rows, answer.recordings.size());
+  }
+  if (!args.contact_csv.empty()) {
+    const std::size_t rows = writeContactTable(answer, args.contact_csv);
+    document["contact_rows"] = rows;
+    text += format("%zu rows of predicted contacts of %zu recordings\n", rows, answer.recordings.size());
   }
   if (!args.mcap.empty()) {
     const results::McapCounts counts = results::writeMcap(answer, options, args.mcap);
@@ -93,6 +101,10 @@ void addExport(CLI::App& root, CommandLine& line) {
   line.output(command->add_option("--separation-csv", args->separation_csv,
                                   "table to write: one row per frame and body part with the terms of the "
                                   "protective distance"));
+  line.output(
+      command->add_option("--contact-csv", args->contact_csv,
+                          "table to write: one row per frame and body part with the hardest contact that "
+                          "could occur"));
   line.output(command->add_option(
       "--mcap", args->mcap, "MCAP file to write: one topic per recording and body part (docs/margins.md)"));
   command->add_option("--margin", args->margin,

@@ -54,7 +54,8 @@ std::vector<std::string> PassArguments::stated() const {
                                                                 {"near", &near},
                                                                 {"calibration_error", &calibration_error},
                                                                 {"latency", &latency},
-                                                                {"contact_limits", &contact_limits}};
+                                                                {"contact_limits", &contact_limits},
+                                                                {"separation_table", &separation_table}};
   for (const auto& [name, text] : options)
     if (!text->empty()) names.insert(name);
   // The reaction time is T_r, too, unless that is stated.
@@ -76,7 +77,12 @@ tune::TuneOptions PassArguments::options() const {
   if (!calibration_error.empty())
     o.pass.calibration_error = numberWithin(calibration_error, "--calibration-error", 0.0, 10.0, "m");
   if (!latency.empty()) o.pass.latency = numberWithin(latency, "--latency", 0.0, 10.0, "s");
-  o.pass.separation.reaction_time = o.pass.braking.reaction_time;
+  o.pass.separation_standard = std::make_shared<const safety::SeparationStandard>(
+      safety::loadSeparationStandard(separation_table.empty() ? safety::defaultSeparationTable()
+                                                              : std::filesystem::path(separation_table)));
+  o.pass.separation = o.pass.separation_standard->options();
+  if (!reaction_time.empty() || !o.pass.separation_standard->term("reaction_time"))
+    o.pass.separation.reaction_time = o.pass.braking.reaction_time;
   takeSeparation(separation, o.pass.separation);
   o.restart_time = restartTime(restart_time);
   o.pass.clamped = clampedNames(clamped);
@@ -98,6 +104,8 @@ void PassArguments::add(CLI::App& command) {
   command.add_option(
       "--separation", separation,
       "KEY=VALUE...: terms of the protective distance: stopping_time, intrusion, person_speed, ...");
+  command.add_option("--separation-table", separation_table,
+                     "table of terms of the protective distance (default: ISO 13855:2010, docs/margins.md)");
   command.add_option("--near", near, "m: approaches below this clearance are listed (default: 0.2)");
   command.add_option(
       "--calibration-error", calibration_error,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
@@ -12,6 +13,7 @@
 #include "app/tune/separation_table.hpp"
 #include "app/tune/stated_options.hpp"
 #include "app/tune/stored_limits.hpp"
+#include "app/tune/stored_terms.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -111,6 +113,22 @@ Json regionsJson(const tune::TuneAnswer& answer) {
                     {"place", r.pressures.front().place},
                     {"spring", citedJson(r.spring)},
                     {"body_mass", citedJson(r.body_mass)}});
+  return rows;
+}
+
+/// The terms of the table, and what was used instead where a user stated it.
+Json separationTermsJson(const tune::TuneAnswer& answer) {
+  std::map<std::string, double> used;
+  safety::SeparationOptions::eachNumber(
+      answer.options.pass.separation,
+      [&](const char* key, const double& value, const config::NumberRule&) { used[key] = value; });
+  Json rows = Json::array();
+  for (const tune::CitedTerm& term : answer.recordings.front().separation_terms) {
+    Json row = citedJson({term.value, term.source, term.to_be_checked});
+    row["term"] = term.key;
+    row["used"] = used[term.key];
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 
@@ -326,7 +344,10 @@ Json tuneJson(const tune::TuneAnswer& answer) {
   j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
   j["contact_regions"] = regionsJson(answer);
   j["standards"] = {{"protective_distance", safety::kSeparationEdition},
-                    {"person_speed", safety::kApproachSpeedEdition}};
+                    {"person_speed", tune::speedsEdition(answer.recordings.front())}};
+  const std::string& table = answer.recordings.front().separation_table;
+  j["separation_table"] = table.empty() ? Json(nullptr) : Json(table);
+  j["separation_terms"] = separationTermsJson(answer);
   j["clamped"] = tune::clampedParts(answer.recordings);
   if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
   j["separation"] = separationJson(answer);

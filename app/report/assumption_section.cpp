@@ -6,6 +6,7 @@
 #include "app/report/page.hpp"
 #include "app/tune/part_frames.hpp"
 #include "app/tune/stated_options.hpp"
+#include "app/tune/stored_terms.hpp"
 #include "core/base/number.hpp"
 #include "core/text/escaped_xml.hpp"
 #include "core/text/message_text.hpp"
@@ -97,7 +98,20 @@ std::string speedSaidBy(const tune::TuneOptions& options) {
   return users.empty() ? "default" : "user (" + users + ")";
 }
 
-AssumptionRows separationRows(const tune::TuneOptions& options) {
+/// The sources of the speeds of people and of what is near, as the table in use states them.
+std::string speedSources(const tune::TunedRecording& recording) {
+  std::string text;
+  for (const tune::CitedTerm& term : recording.separation_terms)
+    text += term.key + " " + formatDouble(term.value) + ": " + term.source +
+            (term.to_be_checked.empty() ? "" : " (to be checked: " + term.to_be_checked + ")") + "; ";
+  if (text.empty())
+    text =
+        std::string(safety::kApproachSpeedEdition) + ": walking 1.6 m/s, a hand 2.0 m/s nearer than 500 mm; ";
+  return text + "S_h grows with it";
+}
+
+AssumptionRows separationRows(const tune::TuneAnswer& answer) {
+  const tune::TuneOptions& options = answer.options;
   const safety::SeparationOptions& o = options.pass.separation;
   const bool brakes = o.deceleration > 0.0;
   return {{"T_r, reaction time", wholeMs(o.reaction_time), saidBy(options, "separation.reaction_time"),
@@ -109,9 +123,7 @@ AssumptionRows separationRows(const tune::TuneOptions& options) {
           {"v_h, speed of the person",
            text::rounded(o.person_speed, 2) + " m/s, nearer than " + tenthMm(o.near) + " " +
                text::rounded(o.person_speed_near, 2) + " m/s",
-           speedSaidBy(options),
-           std::string(safety::kApproachSpeedEdition) +
-               ": walking 1.6 m/s, a hand 2.0 m/s nearer than 500 mm; S_h grows with it"},
+           speedSaidBy(options), speedSources(answer.recordings.front())},
           {"acceleration of the person",
            o.person_acceleration > 0.0 ? text::rounded(o.person_acceleration, 2) + " m/s^2"
                                        : "measured speeds are not used",
@@ -127,13 +139,16 @@ AssumptionRows separationRows(const tune::TuneOptions& options) {
 }
 
 /// Which editions the numbers follow, and what owners of later ones have to check.
-std::string editionText() {
+std::string editionText(const tune::TuneAnswer& answer) {
+  const tune::TunedRecording& first = answer.recordings.front();
   return "Formula of S_p: " + std::string(safety::kSeparationEdition) +
          ". ISO 10218-2:2025 has taken over the requirements of that specification. Speeds of people: " +
-         safety::kApproachSpeedEdition +
-         ", of which there is an edition of 2024. This program does not know whether the later editions "
+         tune::speedsEdition(first) +
+         (first.separation_table.empty() ? "" : " (table: " + first.separation_table + ")") +
+         "; of ISO 13855:2010 there is an edition of 2024. This program does not know whether the later "
+         "editions "
          "changed the formula or a value: compare each with the editions that you own, and set what differs "
-         "(--separation, --contact-limits).";
+         "(--separation, --separation-table, --contact-limits).";
 }
 
 std::string inputTables(const tune::TuneAnswer& answer) {
@@ -182,7 +197,7 @@ std::string assumptionSection(const tune::TuneAnswer& answer) {
          "violated. Distances "
          "and braking are certified between frames too (docs/margins.md).</p>\n"
          "<h3>Of the protective distance and permitted speeds</h3>\n" +
-         "<p>" + editionText() + "</p>\n" + htmlTable(header, separationRows(answer.options)) +
+         "<p>" + editionText(answer) + "</p>\n" + htmlTable(header, separationRows(answer)) +
          inputTables(answer) + reservationTable(answer);
 }
 

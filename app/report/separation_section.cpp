@@ -4,6 +4,7 @@
 
 #include "app/report/page.hpp"
 #include "app/tune/separation_table.hpp"
+#include "app/tune/stored_terms.hpp"
 #include "core/text/message_text.hpp"
 
 namespace abstand::report {
@@ -33,7 +34,8 @@ std::string separationSection(const tune::TuneAnswer& answer) {
                         text::rounded(m.t, 3) + " s"});
   }
   return "<h2>Protective distance</h2>\n<p>Speed and separation monitoring (" +
-         std::string(safety::kSeparationEdition) + "; speeds of people: " + safety::kApproachSpeedEdition +
+         std::string(safety::kSeparationEdition) +
+         "; speeds of people: " + tune::speedsEdition(answer.recordings.front()) +
          "): S_p = "
          "S_h + S_r + S_s + C + Z_d + Z_r against the certified clearance, for each link that moves towards "
          "a "

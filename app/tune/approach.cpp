@@ -89,9 +89,17 @@ ContactShare ApproachJudge::contact(const ClosingMotion& motion, double t, const
 contact::ContactArea ApproachJudge::areaAt(const ClosingMotion& motion, const WatchedPair& pair,
                                            double indentation) {
   const structure::HapticStructure& link = *session_.scene().objects()[pair.link].spec.structure;
+  const double radius = radius_of_.at(pair.part);
+  if (last_.link != &link || last_.radius != radius || last_.p_L != motion.p_L || last_.n_L != motion.n_L)
+    last_ = {&link, motion.p_L, motion.n_L, radius, {}};
+  for (const auto& [at, area] : last_.areas)
+    if (at == indentation) return area;
   auto& surface = surfaces_[&link];
   if (!surface) surface = std::make_unique<contact::ContactSurface>(*link.surface);
-  return contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation, radius_of_.at(pair.part)});
+  const contact::ContactArea area =
+      contact::contactArea(*surface, {motion.p_L, motion.n_L, indentation, radius});
+  last_.areas.emplace_back(indentation, area);
+  return area;
 }
 
 const std::vector<const contact::RegionLimits*>& ApproachJudge::regionsOf(const std::string& part) {
@@ -112,16 +120,14 @@ contact::ContactKind ApproachJudge::kindOf(const std::string& part) const {
              : contact::ContactKind::kQuasiStatic;
 }
 
-double ApproachJudge::contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
+double ApproachJudge::contactShare(const WatchedPair& pair, const std::string& part,
                                    const ClosingMotion& motion, double wanted) {
   if (excluded(part)) return 0.0;
   const double wanted_closing = wanted * motion.robot_speed + motion.person_speed;
   if (!(wanted_closing > 0.0)) return wanted;
-  ClosingMotion complete_motion = motion;
-  complete(frame, pair, complete_motion);
   const contact::AllowedSpeed allowed = contact::allowedSpeed(
-      regionsOf(part), {{complete_motion.robot_mass, contact::RobotMassSource::kPosture}, kindOf(part)},
-      wanted_closing, [&](double indentation) { return areaAt(complete_motion, pair, indentation); });
+      regionsOf(part), {{motion.robot_mass, contact::RobotMassSource::kPosture}, kindOf(part)},
+      wanted_closing, [&](double indentation) { return areaAt(motion, pair, indentation); });
   if (allowed.speed >= wanted_closing) return wanted;
   return std::min(wanted, contact::speedShare(allowed.speed, motion.robot_speed, motion.person_speed));
 }

@@ -78,10 +78,10 @@ class ApproachJudge {
   contact::ContactKind kindOf(const std::string& part) const;
   /// 0 to `wanted`, which is 1 at most: share of the robot's speed at which a contact of the pair
   /// would stay within the limits of every region of the part, with the person's speed as it is
-  /// (contact::allowedSpeed). The robot moves towards the person. 0 for what is excluded. `motion` need not
-  /// be complete(). The less is wanted, the less is computed.
-  double contactShare(const WindowFrame& frame, const WatchedPair& pair, const std::string& part,
-                      const ClosingMotion& motion, double wanted);
+  /// (contact::allowedSpeed). The robot moves towards the person. 0 for what is excluded. `motion` is
+  /// complete() if its closing speed is above 0. The less is wanted, the less is computed.
+  double contactShare(const WatchedPair& pair, const std::string& part, const ClosingMotion& motion,
+                      double wanted);
 
  private:
   const std::vector<const contact::RegionLimits*>& regionsOf(const std::string& part);
@@ -101,6 +101,14 @@ class ApproachJudge {
   std::map<std::size_t, int> frame_of_;  ///< for a link's object: index of its mechanism's frame
   std::map<const structure::HapticStructure*, std::unique_ptr<contact::ContactSurface>> surfaces_;
   std::map<std::string, std::vector<const contact::RegionLimits*>> regions_;  ///< of parts, cached
+  /// The last place of contact with its areas by indentation: regions of a part often share one.
+  struct KnownAreas {
+    const structure::HapticStructure* link{nullptr};
+    Vector3d p_L{Vector3d::Zero()}, n_L{Vector3d::Zero()};
+    double radius{0.0};
+    std::vector<std::pair<double, contact::ContactArea>> areas;
+  };
+  KnownAreas last_;
 };
 
 }  // namespace abstand::tune

@@ -45,6 +45,7 @@ void eachList(PartClearance& part, const Visit& visit) {
         &part.person_speed, &part.separation.missing, &part.separation.speed_scale, &part.contact_scale})
     visit(*list);
   for (auto* list : {&part.link, &part.tool}) visit(*list);
+  visit(part.contact);
 }
 
 double wholeSpeed(double speed) { return std::ceil(speed / kSpeedStep) * kSpeedStep; }
@@ -175,6 +176,7 @@ void DistancePass::addFrame(double t) {
     part.separation.missing.push_back(-kInfinity);
     part.separation.speed_scale.push_back(1.0);
     part.contact_scale.push_back(1.0);
+    part.contact.emplace_back();
   }
 }
 
@@ -229,7 +231,7 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
   for (std::size_t p = 0; p < window_.pairs().size(); ++p) {
     const WatchedPair& pair = window_.pairs()[p];
     PartClearance& part = result_.parts[result_.pairs[p].part];
-    const ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, pair, p);
+    ClosingMotion& motion = motions_[p] = ApproachJudge::motion(frame, pair, p);
     // For an unseen part the direction is unknown: every motion of the link may be towards it.
     const bool unseen = frame.clearance[p] == -kInfinity;
     const double robot_speed = unseen && !frame.speed.empty() ? frame.speed[pair.link] : motion.robot_speed;
@@ -238,11 +240,14 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
           part.separation,
           {frame.t, result_.pairs[p].link, frame.clearance[p], robot_speed, motion.person_speed, {}, 0.0},
           options_.separation);
+    const bool near = options_.contact && frame.clearance[p] < options_.near;
+    if (near && unseen) part.contact.back() = {result_.pairs[p].link, kNoRegion, 0.0, 0.0, 0.0, kInfinity};
+    const bool closes = near && !unseen && motion.closing() > 0.0;
+    if (closes) judge_.complete(frame, pair, motion);
     double& scale = part.contact_scale.back();
-    if (part.contact_excluded || !(frame.clearance[p] < options_.near) || !(robot_speed > 0.0) ||
-        !(scale > 0.0))
-      continue;
-    scale = unseen ? 0.0 : judge_.contactShare(frame, pair, part.part, motion, scale);
+    const bool limits = !part.contact_excluded && near && robot_speed > 0.0 && scale > 0.0;
+    if (limits) scale = unseen ? 0.0 : judge_.contactShare(pair, part.part, motion, scale);
+    if (closes) watchContact(p, frame);
   }
   for (PartClearance& part : result_.parts) {
     double &missing = part.separation.missing.back(), &scale = part.separation.speed_scale.back();
@@ -251,6 +256,20 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
     double& by_contact = part.contact_scale.back();
     by_contact = part.contact_excluded ? scale : std::floor(by_contact / kSpeedStep) * kSpeedStep;
   }
+}
+
+void DistancePass::watchContact(std::size_t p, const WindowFrame& frame) {
+  PartClearance& part = result_.parts[result_.pairs[p].part];
+  FrameContact& hardest = part.contact.back();
+  const ContactShare share = judge_.contact(motions_[p], frame.t, window_.pairs()[p], part.part);
+  if (share.region.empty()) return;
+  const double largest = share.excluded ? kInfinity : std::max(share.share, share.pressure_share);
+  if (!(largest > hardest.share)) return;
+  auto region = std::find(result_.regions.begin(), result_.regions.end(), share.region);
+  if (region == result_.regions.end()) region = result_.regions.insert(region, share.region);
+  hardest = {result_.pairs[p].link, static_cast<std::uint16_t>(region - result_.regions.begin()),
+             share.force,           share.energy,
+             share.pressure,        largest};
 }
 
 void DistancePass::lookAhead(const WindowFrame* next) {

@@ -9,9 +9,11 @@
 #include "app/tune/approach.hpp"
 #include "app/tune/braking_clearance.hpp"
 #include "app/tune/exposure_tally.hpp"
+#include "app/tune/frame_contact.hpp"
 #include "app/tune/need_watch.hpp"
 #include "app/tune/separation.hpp"
 #include "core/margin/clearance_track.hpp"
+#include "core/safety/separation_standard.hpp"
 
 namespace abstand::tune {
 
@@ -39,6 +41,8 @@ struct PassOptions {
   /// as quasi-static ones. Sorted, each once.
   std::vector<std::string> clamped;
   safety::SeparationOptions separation;
+  /// Where numbers of `separation` come from; null: the defaults of the program.
+  std::shared_ptr<const safety::SeparationStandard> separation_standard;
   /// False: the lists of PartClearance hold the last frame alone, so that memory does not grow.
   bool keep_frames{true};
   std::size_t frames{0};  ///< expected, with keep_frames
@@ -66,6 +70,7 @@ struct PartClearance {
   /// PassOptions::near would be within the limits; if contact is excluded, separation.speed_scale, as only
   /// distance helps there. Rounded down to whole steps of kSpeedStep.
   std::vector<double> contact_scale;
+  std::vector<FrameContact> contact;
   bool contact_excluded{false};  ///< ApproachJudge::excluded
 };
 
@@ -81,7 +86,9 @@ inline constexpr double kSpeedStep = 1.0 / 16384.0;
 struct PassResult {
   std::vector<PartClearance> parts;  ///< in the order of the body
   std::vector<std::string> links;    ///< names of the robots' links
-  std::vector<std::string> tools;    ///< names of the objects in people's hands: "operator/driver"
+  std::vector<std::string>
+      regions;                     ///< names of the regions of FrameContact, in the order of their first use
+  std::vector<std::string> tools;  ///< names of the objects in people's hands: "operator/driver"
   struct PairOfNames {
     std::uint16_t part, link;     ///< indices into `parts` and `links`
     std::uint16_t tool{kNoTool};  ///< index into `tools`; kNoTool: the part itself
@@ -114,6 +121,7 @@ class DistancePass {
   void addFrame(double t);
   void watchNeeds(const WindowFrame& frame);
   void watchSpeeds(const WindowFrame& frame);
+  void watchContact(std::size_t pair, const WindowFrame& frame);
   void watchApproach(std::size_t part, const WindowFrame& frame);
   void lookAhead(const WindowFrame* next);
 

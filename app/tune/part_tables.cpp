@@ -18,6 +18,11 @@ constexpr double kNoLink = 65535.0;  // above the largest number of names
 /// t (none: it was kept), link, clearance, speeds of robot and person, the terms, permitted speed, time
 /// broken.
 constexpr std::size_t kSeparationColumns = 11;
+/// Columns of the predicted contact of one part, in file order.
+constexpr std::size_t kContactColumns = 6;
+/// Stand for infinite shares and pressures, and for what is larger. N and J, N/cm^2, and the share.
+constexpr double kMaxContact = 1e5, kInfiniteShare = 1e4;
+constexpr double kPerSquareCentimetre = 1e-4;  // N/cm^2 of 1 Pa
 /// Frames that are read at once.
 constexpr std::size_t kFramesInBlock = 4096;
 
@@ -40,7 +45,8 @@ class PartLists {
          std::initializer_list<std::pair<const char*, std::size_t>>{{"part_values", kPartColumnCount},
                                                                     {"part_separation", 2},
                                                                     {"part_speeds", 2},
-                                                                    {"part_contact", 1}})
+                                                                    {"part_contact", 1},
+                                                                    {"part_contacts", kContactColumns}})
       in.expect(table, names.frames, width * names.parts.size());
   }
 
@@ -50,7 +56,8 @@ class PartLists {
       const std::vector<double> values = in_.rows("part_values", first, count, n * kPartColumnCount),
                                 separation = in_.rows("part_separation", first, count, 2 * n),
                                 speeds = in_.rows("part_speeds", first, count, 2 * n),
-                                contact = in_.rows("part_contact", first, count, n);
+                                contact = in_.rows("part_contact", first, count, n),
+                                contacts = in_.rows("part_contacts", first, count, n * kContactColumns);
       for (std::size_t p = 0; p < n; ++p)
         for (std::size_t i = 0; i < count; ++i) {
           const std::size_t at = i * n + p;
@@ -59,6 +66,7 @@ class PartLists {
           parts[p].robot_speed.push_back(speeds[2 * at]);
           parts[p].person_speed.push_back(speeds[2 * at + 1]);
           parts[p].contact_scale.push_back(share(contact[at]));
+          parts[p].contact.push_back(contactOf(contacts.data() + at * kContactColumns));
         }
     }
   }
@@ -83,6 +91,26 @@ class PartLists {
                                  : missing >= kAllMissing ? kInfinity
                                                           : missing);
     separation.speed_scale.push_back(scale);
+  }
+  FrameContact contactOf(const double* v) const {
+    FrameContact contact;
+    if (std::isnan(v[5])) return contact;
+    if (!std::isnan(v[1])) {
+      if (!(v[0] >= 0.0 && v[0] < static_cast<double>(names_.links) && v[1] >= 0.0 &&
+            v[1] < static_cast<double>(names_.regions)))
+        throw ParseError({file_}, "found a predicted contact with an unknown link or region");
+      contact.link = static_cast<std::uint16_t>(v[0]);
+      contact.region = static_cast<std::uint16_t>(v[1]);
+    }
+    for (int i = 2; i < 6; ++i)
+      if (contact.region != kNoRegion && !(v[i] >= 0.0))
+        throw ParseError({file_}, "found a predicted contact with a number below 0");
+    contact.force = contact.region == kNoRegion ? 0.0 : v[2];
+    contact.energy = contact.region == kNoRegion ? 0.0 : v[3];
+    const double pressure = contact.region == kNoRegion ? 0.0 : v[4];
+    contact.pressure = pressure >= kMaxContact ? kInfinity : pressure / kPerSquareCentimetre;
+    contact.share = v[5] >= kInfiniteShare ? kInfinity : v[5];
+    return contact;
   }
   double share(double value) const {
     if (!(value >= 0.0 && value <= 1.0))
@@ -112,6 +140,8 @@ void PartTableWriter::begin(std::size_t parts, hdf5::TableWriter& out) {
   separation_ = out.table("part_separation", {parts, 2}, Storage::kSteps32, kSpeedStep);
   speeds_ = out.table("part_speeds", {parts, 2}, Storage::kSteps32, kSpeedStep);
   contact_ = out.table("part_contact", {parts}, Storage::kSteps32, kSpeedStep);
+  contacts_ = out.table("part_contacts", {parts, kContactColumns}, Storage::kSteps32, kSpeedStep);
+  out.describe(contacts_, "1, 1, N, J, N/cm^2, 1", "link region force energy pressure share");
   out.texts("part_columns", {std::begin(kPartColumns), std::end(kPartColumns)});
 }
 
@@ -136,6 +166,23 @@ void PartTableWriter::add(const std::vector<PartClearance>& parts, std::size_t i
   row_.clear();
   for (const PartClearance& p : parts) row_.push_back(p.contact_scale[i]);
   out.add(contact_, row_);
+  row_.clear();
+  const auto up = [](double value, double max) {
+    return std::min(max, std::ceil(value / kSpeedStep) * kSpeedStep);
+  };
+  for (const PartClearance& p : parts) {
+    const FrameContact& c = p.contact[i];
+    if (!(c.share > 0.0))
+      row_.insert(row_.end(), kContactColumns, kNaN);
+    else if (c.region == kNoRegion)
+      row_.insert(row_.end(), {kNaN, kNaN, kNaN, kNaN, kNaN, kInfiniteShare});
+    else
+      row_.insert(row_.end(),
+                  {static_cast<double>(c.link), static_cast<double>(c.region), up(c.force, kMaxContact),
+                   up(c.energy, kMaxContact), up(c.pressure * kPerSquareCentimetre, kMaxContact),
+                   up(c.share, kInfiniteShare)});
+  }
+  out.add(contacts_, row_);
 }
 
 void writeWorstSeparation(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {

@@ -21,7 +21,7 @@ class PartTableWriter {
   void add(const std::vector<PartClearance>& parts, std::size_t i, hdf5::TableWriter& out);
 
  private:
-  std::size_t t_{0}, values_{0}, separation_{0}, speeds_{0}, contact_{0};
+  std::size_t t_{0}, values_{0}, separation_{0}, speeds_{0}, contact_{0}, contacts_{0};
   std::vector<double> row_;  ///< of one table
 };
 /// Adds the table of the worst moments of protective distances, a row for each part.
@@ -30,7 +30,7 @@ void writeWorstSeparation(const std::vector<PartClearance>& parts, hdf5::TableWr
 /// What the other tables of the file name.
 struct PartTableNames {
   const std::vector<std::string>& parts;
-  std::size_t links{0}, tools{0}, frames{0};
+  std::size_t links{0}, tools{0}, regions{0}, frames{0};
 };
 
 /// Reads both, some thousand frames at a time. Throws ParseError for damaged or inconsistent tables.

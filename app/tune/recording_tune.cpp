@@ -7,6 +7,7 @@
 #include "app/tune/person_notes.hpp"
 #include "app/tune/result_key.hpp"
 #include "app/tune/stored_limits.hpp"
+#include "app/tune/stored_terms.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::tune {
@@ -102,9 +103,14 @@ TunedRecording tuneRecording(session::Session& session, const TuneOptions& optio
   tuned.warm_start = summary.warm_start;
   tuned.people = peopleOf(session);
   tuned.files = filesOf(session);
+  if (const auto& standard = options.pass.separation_standard) {
+    tuned.separation_edition = standard->edition;
+    tuned.separation_table = standard->stamp();
+    tuned.separation_terms = citedTerms(*standard);
+  }
   if (options.pass.contact) tuned.contact_limits = options.pass.contact->stamp();
   tuned.pass = pass.finish();
-  if (options.pass.contact) tuned.regions = occurringRegions(tuned.pass.approaches, *options.pass.contact);
+  if (options.pass.contact) tuned.regions = occurringRegions(tuned.pass, *options.pass.contact);
   tuned.enclosed = enclosedIn(session, tuned.pass);
   tuned.t0 = times.t0;
   tuned.t1 = times.t1;

@@ -30,6 +30,14 @@ struct InputFile {
   bool operator==(const InputFile&) const = default;
 };
 
+/// A term of the protective distance with its source.
+struct CitedTerm {
+  std::string key, source,
+      to_be_checked;  ///< of SeparationOptions; edition and table; why to check it, or empty
+  double value{0.0};  ///< SI, as the table states it
+  bool operator==(const CitedTerm&) const = default;
+};
+
 /// Data of one recording for all later questions.
 struct TunedRecording {
   std::string recording;                   ///< file, or the scene's name if people follow its recordings
@@ -43,6 +51,9 @@ struct TunedRecording {
   PassResult pass;
   std::string contact_limits;                  ///< ContactLimits::stamp(); empty: contacts were not judged
   std::vector<contact::RegionLimits> regions;  ///< of the predicted contacts (stored_limits.hpp)
+  std::string separation_edition;              ///< SeparationStandard::edition; empty: no table was used
+  std::string separation_table;                ///< SeparationStandard::stamp(); empty: no table was used
+  std::vector<CitedTerm> separation_terms;     ///< of that table
   std::vector<std::string> clamped;            ///< PassOptions::clamped, with the parts that the scene names
   std::vector<InputFile> files;  ///< scene, robots, motions, meshes, recordings, in the order of the scene
   std::vector<PersonNote> people;

@@ -8,6 +8,7 @@
 #include "app/tune/exposure_file.hpp"
 #include "app/tune/result_key.hpp"
 #include "app/tune/stored_limits.hpp"
+#include "app/tune/stored_terms.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
@@ -226,10 +227,16 @@ void ResultWriter::writeOptions(const TunedRecording& tuned, const TuneOptions& 
                                           out_.attribute(std::string("separation_") + key, value);
                                         });
   out_.attribute("contact_limits", tuned.contact_limits);
+  out_.attribute("separation_edition", tuned.separation_edition);
+  out_.attribute("separation_table", tuned.separation_table);
+  std::vector<std::string> terms;
+  for (const CitedTerm& term : tuned.separation_terms) terms.push_back(termLine(term));
+  out_.texts("separation_terms", terms);
   out_.texts("stated", options.stated);
   std::vector<std::string> regions;
   for (const contact::RegionLimits& region : tuned.regions) regions.push_back(regionLine(region));
   out_.texts("contact_regions", regions);
+  out_.texts("frame_regions", tuned.pass.regions);
   out_.attribute("content", tuned.content);
   const auto& warm = tuned.warm_start;
   out_.attribute("cold_start_every", warm ? static_cast<long long>(warm->block) : kColdStarts);
@@ -328,7 +335,8 @@ std::vector<PartClearance> readFrames(const TunedRecording& recording) {
   if (in.integer("abstand_result") != kResultFormat || in.text("recording") != recording.recording ||
       in.texts("parts") != parts || in.extents("t").rows != recording.frames)
     throw ParseError({file}, "found another result than before, expected that it stays while it is used");
-  return readPartTables(in, {parts, pass.links.size(), pass.tools.size(), recording.frames}, file);
+  return readPartTables(
+      in, {parts, pass.links.size(), pass.tools.size(), pass.regions.size(), recording.frames}, file);
 }
 
 StoredResult readResult(const std::filesystem::path& file) {
@@ -352,6 +360,10 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.contact_limits = in.text("contact_limits");
   for (const std::string& text : in.texts("contact_regions"))
     tuned.regions.push_back(regionOf(text, file.string()));
+  tuned.separation_edition = in.text("separation_edition");
+  tuned.separation_table = in.text("separation_table");
+  for (const std::string& text : in.texts("separation_terms"))
+    tuned.separation_terms.push_back(termOf(text, file.string()));
   tuned.content = in.text("content");
   tuned.warm_start = warmStartOf(in, file.string());
   safety::SeparationOptions::eachNumber(stored.options.pass.separation,
@@ -374,6 +386,7 @@ StoredResult readResult(const std::filesystem::path& file) {
   const std::vector<std::string> parts = in.texts("parts");
   tuned.pass.links = in.texts("links");
   tuned.pass.tools = in.texts("tools");
+  tuned.pass.regions = in.texts("frame_regions");
   if (parts.empty() || parts.size() > kMaxNames || tuned.pass.links.empty() ||
       tuned.pass.links.size() > kMaxNames || tuned.pass.tools.size() > kMaxNames)
     fail("found no parts or no links, expected some");
@@ -381,7 +394,8 @@ StoredResult readResult(const std::filesystem::path& file) {
   tuned.file = file;
   tuned.frames = in.extents("t").rows;
   tuned.pass.parts = readPartTables(
-      in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), tuned.frames}, file.string());
+      in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), tuned.pass.regions.size(), tuned.frames},
+      file.string());
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass, file.string());
   tuned.enclosed = enclosedOf(in, parts.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());

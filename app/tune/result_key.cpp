@@ -44,6 +44,7 @@ ContentKey resultKey(const scene_file::SceneDescription& scene, const std::files
     hash.add(v);
   options.pass.separation.eachNumber(
       options.pass.separation, [&](const char*, const double& v, const config::NumberRule&) { hash.add(v); });
+  if (options.pass.separation_standard) addText(hash, options.pass.separation_standard->content.hex());
   if (options.pass.contact) addText(hash, options.pass.contact->content.hex());
   for (const std::string& part : options.pass.clamped) addText(hash, part);
   return hash.value();

@@ -10,7 +10,7 @@
 namespace abstand::tune {
 
 /// Version of the layout of result files.
-inline constexpr long long kResultFormat = 8;
+inline constexpr long long kResultFormat = 9;
 
 /// Version of the sources that made a result; other versions may give other results.
 std::string resultVersion();

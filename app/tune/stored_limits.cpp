@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/tune/line_fields.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 
@@ -14,34 +15,17 @@ namespace {
 constexpr std::size_t kValues = 5;                      // force, factor, pressure, spring, mass
 constexpr std::size_t kRegionFields = 2 + 3 * kValues;  // name, place of the pressure; value, source, doubt
 
-/// Separators of fields and lines become spaces.
-std::string fieldText(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
 const contact::PressurePlace& smallestPressure(const contact::RegionLimits& r) {
   return *std::min_element(r.pressures.begin(), r.pressures.end(),
                            [](const auto& a, const auto& b) { return a.pressure.value < b.pressure.value; });
 }
 
-std::vector<std::string> fieldsOf(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line)
-    if (c == '\t')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  return fields;
-}
-
 }  // namespace
 
-std::vector<contact::RegionLimits> occurringRegions(const std::vector<Approach>& approaches,
+std::vector<contact::RegionLimits> occurringRegions(const PassResult& pass,
                                                     const contact::ContactLimits& limits) {
-  std::set<std::string> names;
-  for (const Approach& a : approaches) names.insert(a.contact.region);
+  std::set<std::string> names(pass.regions.begin(), pass.regions.end());
+  for (const Approach& a : pass.approaches) names.insert(a.contact.region);
   std::vector<contact::RegionLimits> regions;
   for (const contact::RegionLimits& region : limits.regions)
     if (names.contains(region.name)) {

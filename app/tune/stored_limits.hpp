@@ -8,9 +8,9 @@
 
 namespace abstand::tune {
 
-/// The regions of the predicted contacts, in the order of the table, each once; of its pressures each has
-/// the smallest one, which counts.
-std::vector<contact::RegionLimits> occurringRegions(const std::vector<Approach>& approaches,
+/// The regions of the predicted contacts of approaches and frames, in the order of the table, each once; of
+/// its pressures each has the smallest one, which counts.
+std::vector<contact::RegionLimits> occurringRegions(const PassResult& pass,
                                                     const contact::ContactLimits& limits);
 
 /// Over all recordings, each once, by name. They have one table of limits (mergeResults()).

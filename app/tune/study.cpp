@@ -66,7 +66,9 @@ bool sameOptions(const StoredResult& x, const StoredResult& y) {
   if (numbersOf(a.separation) != numbersOf(b.separation)) return false;
   return a.limit == b.limit && a.near == b.near && a.calibration_error == b.calibration_error &&
          a.latency == b.latency && a.braking.reaction_time == b.braking.reaction_time &&
-         a.braking.deceleration == b.braking.deceleration && x.tuned.contact_limits == y.tuned.contact_limits;
+         a.braking.deceleration == b.braking.deceleration &&
+         x.tuned.contact_limits == y.tuned.contact_limits &&
+         x.tuned.separation_table == y.tuned.separation_table;
 }
 
 /// An option is stated where each of the results has it stated.

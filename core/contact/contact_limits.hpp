@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/content_hash.hpp"
+#include "core/config/cited_value.hpp"
 
 namespace abstand::contact {
 
@@ -14,12 +15,7 @@ namespace abstand::contact {
 /// 15066:2016, A.2: not applicable].
 inline constexpr std::string_view kExcludedPart = "head";
 
-/// A number with its source.
-struct CitedValue {
-  double value{0.0};
-  std::string source;         ///< edition and table
-  std::string to_be_checked;  ///< why the number needs checking; empty: no known doubt
-};
+using config::CitedValue;
 
 /// Permissible quasi-static pressure (Pa) at one place of a region.
 struct PressurePlace {

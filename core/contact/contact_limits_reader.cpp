@@ -11,6 +11,7 @@
 namespace abstand::contact {
 namespace {
 
+using config::ticked;
 using config::YamlFields;
 using config::YamlNode;
 using config::YamlRange;
@@ -23,17 +24,16 @@ constexpr YamlRange kSpringRange{0.0, 1e4, "N/mm", true};
 constexpr YamlRange kMassRange{0.0, 1e3, "kg", true};
 constexpr YamlRange kEnergyRange{0.0, 1e4, "J", true};
 
-std::vector<std::string> texts(const YamlFields& fields, const char* key) {
-  std::vector<std::string> all;
-  for (const YamlNode& item : fields.list(key))
-    all.push_back(config::yamlText(item, fields.file(), ticked(key)));
-  return all;
-}
+/// What a region is read with.
+struct LimitsContext {
+  config::CitedSources sources;
+  std::vector<std::string> parts;  ///< names of the body's parts
+};
 
 std::vector<std::string> partNames(const YamlFields& region, const char* key, const LimitsContext& context) {
   std::vector<std::string> names;
   for (const YamlNode& item : region.list(key))
-    names.push_back(config::yamlChoice(item, context.file, ticked(key), context.parts));
+    names.push_back(config::yamlChoice(item, context.sources.file, ticked(key), context.parts));
   return names;
 }
 
@@ -56,34 +56,25 @@ void checkExcluded(const RegionLimits& r, const YamlFields& region) {
 }
 
 RegionLimits readRegion(const YamlNode& node, const LimitsContext& context) {
-  const YamlFields fields(node, context.file, "a region",
+  const YamlFields fields(node, context.sources.file, "a region",
                           {"name", "parts", "stands_in_for", "remark", "force", "transient", "pressure",
                            "spring", "body_mass", "energy"});
   RegionLimits r;
-  r.name = needText(fields, "name");
+  r.name = config::neededText(fields, "name");
   fields.need("parts");
   r.parts = partNames(fields, "parts", context);
   r.stands_in_for = partNames(fields, "stands_in_for", context);
   r.remark = fields.text("remark").value_or("");
-  r.force = quantity(fields, "force", "n", kForceRange, 1.0, context);
-  r.transient = transientFactor(fields, context);
-  r.pressures = pressurePlaces(fields, context);
-  r.spring = quantity(fields, "spring", "n_per_mm", kSpringRange, kPerMetre, context);
-  r.body_mass = quantity(fields, "body_mass", "kg", kMassRange, 1.0, context);
-  if (fields.find("energy")) r.energy = quantity(fields, "energy", "j", kEnergyRange, 1.0, context);
+  r.force = config::citedNumber(fields, "force", "n", kForceRange, 1.0, context.sources);
+  r.transient = transientFactor(fields, context.sources);
+  r.pressures = pressurePlaces(fields, context.sources);
+  r.spring = config::citedNumber(fields, "spring", "n_per_mm", kSpringRange, kPerMetre, context.sources);
+  r.body_mass = config::citedNumber(fields, "body_mass", "kg", kMassRange, 1.0, context.sources);
+  if (fields.find("energy"))
+    r.energy = config::citedNumber(fields, "energy", "j", kEnergyRange, 1.0, context.sources);
   checkExcluded(r, fields);
   checkEnergy(r, fields);
   return r;
-}
-
-void readSources(const YamlFields& table, LimitsContext& context) {
-  const YamlNode& node = table.need("sources");
-  if (node.kind != YamlNode::Kind::kMap)
-    throw ParseError(table.pos(node), "found " + config::yamlFound(node) + " for `sources`, expected a map");
-  for (std::size_t i = 0; i < node.keys.size(); ++i) {
-    const YamlFields fields(node.items[i], context.file, "a source", {"edition", "table"});
-    context.sources[node.keys[i].text] = needText(fields, "edition") + ", " + needText(fields, "table");
-  }
 }
 
 void checkCovered(const ContactLimits& limits, const YamlFields& table, const LimitsContext& context) {
@@ -100,14 +91,13 @@ ContactLimits parseContactLimits(const std::string& text, const std::string& fil
   const YamlNode root = config::parseYaml(text, file);
   const YamlFields table(root, file, "a table of contact limits",
                          {"title", "edition", "note", "origin", "to_be_checked", "sources", "regions"});
-  LimitsContext context{file, {parts.begin(), parts.end()}, {}};
-  readSources(table, context);
+  const LimitsContext context{config::citedSources(table), {parts.begin(), parts.end()}};
   ContactLimits limits;
-  limits.title = needText(table, "title");
-  limits.edition = needText(table, "edition");
+  limits.title = config::neededText(table, "title");
+  limits.edition = config::neededText(table, "edition");
   limits.note = table.text("note").value_or("");
   limits.origin = table.text("origin").value_or("");
-  limits.to_be_checked = texts(table, "to_be_checked");
+  limits.to_be_checked = config::textList(table, "to_be_checked");
   for (const YamlNode& node : config::yamlList(table.need("regions"), file, "`regions`")) {
     RegionLimits region = readRegion(node, context);
     if (limits.region(region.name))

@@ -1,9 +1,11 @@
-// abstand export --pairs-csv and --separation-csv: every pair, and every frame's protective distances.
+// abstand export --pairs-csv, --separation-csv and --contact-csv: every pair, and every frame's protective
+// distances and contacts.
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
 
+#include "core/base/number.hpp"
 #include "tests/app/cli/seven_people.hpp"
 
 namespace abstand::testing {
@@ -12,6 +14,9 @@ namespace pair_export_test {
 // m: result files have whole steps of 0.01 mm, rounded to the safe side once for each of three numbers.
 constexpr double kStep = 1e-5, kRounded = 3.0 * kStep + 1e-9;
 constexpr double kSpeedStep = 1.0 / 16.0 + 1e-3;  // m/s, of pairs far apart
+
+// Result files have shares, N, J and N/cm^2 in steps of 1/16384, rounded up.
+constexpr double kContactStep = 1.0 / 16384.0 + 1e-9;
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -73,6 +78,46 @@ TEST_F(PairExport, HasRowPerFrameAndPairMatchingPartResults) {
   }
   EXPECT_GT(near, 0);
   EXPECT_GT(far, 0);
+}
+
+TEST_F(PairExport, HasPredictedContactPerFrameAndPart) {
+  const json tuned = runJson("tune " + scene_ + " --recordings" + recordings_ + " --out " + out("contacts"));
+  const json j = runJson("export " + out("contacts") + " --contact-csv " + out("contacts.csv"));
+  EXPECT_EQ(j["contact_rows"], tuned["frames"].get<int>() * 14);
+  const Rows rows = readCsv(out("contacts.csv"));
+  ASSERT_EQ(rows.size(), tuned["frames"].get<std::size_t>() * 14 + 1);
+  ASSERT_EQ(rows[0].size(), 9u);
+  std::map<std::string, std::size_t> row_of;  // "recording t part"
+  std::size_t predicted = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), rows[0].size()) << i;
+    row_of[rows[i][0] + " " + rows[i][1] + " " + rows[i][2]] = i;
+    if (rows[i][8].empty()) continue;
+    ++predicted;
+    // Excluded, not seen, or an area that is not certain.
+    EXPECT_EQ(rows[i][8] == "inf", rows[i][2] == "head" || rows[i][4].empty() || rows[i][7] == "inf") << i;
+  }
+  EXPECT_GT(predicted, 20u);
+  // Approaches judge the contact of the nearest pair; the frame has the worst of all near pairs.
+  std::size_t compared = 0;
+  for (const json& approach : tuned["approaches"]) {
+    const json& contact = approach["contact"];
+    if (contact.is_null() || contact["excluded"].get<bool>() || contact["pressure"].is_null()) continue;
+    const auto row =
+        row_of.find(approach["recording"].get<std::string>() + " " +
+                    formatDouble(contact["t"].get<double>()) + " " + approach["part"].get<std::string>());
+    ASSERT_NE(row, row_of.end()) << approach;
+    const auto& fields = rows[row->second];
+    const double share = std::max(contact["share"].get<double>(), contact["pressure_share"].get<double>());
+    EXPECT_GE(std::stod(fields[8]), share - kContactStep) << approach;
+    if (std::stod(fields[8]) > share + kContactStep) continue;
+    EXPECT_EQ(fields[4], contact["region"]);
+    EXPECT_NEAR(std::stod(fields[5]), contact["force"].get<double>(), kContactStep);
+    EXPECT_NEAR(std::stod(fields[6]), contact["energy"].get<double>(), kContactStep);
+    EXPECT_NEAR(std::stod(fields[7]), contact["pressure"].get<double>() / 1e4, kContactStep);
+    ++compared;
+  }
+  EXPECT_GT(compared, 3u);
 }
 
 TEST_F(PairExport, HasTermsOfProtectiveDistancePerFrameAndPart) {

@@ -64,6 +64,57 @@ TEST_P(ContactSpeed, MatchesClosedFormWhenNearAndApproaching) {
   EXPECT_EQ(compared > 5, GetParam().speeds.robot > 0.0) << compared;
 }
 
+// Two masses and a spring, one of the masses a wall: F = v sqrt(m_H k) and E = m_H v^2 / 2, in each frame.
+TEST_P(ContactSpeed, PredictsContactOfEachFrameInClosedForm) {
+  const testing::ScratchFolder folder;
+  const auto session = testing::openSlide(folder, GetParam().speeds);
+  const TuneOptions options = withLimits();
+  const TunedRecording tuned = tuneRecording(*session, options, {}, "slide");
+  const PartClearance& torso = clearanceOf(tuned, "torso");
+  std::size_t predicted = 0;
+  for (std::size_t i = 0; i + 1 < torso.track.frames(); ++i) {
+    const FrameContact& contact = torso.contact[i];
+    const double closing = torso.robot_speed[i] + torso.person_speed[i];
+    if (!(torso.track.clearance[i] < options.pass.near && closing > kEngine)) {
+      EXPECT_LE(contact.share, kEngine) << i;
+      continue;
+    }
+    ++predicted;
+    ASSERT_LT(contact.region, tuned.pass.regions.size()) << i;
+    const contact::RegionLimits* region = options.pass.contact->region(tuned.pass.regions[contact.region]);
+    ASSERT_NE(region, nullptr);
+    const double mass = region->body_mass.value, k = region->spring.value;
+    EXPECT_NEAR(contact.force, closing * std::sqrt(mass * k), kEngine * std::sqrt(mass * k)) << i;
+    EXPECT_NEAR(contact.energy, 0.5 * mass * closing * closing, kEngine * mass * closing) << i;
+    EXPECT_EQ(tuned.pass.links[contact.link], tuned.pass.links[torso.link[i]]);
+    const double allowed = allowedSpeedOf(options, "torso");
+    EXPECT_GE(contact.share, closing / allowed - kEngine / allowed) << i;
+    // The speed of the robot is cut exactly where a limit is broken.
+    if (torso.robot_speed[i] > kEngine && std::abs(contact.share - 1.0) > kEngine) {
+      EXPECT_EQ(contact.share > 1.0, torso.contact_scale[i] < 1.0) << i;
+    }
+  }
+  // A robot that goes away never has the person near.
+  EXPECT_EQ(predicted > 5, GetParam().speeds.robot >= 0.0) << predicted;
+}
+
+TEST(ContactSpeed, PredictsNoContactThatIsAllowedForHead) {
+  const testing::ScratchFolder folder;
+  const auto session = testing::openSlide(folder, {.robot = 0.5, .seconds = 4.2});
+  TuneOptions options = withLimits();
+  options.pass.near = 1.0;
+  const TunedRecording tuned = tuneRecording(*session, options, {}, "slide");
+  const PartClearance& head = clearanceOf(tuned, "head");
+  std::size_t near = 0;
+  for (const FrameContact& contact : head.contact) {
+    if (!(contact.share > 0.0)) continue;
+    ++near;
+    EXPECT_EQ(contact.share, kInfinity);
+    EXPECT_GT(contact.force, 0.0);
+  }
+  EXPECT_GT(near, 5u);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Speeds, ContactSpeed,
     ::testing::Values(ContactCase{"slowed_down", {.robot = 0.5, .seconds = 4.2}},

@@ -56,10 +56,11 @@ TEST(StoredLimits, SeparatorsInTextsDoNotMoveFields) {
 }
 
 TEST(StoredLimits, OnlyRegionsOfContactsAreKept) {
-  std::vector<Approach> approaches(3);
-  approaches[0].contact.region = "chest";
-  approaches[2].contact.region = "face";
-  const auto regions = occurringRegions(approaches, table());
+  PassResult pass;
+  pass.approaches.resize(3);
+  pass.approaches[0].contact.region = "chest";
+  pass.regions = {"face"};
+  const auto regions = occurringRegions(pass, table());
   ASSERT_EQ(regions.size(), 2u);
   EXPECT_EQ(regions[0].name, "face") << "in the order of the table";
   EXPECT_TRUE(regions[0].excluded());
