@@ -84,7 +84,7 @@ abstand_pkg_config(abstand-tracking "Recordings of people" "facade_tracking;trac
 # The Debian packages of single OpenCV modules contain no file for pkg-config.
 abstand_pkg_config(abstand-scene "Scenes of people and robots, frame by frame" "facade_scene;app;tracker;depth;verify;physics"
   REQUIRES abstand-tracking PRIVATE ode pcl_registration pcl_filters pcl_search pcl_sample_consensus pcl_common hdf5-serial libdeflate
-  SYSTEM -lopencv_calib3d -lopencv_imgcodecs -lopencv_imgproc -lopencv_core -ldl)
+  SYSTEM -lopencv_calib3d -lopencv_imgproc -lopencv_core -lpng -ltiff -ldl)
 
 # Programs, data and documents.
 if(BUILD_SHARED_LIBS)

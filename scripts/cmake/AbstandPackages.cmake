@@ -38,8 +38,8 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libabstand-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "abstand ${same_version}, libassimp-dev, libconsole-bridge-dev, libeigen3-dev, libqhull-dev, \
 liburdfdom-dev, libyaml-cpp-dev, zlib1g-dev")
-set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libdeflate-dev, libhdf5-dev, libode-dev, libopencv-calib3d-dev, libopencv-core-dev, libopencv-imgcodecs-dev, \
-libopencv-imgproc-dev, libpcl-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libdeflate-dev, libhdf5-dev, libode-dev, libopencv-calib3d-dev, libopencv-core-dev, \
+libopencv-imgproc-dev, libpcl-dev, libpng-dev, libtiff-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "The library: distance of two bodies with a certified bound, contact
 forces, kinematics of robots, people from recordings, and scenes of them.
 .

@@ -1,4 +1,4 @@
-// Writes colour pictures. Wraps OpenCV's image files, like depth_png.
+// Writes colour pictures as PNG.
 #pragma once
 
 #include <array>

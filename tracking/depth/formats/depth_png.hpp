@@ -1,4 +1,4 @@
-// Depth images as 16-bit PNG. Wraps OpenCV's image files.
+// Depth images as 16-bit PNG.
 #pragma once
 
 #include <filesystem>

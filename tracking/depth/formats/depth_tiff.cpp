@@ -5,13 +5,22 @@
 
 #include "core/base/error.hpp"
 #include "tracking/depth/camera/depth_camera.hpp"
-#include "tracking/depth/formats/depth_decode.hpp"
+#include "tracking/depth/formats/depth_of_grey.hpp"
+#include "tracking/depth/formats/tiff_codec.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-enum : unsigned { kWidth = 256, kHeight = 257, kBits = 258, kChannels = 277, kSampleFormat = 339 };
+enum : unsigned {
+  kWidth = 256,
+  kHeight = 257,
+  kBits = 258,
+  kOrientation = 274,
+  kChannels = 277,
+  kSampleFormat = 339
+};
 enum : unsigned { kShort = 3, kLong = 4 };
+constexpr unsigned kTopLeft = 1;
 
 /// The fields of a TIFF's first directory (TIFF 6.0, Adobe 1992, section 2).
 class Directory {
@@ -66,6 +75,9 @@ TiffSize checkDepthTiff(const std::string& bytes, const std::string& file) {
     directory.fail("found a TIFF of " + std::to_string(channels) + " channels of " + std::to_string(bits) +
                    " bits, sample format " + std::to_string(form) +
                    ", expected one of 16 bits of whole numbers (1)");
+  if (const unsigned orientation = directory.value(kOrientation, kTopLeft); orientation != kTopLeft)
+    directory.fail("found a TIFF with orientation " + std::to_string(orientation) +
+                   ", expected an upright one (1)");
   if (width == 0 || height == 0 || width > DepthCamera::kMaxPixels || height > DepthCamera::kMaxPixels)
     directory.fail("found " + std::to_string(width) + " x " + std::to_string(height) +
                    " pixels, expected 1 to " + std::to_string(DepthCamera::kMaxPixels) + " along a side");
@@ -74,10 +86,10 @@ TiffSize checkDepthTiff(const std::string& bytes, const std::string& file) {
 
 DepthImage decodeDepthTiff(const std::string& bytes, double scale, const std::string& file) {
   const TiffSize size = checkDepthTiff(bytes, file);
-  DepthImage image = decodeGrey16(bytes, scale, file, "TIFF");
-  if (image.width != size.width || image.height != size.height)
-    throw ParseError({file}, "found a TIFF with a rotated orientation, expected an upright one");
-  return image;
+  const std::optional<GreyPixels> grey = decodedTiff(bytes);
+  if (!grey || grey->width != size.width || grey->height != size.height)
+    throw ParseError({file}, "found a damaged TIFF, expected a depth image (grey, 16 bits)");
+  return depthOf(*grey, scale);
 }
 
 }  // namespace abstand::tracking

@@ -7,8 +7,8 @@
 
 namespace abstand::tracking {
 
-/// Width and height stated by the first image of a TIFF. Throws ParseError unless it has one channel of
-/// 16-bit integers and sides up to DepthCamera::kMaxPixels, so that decoders do not allocate memory for
+/// Width and height stated by the first image of a TIFF. Throws ParseError unless it has one upright channel
+/// of 16-bit integers and sides up to DepthCamera::kMaxPixels, so that decoders do not allocate memory for
 /// untrusted sizes.
 struct TiffSize {
   int width{0}, height{0};

@@ -1,41 +1,31 @@
-// Grey images of infrared and colour cameras. Wraps OpenCV's image files, like depth_png.
 #include "tracking/depth/formats/grey_png.hpp"
 
-#include <opencv2/imgcodecs.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "core/base/error.hpp"
 #include "core/base/text_file.hpp"
+#include "tracking/depth/formats/png_codec.hpp"
 #include "tracking/depth/formats/png_header.hpp"
 
 namespace abstand::tracking {
 namespace {
 
 constexpr std::uintmax_t kMaxGreyPngBytes = std::uintmax_t{256} << 20;
+constexpr double kWhite = 255.0;
 
 }  // namespace
 
 GreyImage loadGreyPng(const std::filesystem::path& file) {
   const std::string bytes = readFile(file, kMaxGreyPngBytes);
   readPngHeader(bytes, file.string(), "an image of grey or colour");
-  cv::Mat grey;
-  try {
-    grey = cv::imdecode(std::vector<unsigned char>(bytes.begin(), bytes.end()),
-                        cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
-    double brightest = 0.0;
-    if (grey.type() == CV_16UC1) {
-      cv::minMaxLoc(grey, nullptr, &brightest);
-      cv::Mat stretched;
-      grey.convertTo(stretched, CV_8U, brightest > 0.0 ? 255.0 / brightest : 1.0);
-      grey = stretched;
-    }
-  } catch (const cv::Exception&) {
-    grey.release();
-  }
-  if (grey.empty() || grey.type() != CV_8UC1)
-    throw ParseError({file.string()}, "found a damaged PNG, expected an image of grey or colour");
-  GreyImage image(grey.cols, grey.rows);
-  for (int v = 0; v < image.height; ++v)
-    for (int u = 0; u < image.width; ++u) image.at(u, v) = grey.at<std::uint8_t>(v, u);
+  const std::optional<GreyPixels> grey = decodedPng(bytes);
+  if (!grey) throw ParseError({file.string()}, "found a damaged PNG, expected an image of grey or colour");
+  const double brightest = *std::max_element(grey->values.begin(), grey->values.end());
+  const double scale = grey->bits == 16 && brightest > 0.0 ? kWhite / brightest : 1.0;
+  GreyImage image(grey->width, grey->height);
+  std::transform(grey->values.begin(), grey->values.end(), image.pixels.begin(),
+                 [scale](std::uint16_t v) { return static_cast<std::uint8_t>(std::lround(scale * v)); });
   return image;
 }
 

@@ -1,4 +1,4 @@
-// Grey images of infrared and colour cameras. Wraps OpenCV's image files, like depth_png.
+// Grey images of infrared and colour cameras.
 #pragma once
 
 #include <cstdint>
