@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/json_values.hpp"
 #include "app/cli/margin_texts.hpp"
 #include "app/cli/reservation_texts.hpp"
 #include "app/cli/speed_texts.hpp"
+#include "app/cli/standard_texts.hpp"
 #include "app/cli/warm_start.hpp"
-#include "app/tune/separation_table.hpp"
 #include "app/tune/stated_options.hpp"
 #include "app/tune/stored_limits.hpp"
-#include "app/tune/stored_terms.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -98,40 +96,6 @@ void addLimits(const tune::RankedApproach& r, Json& j) {
   j["pressure_limit"] = orNothing(limited, limited ? judged->allowed_pressure : kNaN);
 }
 
-Json citedJson(const contact::CitedValue& v) {
-  return {{"value", numberOrNull(v.value)}, {"source", v.source}, {"to_be_checked", v.to_be_checked}};
-}
-
-Json regionsJson(const tune::TuneAnswer& answer) {
-  Json rows = Json::array();
-  for (const contact::RegionLimits& r : tune::occurringRegions(answer.recordings))
-    rows.push_back({{"region", r.name},
-                    {"excluded", r.excluded()},
-                    {"force", citedJson(r.force)},
-                    {"transient_factor", citedJson(r.transient)},
-                    {"pressure", citedJson(r.pressures.front().pressure)},
-                    {"place", r.pressures.front().place},
-                    {"spring", citedJson(r.spring)},
-                    {"body_mass", citedJson(r.body_mass)}});
-  return rows;
-}
-
-/// The terms of the table, and what was used instead where a user stated it.
-Json separationTermsJson(const tune::TuneAnswer& answer) {
-  std::map<std::string, double> used;
-  safety::SeparationOptions::eachNumber(
-      answer.options.pass.separation,
-      [&](const char* key, const double& value, const config::NumberRule&) { used[key] = value; });
-  Json rows = Json::array();
-  for (const tune::CitedTerm& term : answer.recordings.front().separation_terms) {
-    Json row = citedJson({term.value, term.source, term.to_be_checked});
-    row["term"] = term.key;
-    row["used"] = used[term.key];
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 /// null: excluded or not judged.
 Json contactJson(const tune::RankedApproach& r) {
   const tune::ContactShare& c = r.approach->contact;
@@ -170,29 +134,6 @@ std::string approachesText(const tune::TuneAnswer& answer) {
     text += answer.recordings.size() > 1 ? ", " + r.recording + "\n" : "\n";
   }
   return text;
-}
-
-/// Over all recordings: time with a violated protective distance of a part, and the worst moment.
-Json separationJson(const tune::TuneAnswer& answer) {
-  Json rows = Json::array();
-  for (const tune::ProposedMargin& p : answer.table.proposed) {
-    const tune::SeparationRow row = tune::separationRow(answer.recordings, p.part);
-    Json j{{"part", p.part}, {"broken_time", row.broken}, {"worst", nullptr}};
-    if (const tune::SeparationMoment* worst = row.worst)
-      j["worst"] = {{"recording", row.worst_in->recording},
-                    {"t", worst->t},
-                    {"link", row.worst_in->pass.links[worst->link]},
-                    {"clearance", worst->clearance},
-                    {"needed", worst->needed.sum()},
-                    {"person", worst->needed.person},
-                    {"reaction", worst->needed.reaction},
-                    {"stopping", worst->needed.stopping},
-                    {"constant", worst->needed.constant},
-                    {"robot_speed", worst->robot_speed},
-                    {"permitted_speed", worst->permitted_speed}};
-    rows.push_back(std::move(j));
-  }
-  return rows;
 }
 
 Json filesJson(const tune::TuneAnswer& answer) {
@@ -340,17 +281,11 @@ Json tuneJson(const tune::TuneAnswer& answer) {
   j["approaches"] = Json::array();
   for (const tune::RankedApproach& r : tune::rankedApproaches(answer))
     j["approaches"].push_back(approachJson(r));
-  const std::string& stamp = answer.recordings.front().contact_limits;
-  j["contact_limits"] = stamp.empty() ? Json(nullptr) : Json(stamp);
-  j["contact_regions"] = regionsJson(answer);
-  j["standards"] = {{"protective_distance", safety::kSeparationEdition},
-                    {"person_speed", tune::speedsEdition(answer.recordings.front())}};
-  const std::string& table = answer.recordings.front().separation_table;
-  j["separation_table"] = table.empty() ? Json(nullptr) : Json(table);
-  j["separation_terms"] = separationTermsJson(answer);
+  addStandards(answer, j);
   j["clamped"] = tune::clampedParts(answer.recordings);
   if (!answer.worst_phases.empty()) j["worst_phase"] = worstPhasesJson(answer);
   j["separation"] = separationJson(answer);
+  j["contacts"] = contactsJson(answer);
   addSpeeds(answer, j);
   j["proposed"] = Json::array();
   for (const auto& p : answer.table.proposed) j["proposed"].push_back(proposedJson(answer, p));

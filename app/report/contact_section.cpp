@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/page.hpp"
+#include "app/tune/contact_row.hpp"
 #include "app/tune/stored_limits.hpp"
 #include "core/text/escaped_xml.hpp"
 #include "core/text/message_text.hpp"
@@ -48,6 +49,47 @@ std::string sourcesText(const contact::RegionLimits& r) {
 }
 
 }  // namespace
+
+std::string contactTimeSection(const tune::TuneAnswer& answer) {
+  if (answer.recordings.front().contact_limits.empty()) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (const tune::ProposedMargin& p : answer.table.proposed) {
+    const tune::ContactRow row = tune::contactRow(answer.recordings, p.part);
+    std::vector<std::string> cells{p.part, text::rounded(row.exceeded, 2) + " s"};
+    if (!row.worst) {
+      cells.insert(cells.end(), {"nothing near closed in", "", "", "", "", "", ""});
+    } else {
+      const tune::FrameContact& c = row.worst->contact;
+      const tune::PassResult& pass = row.worst_in->pass;
+      const bool seen = c.region != tune::kNoRegion;
+      const std::string infinite = !seen ? "not seen" : c.pressure > 0.0 ? "area not certain" : kNotLimited;
+      cells.insert(
+          cells.end(),
+          {std::isfinite(c.share) ? text::rounded(100.0 * c.share, 0) + " %" : infinite,
+           seen ? pass.regions[c.region] : "", seen ? text::rounded(c.force, 0) : "",
+           seen ? text::rounded(c.energy, 2) : "",
+           seen && c.pressure > 0.0 && std::isfinite(c.pressure) ? text::rounded(c.pressure / kPascal, 0)
+                                                                 : "",
+           pass.links[c.link],
+           (answer.recordings.size() > 1 ? row.worst_in->recording + " at " : std::string()) +
+               text::rounded(row.worst->t, 3) + " s"});
+    }
+    rows.push_back(std::move(cells));
+  }
+  return "<h2>Contact limits over time</h2>\n<p>In every frame, the contact that each pair nearer than " +
+         text::rounded(1e3 * answer.options.pass.near, 0) +
+         " mm would have at its closing speed, with force, energy and pressure as below. For each part: the "
+         "time in which "
+         "such a contact would have exceeded a limit or been excluded, or could not be judged because the "
+         "part was not "
+         "seen or the contact area is not certain; and the hardest of them, with its share of the limit. A "
+         "smaller "
+         "--near, a lighter or slower robot and another table of limits change it. Table of limits: " +
+         text::escapedXml(answer.recordings.front().contact_limits) + ".</p>\n" +
+         htmlTable({"part", "beyond limits for", "share of limit", "region", "force (N)", "energy (J)",
+                    "pressure (N/cm\u00b2)", "link", "at"},
+                   rows);
+}
 
 std::string contactTable(const tune::TuneAnswer& answer,
                          const std::vector<tune::RankedApproach>& approaches) {

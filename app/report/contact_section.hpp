@@ -8,6 +8,10 @@
 
 namespace abstand::report {
 
+/// HTML section: for each part, how long a contact would have exceeded a limit, and the hardest one. Empty if
+/// contacts were not judged.
+std::string contactTimeSection(const tune::TuneAnswer& answer);
+
 /// HTML table: force, energy and pressure of the contact of each approach beside their limits, with the
 /// masses and the spring constant that they follow from; numbered from 1 as the approaches. Empty if none of
 /// them has a contact.

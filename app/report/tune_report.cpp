@@ -247,10 +247,10 @@ void writeTuneReport(const tune::TuneAnswer& answer, const TuneReportOptions& op
                << summarySection(answer) << closestSection(answer) << proposedSection(answer)
                << marginSetSection(answer) << bandSection(answer) << worstPhaseSection(answer)
                << curveSection(answer) << stopSection(answer) << separationSection(answer)
-               << speedSection(answer) << tradeSection(answer) << approachSection(answer, options)
-               << timeSection(answer) << exposureSection(answer.exposure) << assumptionSection(answer)
-               << kSignature << "<p class=\"soft\">Made by abstand " << text::escapedXml(options.version)
-               << ".</p>\n"
+               << contactTimeSection(answer) << speedSection(answer) << tradeSection(answer)
+               << approachSection(answer, options) << timeSection(answer) << exposureSection(answer.exposure)
+               << assumptionSection(answer) << kSignature << "<p class=\"soft\">Made by abstand "
+               << text::escapedXml(options.version) << ".</p>\n"
                << pageEnd();
   out.commit();
 }

@@ -159,6 +159,8 @@ void DistancePass::addFrame(double t) {
   for (PartClearance& part : result_.parts) {
     if (!part.track.t.empty() && part.separation.missing.back() > 0.0)
       part.separation.broken += t - part.track.t.back();
+    if (!part.track.t.empty() && part.contact.back().share > 1.0)
+      part.contacts.exceeded += t - part.track.t.back();
     if (!options_.keep_frames) eachList(part, [](auto& list) { list.clear(); });
     part.track.t.push_back(t);
     part.track.clearance.push_back(kInfinity);
@@ -255,6 +257,9 @@ void DistancePass::watchSpeeds(const WindowFrame& frame) {
     scale = std::floor(scale / kSpeedStep) * kSpeedStep;
     double& by_contact = part.contact_scale.back();
     by_contact = part.contact_excluded ? scale : std::floor(by_contact / kSpeedStep) * kSpeedStep;
+    const FrameContact& contact = part.contact.back() = roundedUp(part.contact.back());
+    auto& worst = part.contacts.worst;
+    if (contact.share > 0.0 && (!worst || isHarder(contact, worst->contact))) worst = {frame.t, contact};
   }
 }
 
@@ -264,7 +269,7 @@ void DistancePass::watchContact(std::size_t p, const WindowFrame& frame) {
   const ContactShare share = judge_.contact(motions_[p], frame.t, window_.pairs()[p], part.part);
   if (share.region.empty()) return;
   const double largest = share.excluded ? kInfinity : std::max(share.share, share.pressure_share);
-  if (!(largest > hardest.share)) return;
+  if (hardest.share > 0.0 && !isHarder({0, 0, share.force, 0.0, 0.0, largest}, hardest)) return;
   auto region = std::find(result_.regions.begin(), result_.regions.end(), share.region);
   if (region == result_.regions.end()) region = result_.regions.insert(region, share.region);
   hardest = {result_.pairs[p].link, static_cast<std::uint16_t>(region - result_.regions.begin()),

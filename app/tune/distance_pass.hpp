@@ -71,6 +71,7 @@ struct PartClearance {
   /// distance helps there. Rounded down to whole steps of kSpeedStep.
   std::vector<double> contact_scale;
   std::vector<FrameContact> contact;
+  PartContacts contacts;         ///< over all frames
   bool contact_excluded{false};  ///< ApproachJudge::excluded
 };
 

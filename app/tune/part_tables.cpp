@@ -20,9 +20,6 @@ constexpr double kNoLink = 65535.0;  // above the largest number of names
 constexpr std::size_t kSeparationColumns = 11;
 /// Columns of the predicted contact of one part, in file order.
 constexpr std::size_t kContactColumns = 6;
-/// Stand for infinite shares and pressures, and for what is larger. N and J, N/cm^2, and the share.
-constexpr double kMaxContact = 1e5, kInfiniteShare = 1e4;
-constexpr double kPerSquareCentimetre = 1e-4;  // N/cm^2 of 1 Pa
 /// Frames that are read at once.
 constexpr std::size_t kFramesInBlock = 4096;
 
@@ -34,6 +31,43 @@ std::optional<SeparationMoment> worstMoment(const double* worst) {
                           worst[2], worst[3],
                           worst[4], {worst[5], worst[6], worst[7], worst[8]},
                           worst[9]};
+}
+
+/// Undoes what the conversion of a unit did to a number of whole steps.
+double wholeSteps(double value) { return std::round(value / kContactStep) * kContactStep; }
+
+/// Adds the columns of a contact, whose numbers are whole steps.
+void addContact(const FrameContact& c, std::vector<double>& row) {
+  if (!(c.share > 0.0))
+    row.insert(row.end(), kContactColumns, kNaN);
+  else if (c.region == kNoRegion)
+    row.insert(row.end(), {kNaN, kNaN, kNaN, kNaN, kNaN, kInfiniteShare});
+  else
+    row.insert(row.end(),
+               {static_cast<double>(c.link), static_cast<double>(c.region), wholeSteps(c.force),
+                wholeSteps(c.energy), wholeSteps(std::min(c.pressure * kPerSquareCentimetre, kMaxContact)),
+                wholeSteps(std::min(c.share, kInfiniteShare))});
+}
+
+/// Reads the columns of a contact.
+FrameContact contactOf(const double* v, const PartTableNames& names, const std::string& file) {
+  FrameContact contact;
+  if (std::isnan(v[5])) return contact;
+  contact.share = v[5] >= kInfiniteShare ? kInfinity : v[5];
+  if (!(contact.share > 0.0))
+    throw ParseError({file}, "found a predicted contact with a share that is not positive");
+  if (std::isnan(v[1])) return contact;
+  if (!(v[0] >= 0.0 && v[0] < static_cast<double>(names.links) && v[1] >= 0.0 &&
+        v[1] < static_cast<double>(names.regions)))
+    throw ParseError({file}, "found a predicted contact with an unknown link or region");
+  if (!(v[2] >= 0.0 && v[3] >= 0.0 && v[4] >= 0.0))
+    throw ParseError({file}, "found a predicted contact with a number below 0");
+  contact.link = static_cast<std::uint16_t>(v[0]);
+  contact.region = static_cast<std::uint16_t>(v[1]);
+  contact.force = v[2];
+  contact.energy = v[3];
+  contact.pressure = v[4] >= kMaxContact ? kInfinity : v[4] / kPerSquareCentimetre;
+  return contact;
 }
 
 /// Fills the lists of all parts, block by block.
@@ -66,7 +100,7 @@ class PartLists {
           parts[p].robot_speed.push_back(speeds[2 * at]);
           parts[p].person_speed.push_back(speeds[2 * at + 1]);
           parts[p].contact_scale.push_back(share(contact[at]));
-          parts[p].contact.push_back(contactOf(contacts.data() + at * kContactColumns));
+          parts[p].contact.push_back(contactOf(contacts.data() + at * kContactColumns, names_, file_));
         }
     }
   }
@@ -91,26 +125,6 @@ class PartLists {
                                  : missing >= kAllMissing ? kInfinity
                                                           : missing);
     separation.speed_scale.push_back(scale);
-  }
-  FrameContact contactOf(const double* v) const {
-    FrameContact contact;
-    if (std::isnan(v[5])) return contact;
-    if (!std::isnan(v[1])) {
-      if (!(v[0] >= 0.0 && v[0] < static_cast<double>(names_.links) && v[1] >= 0.0 &&
-            v[1] < static_cast<double>(names_.regions)))
-        throw ParseError({file_}, "found a predicted contact with an unknown link or region");
-      contact.link = static_cast<std::uint16_t>(v[0]);
-      contact.region = static_cast<std::uint16_t>(v[1]);
-    }
-    for (int i = 2; i < 6; ++i)
-      if (contact.region != kNoRegion && !(v[i] >= 0.0))
-        throw ParseError({file_}, "found a predicted contact with a number below 0");
-    contact.force = contact.region == kNoRegion ? 0.0 : v[2];
-    contact.energy = contact.region == kNoRegion ? 0.0 : v[3];
-    const double pressure = contact.region == kNoRegion ? 0.0 : v[4];
-    contact.pressure = pressure >= kMaxContact ? kInfinity : pressure / kPerSquareCentimetre;
-    contact.share = v[5] >= kInfiniteShare ? kInfinity : v[5];
-    return contact;
   }
   double share(double value) const {
     if (!(value >= 0.0 && value <= 1.0))
@@ -140,7 +154,7 @@ void PartTableWriter::begin(std::size_t parts, hdf5::TableWriter& out) {
   separation_ = out.table("part_separation", {parts, 2}, Storage::kSteps32, kSpeedStep);
   speeds_ = out.table("part_speeds", {parts, 2}, Storage::kSteps32, kSpeedStep);
   contact_ = out.table("part_contact", {parts}, Storage::kSteps32, kSpeedStep);
-  contacts_ = out.table("part_contacts", {parts, kContactColumns}, Storage::kSteps32, kSpeedStep);
+  contacts_ = out.table("part_contacts", {parts, kContactColumns}, Storage::kSteps32, kContactStep);
   out.describe(contacts_, "1, 1, N, J, N/cm^2, 1", "link region force energy pressure share");
   out.texts("part_columns", {std::begin(kPartColumns), std::end(kPartColumns)});
 }
@@ -167,21 +181,7 @@ void PartTableWriter::add(const std::vector<PartClearance>& parts, std::size_t i
   for (const PartClearance& p : parts) row_.push_back(p.contact_scale[i]);
   out.add(contact_, row_);
   row_.clear();
-  const auto up = [](double value, double max) {
-    return std::min(max, std::ceil(value / kSpeedStep) * kSpeedStep);
-  };
-  for (const PartClearance& p : parts) {
-    const FrameContact& c = p.contact[i];
-    if (!(c.share > 0.0))
-      row_.insert(row_.end(), kContactColumns, kNaN);
-    else if (c.region == kNoRegion)
-      row_.insert(row_.end(), {kNaN, kNaN, kNaN, kNaN, kNaN, kInfiniteShare});
-    else
-      row_.insert(row_.end(),
-                  {static_cast<double>(c.link), static_cast<double>(c.region), up(c.force, kMaxContact),
-                   up(c.energy, kMaxContact), up(c.pressure * kPerSquareCentimetre, kMaxContact),
-                   up(c.share, kInfiniteShare)});
-  }
+  for (const PartClearance& p : parts) addContact(p.contact[i], row_);
   out.add(contacts_, row_);
 }
 
@@ -199,10 +199,23 @@ void writeWorstSeparation(const std::vector<PartClearance>& all, hdf5::TableWrit
   }
 }
 
+void writeWorstContacts(const std::vector<PartClearance>& all, hdf5::TableWriter& out) {
+  const std::size_t worst = out.table("worst_contacts", {2 + kContactColumns});
+  std::vector<double> row;
+  for (const PartClearance& p : all) {
+    const ContactMoment moment = p.contacts.worst.value_or(ContactMoment{kNaN, {}});
+    row = {moment.t, p.contacts.exceeded};
+    addContact(moment.contact, row);
+    out.add(worst, row);
+    out.endRow();
+  }
+}
+
 std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const PartTableNames& names,
                                           const std::string& file) {
   const std::vector<double> t = in.table("t", names.frames, 1);
   const std::vector<double> worst = in.table("worst_separation", names.parts.size(), kSeparationColumns);
+  const std::vector<double> contacts = in.table("worst_contacts", names.parts.size(), 2 + kContactColumns);
   const std::vector<std::string> excluded = in.texts("contact_excluded");
   const PartLists lists(in, names, file);
   std::vector<PartClearance> parts(names.parts.size());
@@ -216,6 +229,11 @@ std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const Par
     part.separation.broken = worst[p * kSeparationColumns + kSeparationColumns - 1];
     if (!(part.separation.broken >= 0.0 && std::isfinite(part.separation.broken)))
       throw ParseError({file}, "found an invalid time of a broken protective distance, expected seconds");
+    const double* contact = contacts.data() + p * (2 + kContactColumns);
+    part.contacts.exceeded = contact[1];
+    if (!std::isnan(contact[0])) part.contacts.worst = {contact[0], contactOf(contact + 2, names, file)};
+    if (!(part.contacts.exceeded >= 0.0 && std::isfinite(part.contacts.exceeded)))
+      throw ParseError({file}, "found an invalid time of exceeded contact limits, expected seconds");
     if (part.separation.worst && part.separation.worst->link >= names.links)
       throw ParseError({file}, "found the number of a link that is not among the links");
   }

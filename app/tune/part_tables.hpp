@@ -27,6 +27,10 @@ class PartTableWriter {
 /// Adds the table of the worst moments of protective distances, a row for each part.
 void writeWorstSeparation(const std::vector<PartClearance>& parts, hdf5::TableWriter& out);
 
+/// Adds the table of the hardest predicted contacts, a row for each part: time, time exceeded (s), and the
+/// columns of the contact. Times are NaN where nothing near ever closed in.
+void writeWorstContacts(const std::vector<PartClearance>& parts, hdf5::TableWriter& out);
+
 /// What the other tables of the file name.
 struct PartTableNames {
   const std::vector<std::string>& parts;

@@ -311,6 +311,8 @@ void ResultWriter::commit(const TunedRecording& tuned, const TuneOptions& option
   out_.nextTables();
   writeWorstSeparation(pass.parts, out_);
   out_.nextTables();
+  writeWorstContacts(pass.parts, out_);
+  out_.nextTables();
   writeExposure(pass.exposure, out_);
   out_.nextTables();
   writeEnclosed(tuned.enclosed);

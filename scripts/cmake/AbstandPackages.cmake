@@ -48,6 +48,8 @@ recommended packages.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-abstand)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/scripts/debian/python3-abstand/postinst;${PROJECT_SOURCE_DIR}/scripts/debian/python3-abstand/prerm")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "abstand ${same_version}, python3, python3-numpy")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python module: engine, robots, people and scenes with NumPy arrays.")
 

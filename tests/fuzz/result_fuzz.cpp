@@ -81,6 +81,13 @@ class OddResult {
     table("enclosed", parts, {2}, [](std::size_t, std::size_t) { return 0.5; });
     out_.texts("clamped", {"part2"});
     out_.texts("stated", {in_.text("limit")});
+    // link, region, force, energy, pressure, share
+    table("part_contacts", frames, {parts, 6},
+          [](std::size_t, std::size_t i) { return i % 6 < 2 ? 0.0 : 0.5; });
+    table("worst_contacts", parts, {8},
+          [](std::size_t, std::size_t i) { return i == 2 || i == 3 ? 0.0 : 0.5; });
+    out_.texts("frame_regions", {in_.text("chest")});
+    out_.texts("separation_terms", {in_.text("near\t0.5\tan edition\t")});
     out_.texts("contact_regions",
                {in_.text("chest\tsternum\t140\ta\t\t2\ta\t\t1200000\ta\t\t25000\ta\t\t40\ta\tb")});
     out_.texts("files", {in_.text("0123\tscene.yaml")});
@@ -99,7 +106,8 @@ class OddResult {
           if (!in_.rarely()) return out_.attribute(name, in_.number(value));
           if (!in_.rarely()) out_.attribute(name, in_.text("0.1"));
         });
-    for (const char* name : {"key", "version", "recording", "contact_limits", "content"})
+    for (const char* name : {"key", "version", "recording", "contact_limits", "separation_edition",
+                             "separation_table", "content"})
       if (!in_.rarely()) out_.attribute(name, in_.text(name));
     out_.attribute("calibration_error", 0.0);
     out_.attribute("latency", 0.0);
@@ -151,6 +159,12 @@ void judge(const tune::StoredResult& stored) {
     for (const std::uint16_t link : p.link) ABSTAND_CHECK(link < stored.tuned.pass.links.size());
     for (const std::uint16_t tool : p.tool)
       ABSTAND_CHECK(tool == tune::kNoTool || tool < stored.tuned.pass.tools.size());
+    ABSTAND_CHECK(p.contact.size() == stored.tuned.frames);
+    for (const tune::FrameContact& c : p.contact) {
+      ABSTAND_CHECK(c.region == tune::kNoRegion ||
+                    (c.region < stored.tuned.pass.regions.size() && c.link < stored.tuned.pass.links.size()));
+      ABSTAND_CHECK(c.share >= 0.0 && c.force >= 0.0 && c.pressure >= 0.0);
+    }
     if (p.separation.worst) ABSTAND_CHECK(p.separation.worst->link < stored.tuned.pass.links.size());
   }
   for (const auto& pair : stored.tuned.pass.pairs)

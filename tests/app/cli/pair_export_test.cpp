@@ -18,6 +18,9 @@ constexpr double kSpeedStep = 1.0 / 16.0 + 1e-3;  // m/s, of pairs far apart
 // Result files have shares, N, J and N/cm^2 in steps of 1/16384, rounded up.
 constexpr double kContactStep = 1.0 / 16384.0 + 1e-9;
 
+// In place of the infinite share of an excluded contact, which JSON does not have.
+constexpr double kInfinite = 1e9;
+
 using Rows = std::vector<std::vector<std::string>>;
 
 /// Rows of a file without quotes; the first is the header.
@@ -98,6 +101,27 @@ TEST_F(PairExport, HasPredictedContactPerFrameAndPart) {
     EXPECT_EQ(rows[i][8] == "inf", rows[i][2] == "head" || rows[i][4].empty() || rows[i][7] == "inf") << i;
   }
   EXPECT_GT(predicted, 20u);
+  // The JSON has the time beyond the limits, and the hardest contact, of each part.
+  std::map<std::string, double> beyond, hardest;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i][8].empty()) continue;
+    const std::string& part = rows[i][2];
+    hardest[part] = std::max(hardest[part], std::stod(rows[i][8]));
+    // The rows of the next frame are the 14 after the next; the last frame lasts no time.
+    const bool last = i + 14 >= rows.size() || rows[i + 14][0] != rows[i][0];
+    if (std::stod(rows[i][8]) > 1.0 && !last)
+      beyond[part] += std::stod(rows[i + 14][1]) - std::stod(rows[i][1]);
+  }
+  for (const json& row : tuned["contacts"]) {
+    const std::string part = row["part"];
+    EXPECT_NEAR(row["exceeded_time"].get<double>(), beyond[part], 1e-9) << part;
+    ASSERT_EQ(row["worst"].is_null(), !hardest.count(part)) << part;
+    if (row["worst"].is_null()) continue;
+    const json& share = row["worst"]["share"];
+    EXPECT_NEAR(share.is_null() ? kInfinite : share.get<double>(), std::min(hardest[part], kInfinite),
+                kContactStep)
+        << part;
+  }
   // Approaches judge the contact of the nearest pair; the frame has the worst of all near pairs.
   std::size_t compared = 0;
   for (const json& approach : tuned["approaches"]) {

@@ -94,6 +94,11 @@ TEST_P(ContactSpeed, PredictsContactOfEachFrameInClosedForm) {
       EXPECT_EQ(contact.share > 1.0, torso.contact_scale[i] < 1.0) << i;
     }
   }
+  EXPECT_EQ(torso.contacts.worst.has_value(), predicted > 0);
+  double exceeded = 0.0;
+  for (std::size_t i = 0; i + 1 < torso.track.frames(); ++i)
+    if (torso.contact[i].share > 1.0) exceeded += torso.track.t[i + 1] - torso.track.t[i];
+  EXPECT_NEAR(torso.contacts.exceeded, exceeded, 1e-12);
   // A robot that goes away never has the person near.
   EXPECT_EQ(predicted > 5, GetParam().speeds.robot >= 0.0) << predicted;
 }
