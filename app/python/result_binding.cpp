@@ -17,13 +17,18 @@ struct PairResultFile {
   std::vector<double> closing_speed;  ///< m/s
   std::vector<std::int32_t> indices;  ///< of each pair: part, link
   std::vector<std::int32_t> tools;    ///< of each pair: index of the tool in the hand; -1: the part itself
+  /// Of each frame and part: force (N), energy (J), pressure (Pa), share of the limit; index of the region,
+  /// or -1.
+  std::vector<double> contact;
+  std::vector<std::int32_t> region;
 
   std::size_t frames() const { return stored.tuned.frames; }
   std::size_t width() const { return stored.tuned.pass.pairs.size(); }
+  std::size_t parts() const { return stored.tuned.pass.parts.size(); }
 };
 
 PairResultFile readPairResult(const std::filesystem::path& path) {
-  PairResultFile file{tune::readResult(path), {}, {}, {}, {}};
+  PairResultFile file{tune::readResult(path), {}, {}, {}, {}, {}, {}};
   file.pairs = tune::StoredPairReader(file.stored.tuned).rows(0, file.frames());
   for (std::size_t i = 0; i < file.pairs.robot_speed.size(); ++i)
     file.closing_speed.push_back(file.pairs.robot_speed[i] + file.pairs.person_speed[i]);
@@ -31,6 +36,12 @@ PairResultFile readPairResult(const std::filesystem::path& path) {
     file.indices.insert(file.indices.end(), {pair.part, pair.link});
     file.tools.push_back(pair.tool == tune::kNoTool ? -1 : pair.tool);
   }
+  for (std::size_t i = 0; i < file.frames(); ++i)
+    for (const tune::PartClearance& part : file.stored.tuned.pass.parts) {
+      const tune::FrameContact& c = part.contact[i];
+      file.contact.insert(file.contact.end(), {c.force, c.energy, c.pressure, c.share});
+      file.region.push_back(c.region == tune::kNoRegion ? -1 : c.region);
+    }
   return file;
 }
 
@@ -63,6 +74,37 @@ constexpr const char* kReadResultDoc =
 ParseError where it is no such file, damaged, or of another version. Keeps the GIL.)doc";
 
 using PairTable = std::vector<double> tune::StoredPairs::*;
+
+void addContacts(py::class_<PairResultFile>& result) {
+  result
+      .def_property_readonly(
+          "regions", [](const PairResultFile& f) { return f.stored.tuned.pass.regions; },
+          "Names of the regions of the table of contact limits that occur in `contact`.")
+      .def_property_readonly(
+          "contact_region",
+          [](py::handle self) {
+            const auto& f = py::cast<const PairResultFile&>(self);
+            constexpr py::ssize_t kSize = sizeof(std::int32_t);
+            const auto frames = static_cast<py::ssize_t>(f.frames()),
+                       parts = static_cast<py::ssize_t>(f.parts());
+            return viewOf(f.region.data(), {frames, parts}, {parts * kSize, kSize}, self);
+          },
+          "(frames, parts) int32: index into `regions`; -1: nothing near closes in, or the part is not seen.")
+      .def_property_readonly(
+          "contact",
+          [](py::handle self) {
+            const auto& f = py::cast<const PairResultFile&>(self);
+            constexpr py::ssize_t kSize = sizeof(double), kColumns = 4;
+            const auto frames = static_cast<py::ssize_t>(f.frames()),
+                       parts = static_cast<py::ssize_t>(f.parts());
+            return viewOf(f.contact.data(), {frames, parts, kColumns},
+                          {parts * kColumns * kSize, kColumns * kSize, kSize}, self);
+          },
+          "(frames, parts, 4): force (N), energy (J), pressure (Pa) and share of the limit of the hardest "
+          "contact that "
+          "could occur; zeros where nothing near closes in; an infinite share is an excluded or unknown "
+          "contact.");
+}
 
 }  // namespace
 
@@ -144,6 +186,7 @@ void bindResults(py::module_& module) {
         return "<abstand.Result of " + std::to_string(f.frames()) + " frames and " +
                std::to_string(f.width()) + " pairs>";
       });
+  addContacts(result);
   module.def("read_result", &readPairResult, py::arg("path"), kReadResultDoc);
 }
 

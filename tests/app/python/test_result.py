@@ -60,6 +60,21 @@ class Results(unittest.TestCase):
         self.assertTrue(np.isfinite(r.on_part[r.distance < 0.5]).all() and (r.distance < 0.5).any())
         self.assertTrue((r.clearance <= r.distance).all())
 
+    def test_has_the_predicted_contacts_of_the_exported_table(self):
+        table = os.path.join(self.folder.name, "contacts.csv")
+        self.program("export", self.study, "--contact-csv", table)
+        with open(table, newline="") as file:
+            rows = list(csv.DictReader(file))
+        r = abstand.read_result(self.file)
+        self.assertEqual(r.contact.shape, (len(r), len(r.parts), 4))
+        names = [""] + r.regions
+        self.assertEqual([row["region"] for row in rows], [names[i + 1] for i in r.contact_region.ravel()])
+        columns = [("force_n", 1.0), ("energy_j", 1.0), ("pressure_n_per_cm2", 1e4), ("share_of_limit", 1.0)]
+        for i, (name, unit) in enumerate(columns):
+            values = np.array([float(row[name] or "0") * unit for row in rows]).reshape(r.contact.shape[:2])
+            np.testing.assert_allclose(values, r.contact[:, :, i], rtol=1e-12)
+        self.assertTrue((r.contact_region >= 0).any())
+
     def test_arrays_are_views_that_keep_the_result_alive(self):
         r = abstand.read_result(pathlib.Path(self.file))
         self.assertEqual(r.options["clamped"], ["hand_left"])
