@@ -25,7 +25,7 @@ void Extremes::frame(double t, const std::vector<query::PairResult>& results,
       force_ = force;
       force_pair_ = i;
       force_t_ = t;
-      force_apart_ = r.distance > 0.0;
+      force_apart_ = r.distance > r.bound;
     }
     const bool touches = r.contacts > 0;
     if (touches != touching_[i]) touching_count_ += touches ? 1 : -1;

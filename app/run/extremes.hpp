@@ -39,7 +39,7 @@ class Extremes {
   long touching_count_{0};
   Least distance_, clearance_;
   double force_{0.0}, force_t_{0.0};
-  bool force_apart_{false};
+  bool force_apart_{false};  ///< at force_: the distance is above its bound, so that no contact is possible
   std::vector<PairClass> classes_;
   std::array<Least, kPairClasses.size()> least_;
   double age_{-1.0}, age_t_{0.0};
