@@ -53,6 +53,7 @@ PairId Scene::addPair(ObjectId a, ObjectId b) {
   options.far_share = culling().farShare();
   pairs_.push_back({a, b, PairOutcome::kChecked, false, false, false, 0, {}, {}, options});
   result_time_.push_back(kNaN);
+  pair_margin_.push_back(kNaN);
   pairs_of_[a.index()].push_back(id);
   pairs_of_[b.index()].push_back(id);
   touching_.reserve(pairs_.capacity());
@@ -75,10 +76,23 @@ void Scene::setMargin(ObjectId object, double margin) {
   checkNotNegative("margin", margin);
   objects_[object.index()].spec.margin = margin;
   for (const PairId id : pairs_of_[object.index()]) {
-    Pair& pair = pairs_[id.index()];
-    pair.options.margin = objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
+    pairs_[id.index()].options.margin = marginOf(id);
     invalidate(id);
   }
+}
+
+void Scene::setPairMargin(PairId id, std::optional<double> margin) {
+  if (margin) checkNotNegative("margin", *margin);
+  pair_margin_[id.index()] = margin.value_or(kNaN);
+  pairs_[id.index()].options.margin = marginOf(id);
+  invalidate(id);
+}
+
+double Scene::marginOf(PairId id) const {
+  const double own = pair_margin_[id.index()];
+  if (!std::isnan(own)) return own;
+  const Pair& pair = pairs_[id.index()];
+  return objects_[pair.a.index()].spec.margin + objects_[pair.b.index()].spec.margin;
 }
 
 void Scene::setPaused(PairId id, bool paused, double t) {

@@ -47,6 +47,9 @@ class Scene {
   void setThreads(int threads);
   int threads() const { return queries_.threads(); }
   void setMargin(ObjectId object, double margin);  ///< throws UsageError, as addObject
+  /// Margin (m) of one pair, which replaces the sum of the margins of its objects; nullopt: the sum again.
+  /// Throws UsageError for a margin that is negative or not finite. No allocation.
+  void setPairMargin(PairId id, std::optional<double> margin);
   /// For all pairs, including those added later. Throws UsageError unless finite and not negative.
   void setForceLaw(query::ForceLaw law, double stiffness);
 
@@ -124,6 +127,7 @@ class Scene {
   void enqueue(PairId id) { updates_.enqueue(id, pairs_[id.index()]); }
   void enqueueAll();
   void invalidate(PairId id);
+  double marginOf(PairId id) const;
   void count(Pair& pair);
   void clearResultTimes();
   void updateContactList();
@@ -144,8 +148,9 @@ class Scene {
   StepCounts counts_;
   /// time (s) of the poses of each pair's result; NaN: the current ones.
   std::vector<double> result_time_;
-  bool external_results_{false};  ///< the results came from setResults()
-  bool has_result_times_{false};  ///< result_time_ may contain values other than NaN
+  std::vector<double> pair_margin_;  ///< m, of each pair; NaN: the sum of the margins of its objects
+  bool external_results_{false};     ///< the results came from setResults()
+  bool has_result_times_{false};     ///< result_time_ may contain values other than NaN
   std::size_t paused_count_{0};
   long steps_{0};
 };

@@ -21,7 +21,7 @@ struct alignas(64) Pair {
   int waited{0};         ///< steps since it was deferred
   TemporalCulling culling;
   query::PairResult result;
-  query::PairOptions options;  ///< margin = margin_a + margin_b, updated by setMargin
+  query::PairOptions options;  ///< margin: margin_a + margin_b, or that of setPairMargin
 };
 
 using PairTable = std::vector<Pair, HugePageAllocator<Pair>>;

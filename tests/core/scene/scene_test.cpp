@@ -162,6 +162,23 @@ TEST(Scene, NamesAndPairsAreUnique) {
   EXPECT_EQ(scene.find("nobody"), nullptr);
 }
 
+TEST(Scene, PairMarginReplacesSum) {
+  Scene scene = crowd(3);
+  scene.setPairMargin(PairId(2), 0.3);  // of the objects 1 and 2
+  EXPECT_DOUBLE_EQ(scene.pairs()[2].options.margin, 0.3);
+  EXPECT_DOUBLE_EQ(scene.pairs()[1].options.margin, 0.02);
+  scene.setMargin(ObjectId(1), 0.5);
+  EXPECT_DOUBLE_EQ(scene.pairs()[0].options.margin, 0.51);
+  EXPECT_DOUBLE_EQ(scene.pairs()[2].options.margin, 0.3) << "its own margin stays";
+  scene.setPairMargin(PairId(2), 0.0);
+  EXPECT_DOUBLE_EQ(scene.pairs()[2].options.margin, 0.0);
+  EXPECT_THROW(scene.setPairMargin(PairId(2), -0.1), UsageError);
+  EXPECT_THROW(scene.setPairMargin(PairId(2), kNaN), UsageError);
+  EXPECT_DOUBLE_EQ(scene.pairs()[2].options.margin, 0.0);
+  scene.setPairMargin(PairId(2), std::nullopt);
+  EXPECT_DOUBLE_EQ(scene.pairs()[2].options.margin, 0.51);
+}
+
 TEST(Scene, MarginsAndForceLawApplyToPairs) {
   Scene scene = crowd(3);
   EXPECT_DOUBLE_EQ(scene.pairs()[0].options.margin, 0.02);
