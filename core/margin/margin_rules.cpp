@@ -51,6 +51,8 @@ std::string yamlQuoted(const std::string& text) {
 }  // namespace
 
 std::optional<PairMargin> MarginRules::of(const std::string& part, const std::string& link) const {
+  if (const auto own = classes.find(kMarginClasses.front()); own != classes.end())
+    return PairMargin{own->second, 0.0, 0.0};
   std::optional<PairMargin> wide;
   for (const MarginRule& rule : rules) {
     if (rule.part == part && rule.link == link) return rule.margin;
@@ -69,7 +71,7 @@ MarginRules parseMarginRules(const std::string& text, const std::string& file,
                              const std::vector<std::string>& part_names) {
   const config::YamlNode root = config::parseYaml(text, file);
   const config::YamlFields fields(root, file, "a set of margins",
-                                  {"abstand_margins", "combine", "default", "margins"});
+                                  {"abstand_margins", "combine", "default", "margins", "classes"});
   const config::YamlNode& version = fields.need("abstand_margins");
   if (version.kind != config::YamlNode::Kind::kScalar || version.text != "1")
     throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
@@ -79,6 +81,11 @@ MarginRules parseMarginRules(const std::string& text, const std::string& file,
   if (const config::YamlNode* other = fields.find("default"))
     rules.other = pairMarginOf(
         config::YamlFields(*other, file, "the default margin", {"margin", "robot_time", "person_time"}));
+  if (const config::YamlNode* classes = fields.find("classes")) {
+    const config::YamlFields numbers(*classes, file, "the margins of classes", kMarginClasses);
+    for (const std::string& name : kMarginClasses)
+      if (const auto margin = numbers.number(name, kRuleMarginRange)) rules.classes[name] = *margin;
+  }
   std::set<std::pair<std::string, std::string>> seen;
   for (const config::YamlNode& node : fields.list("margins")) {
     rules.rules.push_back(ruleOf(node, file, part_names));
@@ -87,8 +94,8 @@ MarginRules parseMarginRules(const std::string& text, const std::string& file,
       throw ParseError({file, node.line, node.column},
                        "found a second margin for the same part and link, expected one");
   }
-  if (rules.rules.empty() && !rules.other)
-    throw ParseError(fields.pos(), "found no margin, expected `default` or `margins`");
+  if (rules.rules.empty() && !rules.other && rules.classes.empty())
+    throw ParseError(fields.pos(), "found no margin, expected `default`, `margins` or `classes`");
   return rules;
 }
 
@@ -103,6 +110,8 @@ std::string marginRulesText(const MarginRules& rules) {
     if (!rule.link.empty()) text += "link: " + yamlQuoted(rule.link) + ", ";
     text += numbersText(rule.margin) + "}\n";
   }
+  if (!rules.classes.empty()) text += "classes:\n";
+  for (const auto& [name, margin] : rules.classes) text += "  " + name + ": " + formatDouble(margin) + "\n";
   return text;
 }
 

@@ -1,6 +1,7 @@
 // Set of margins by body part, link and pair, and its file format.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,10 @@
 #include "core/margin/pair_margins.hpp"
 
 namespace abstand::margin {
+
+/// Classes of pairs that may have a margin of their own.
+inline const std::vector<std::string> kMarginClasses{"person_robot", "person_thing", "robot_robot",
+                                                     "robot_thing"};
 
 struct MarginRule {
   std::string part, link;  ///< "hand_left", "left_arm/link7"; empty: any
@@ -21,6 +26,9 @@ struct MarginRules {
   std::vector<MarginRule> rules;
   std::optional<PairMargin> other;
   bool sum{false};  ///< numbers of part and link are added
+  /// m, by a name of kMarginClasses: margins of all pairs of a class, whatever else is said. Only
+  /// `person_robot` is for parts and links; the others are for the window.
+  std::map<std::string, double> classes{};
 
   /// nullopt if no rule applies.
   std::optional<PairMargin> of(const std::string& part, const std::string& link) const;

@@ -15,6 +15,9 @@ struct SceneOutline;
 /// people or two things.
 enum class PairClass : std::uint8_t { kPersonRobot, kPersonThing, kRobotRobot, kRobotThing, kOther };
 inline constexpr std::size_t kPairClasses = 5;
+/// Names in files, in this order, of the classes that may have a margin of their own: all but kOther.
+inline constexpr std::array<const char*, kPairClasses - 1> kPairClassNames{"person_robot", "person_thing",
+                                                                           "robot_robot", "robot_thing"};
 
 enum class BodySide : std::uint8_t { kPerson, kRobot, kThing };
 PairClass pairClassOf(BodySide a, BodySide b);

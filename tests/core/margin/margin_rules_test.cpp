@@ -37,11 +37,29 @@ TEST(MarginRules, TextRoundTrips) {
   EXPECT_EQ(read.of("head", "x")->margin, 1.0 / 3.0);
 }
 
+TEST(MarginRules, ClassOfPeopleAndRobotsReplacesOtherMargins) {
+  const std::string text =
+      "abstand_margins: 1\ndefault: {margin: 0.2, robot_time: 0.1}\nmargins:\n  - {part: head, margin: 0.5}\n"
+      "classes:\n  person_robot: 0.125\n  robot_robot: 0.03\n";
+  const MarginRules rules = parsed(text);
+  for (const char* part : {"head", "torso"}) {
+    EXPECT_EQ(rules.of(part, "arm/l")->margin, 0.125);
+    EXPECT_EQ(rules.of(part, "arm/l")->robot_time, 0.0);
+  }
+  EXPECT_EQ(marginRulesText(parsed(marginRulesText(rules))), marginRulesText(rules));
+  EXPECT_EQ(parsed(marginRulesText(rules)).classes, rules.classes);
+  const MarginRules other = parsed("abstand_margins: 1\nclasses: {robot_robot: 0.03}\n");
+  EXPECT_FALSE(other.of("head", "arm/l")) << "it is for other pairs";
+  EXPECT_EQ(other.classes.at("robot_robot"), 0.03);
+}
+
 TEST(MarginRules, ErrorsHavePositions) {
   const std::pair<const char*, const char*> cases[] = {
       {"abstand_margins: 1\ncombine: both\ndefault: {margin: 0}\n", "m.yaml:2:"},
       {"abstand_margins: 2\n", "m.yaml:1:"},
       {"abstand_margins: 1\n", "found no margin"},
+      {"abstand_margins: 1\nclasses: {people: 1}\n", "m.yaml:2:11: error: "},
+      {"abstand_margins: 1\nclasses: {robot_robot: -1}\n", "m.yaml:2:24: error: "},
       {"abstand_margins: 1\nmargins: [{part: hand, margin: 1}]\n", "m.yaml:2:"}};
   for (const auto& [text, error] : cases) {
     SCOPED_TRACE(text);
