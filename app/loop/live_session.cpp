@@ -66,6 +66,7 @@ LiveSession::LiveSession(std::unique_ptr<session::Session> session, double t,
   joint_torques_.resize(outline_.joints.size());
   pending_.reserve(256);
   wishes_.reactions.resize(session_->mechanisms().size());
+  for (const auto& thing : session_->description().objects) wishes_.things.push_back(thing.X_WB);
   t_ = std::clamp(t, outline_.start, outline_.end);
   try {
     if (session_->reacts()) closeLoop(t_);
@@ -113,6 +114,7 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                         ++timing.margin_edits;
                         needs_cycle_ = true;
                       },
+                      [&](command::ClassMargin c) { setClassMargin(c, timing); },
                       [&](command::React c) {
                         if (!session_->reacts() || !outline_.cannot_react.empty()) return;
                         if (c.on == (closed_ != nullptr)) return;
@@ -145,10 +147,32 @@ void LiveSession::handle(const Command& received, Timing& timing) {
                       },
                       [&](command::PoseJoint c) { poseJoint(c.joint, c.value); },
                       [&](command::FollowMotion c) { followMotion(c.robot); },
+                      [&](const command::PlaceThing& c) { placeThing(c); },
                       [&](const command::Laws& c) { exchangeLaws(c.robot, *c.next); },
                       [&](const command::Poke& c) { setPoke(c); }, [&](command::EndPoke) { endPoke(); }},
              received);
   needs_snapshot_ = true;
+}
+
+void LiveSession::setClassMargin(const command::ClassMargin& wanted, Timing& timing) {
+  if (std::isnan(wanted.metres) || wanted.metres == kInfinity) return;
+  const std::optional<double> margin =
+      wanted.metres < 0.0 ? std::nullopt : std::optional<double>(wanted.metres);
+  for (std::size_t p = 0; p < outline_.pairs.size(); ++p)
+    if (view::pairClassOf(outline_, outline_.pairs[p]) == wanted.pair_class)
+      session_->scene().setPairMargin(PairId(static_cast<std::uint32_t>(p)), margin);
+  ++timing.margin_edits;
+  needs_cycle_ = true;
+}
+
+void LiveSession::placeThing(const command::PlaceThing& wanted) {
+  const std::size_t first = session_->scene().objectCount() - wishes_.things.size();
+  const std::size_t i = static_cast<std::size_t>(wanted.object) - first;
+  if (wanted.object < 0 || i >= wishes_.things.size()) return;
+  const ObjectId id(static_cast<std::uint32_t>(wanted.object));
+  if (!session_->placeThing(id, wanted.X_WB.value_or(wishes_.things[i]))) return;
+  if (closed_ && session_->description().objects[i].mass) goTo(t_);
+  needs_cycle_ = true;
 }
 
 void LiveSession::goTo(double t) {

@@ -36,6 +36,11 @@ struct Margin {
   int object;
   double metres;
 };
+/// Margin of all pairs of a class, which replaces the sums of the objects' margins; negative: the sums again.
+struct ClassMargin {
+  view::PairClass pair_class;
+  double metres;
+};
 struct React {
   bool on;
 };
@@ -62,6 +67,12 @@ struct PoseJoint {
 struct FollowMotion {
   int robot;
 };
+/// Puts a thing (index of SceneOutline::objects) at a pose in the world; nullopt: as in the scene file. One
+/// that falls begins there, and the closed loop begins anew.
+struct PlaceThing {
+  int object;
+  std::optional<Transform> X_WB;
+};
 /// Exchanges the laws of a robot (index of SceneOutline::reacting); made by LiveSession::laws(). Once it is
 /// obeyed `next` holds the former laws, so that no memory is freed on the loop's thread.
 struct Laws {
@@ -76,10 +87,11 @@ struct Poke {
 };
 struct EndPoke {};
 }  // namespace command
-using Command = std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop,
-                             command::Margin, command::React, command::ResetStops, command::Torques,
-                             command::SetGroup, command::AddPair, command::RemovePair, command::PoseJoint,
-                             command::FollowMotion, command::Laws, command::Poke, command::EndPoke>;
+using Command =
+    std::variant<command::Play, command::Step, command::Seek, command::Speed, command::Loop, command::Margin,
+                 command::ClassMargin, command::React, command::ResetStops, command::Torques,
+                 command::SetGroup, command::AddPair, command::RemovePair, command::PoseJoint,
+                 command::FollowMotion, command::PlaceThing, command::Laws, command::Poke, command::EndPoke>;
 
 /// Owns a session and runs it on its own thread at 1 kHz of wall time. One other thread (the window) sends
 /// commands and takes snapshots; neither waits for the other.
@@ -131,11 +143,13 @@ class LiveSession {
   void poseJoint(int joint, double value);
   void followMotion(int robot);
   void exchangeLaws(int robot, control::Reaction& next);
+  void placeThing(const command::PlaceThing& wanted);
   void setPoke(const command::Poke& wanted);
   void expirePoke();
   void endPoke();
   int mechanismOf(int robot) const;
   std::optional<PairId> pair(int index) const;
+  void setClassMargin(const command::ClassMargin& wanted, Timing& timing);
   void publish(const Timing& timing);
 
   std::unique_ptr<LiveClock> clock_;
@@ -159,6 +173,7 @@ class LiveSession {
   struct {
     bool torques{true};
     std::vector<std::optional<control::ReactionDescription>> reactions;  ///< by mechanism; none: the scene's
+    std::vector<Transform> things;  ///< poses of the things in the scene file
     std::optional<Poke> poke;
     double poke_end{0.0};  ///< s, of the clock
   } wishes_;

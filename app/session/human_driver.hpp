@@ -19,6 +19,8 @@ class HumanDriver {
   HumanDriver(const HumanDriver&) = delete;
   HumanDriver& operator=(const HumanDriver&) = delete;
 
+  /// Place of the recording in the world from the next pose on, as RecordingDescription says it.
+  void setPlace(const Vector3d& xyz, double yaw) { X_WR_ = fromXyzRpy(xyz, Vector3d(0, 0, yaw)); }
   void bind(humanmodel::BodyPart part, ObjectId object) { objects_[static_cast<std::size_t>(part)] = object; }
 
   /// Binds a tool, which moves with a hand. `X_HT`: tool in the hand's frame; `reach`: m, distance of its

@@ -23,7 +23,9 @@ view::PersonCard personCard(const scene_file::HumanDescription& description, con
                         model.mass,
                         {},
                         model.options.percentile,
-                        description.recording.file.string()};
+                        description.recording.file.string(),
+                        description.recording.place_xyz,
+                        description.recording.place_yaw};
   if (model.options.sex) card.sex = *model.options.sex == humanmodel::Sex::kFemale ? "f" : "m";
   return card;
 }

@@ -258,6 +258,21 @@ void Session::sumEfforts() {
   }
 }
 
+bool Session::placeThing(ObjectId id, const Transform& X_WB) {
+  // Things are the last objects of the scene.
+  const std::size_t first = scene_.objectCount() - description_.objects.size();
+  if (id.index() < first || id.index() >= scene_.objectCount()) return false;
+  if (!scene_.setPose(id, X_WB, scene_.object(id).t)) return false;
+  description_.objects[id.index() - first].X_WB = X_WB;
+  return true;
+}
+
+void Session::placePerson(std::size_t human, const Vector3d& xyz, double yaw) {
+  description_.humans.at(human).recording.place_xyz = xyz;
+  description_.humans.at(human).recording.place_yaw = yaw;
+  humans_.at(human)->setPlace(xyz, yaw);
+}
+
 std::vector<double> Session::frameTimes() const {
   for (const auto& h : humans_) {
     if (!h->recording()) continue;

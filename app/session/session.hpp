@@ -58,6 +58,13 @@ class Session {
   /// Last part of step(): jointEfforts() from the scene's contacts.
   void sumEfforts();
 
+  /// Puts a thing (an object of description().objects) somewhere else: without a motion, so that it has no
+  /// velocity; a ClosedLoop takes over a falling one when it begins. False, and no effect, for other objects
+  /// and for what is no pose. No allocation.
+  bool placeThing(ObjectId id, const Transform& X_WB);
+  /// Puts the recording of a person (index of description().humans) somewhere else, from the next step() on.
+  void placePerson(std::size_t human, const Vector3d& xyz, double yaw);
+
   /// Times (s) of the frames: of the first recording; otherwise of the poses; otherwise every millisecond of
   /// the longest joint motion, or of 5 s if objects can fall; otherwise 0 only.
   std::vector<double> frameTimes() const;

@@ -35,6 +35,9 @@ struct PersonCard {
   std::string sex;                   ///< "f", "m"; empty: mean of both
   std::optional<double> percentile;  ///< per cent, of girths, breadths and depths; none: mean sizes
   std::string recording;             ///< file that moves the person; empty: none
+  /// Place of the recording in the world: origin (m) and turn about z (rad).
+  Vector3d place_xyz{Vector3d::Zero()};
+  double place_yaw{0.0};
 };
 
 /// Why two bodies of the scene are no pair.

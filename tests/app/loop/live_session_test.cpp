@@ -75,6 +75,86 @@ TEST(LiveSession, ChangingMarginDoesNotMoveRobot) {
   EXPECT_EQ(l.seen.loop_start, 0.0);
 }
 
+TEST(LiveSession, ClassMarginReplacesSumsOfItsPairs) {
+  Live l(kYield);
+  l.live.send(command::ClassMargin{view::PairClass::kRobotThing, 0.3});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.pairs[0].margin == 0.3; }));
+  l.live.send(command::Margin{1, 0.2});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.objects[1].margin == 0.2; }));
+  EXPECT_EQ(l.seen.pairs[0].margin, 0.3);
+  l.live.send(command::ClassMargin{view::PairClass::kPersonRobot, 0.7});
+  l.live.send(command::ClassMargin{view::PairClass::kRobotThing, kNaN});
+  l.live.send(command::Margin{1, 0.1});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.objects[1].margin == 0.1; }));
+  EXPECT_EQ(l.seen.pairs[0].margin, 0.3) << "no pair of that class, and no number";
+  l.live.send(command::ClassMargin{view::PairClass::kRobotThing, -1.0});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.pairs[0].margin == 0.1; }));
+}
+
+/// Things of a scene that nothing else moves.
+struct LiveThings {
+  explicit LiveThings(const std::string& mass) {
+    session::SessionOptions options;
+    options.threads = 1;
+    options.cache = false;
+    const auto scene = scene_file::parseScene(
+        "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nobjects:\n"
+        "  - {name: table, shape: {cuboid: {size: [0.5, 0.5, 0.1]}}, pose: {xyz: [0, 0, -0.05]}}\n"
+        "  - {name: ball, shape: {sphere: {radius: 0.05}}, pose: {xyz: [0, 0, 0.5]}" +
+            mass + "}\n",
+        "scene.yaml");
+    live = std::make_unique<LiveSession>(std::make_unique<session::Session>(scene, options), 0.0);
+  }
+  template <class Condition>
+  bool waitFor(Condition condition) {
+    for (int i = 0; i < 6000; ++i) {
+      live->takeSnapshot(seen);
+      if (seen.step > 0 && condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+  bool ballIsAt(const Vector3d& p_W) {
+    return waitFor([&] { return (seen.objects[1].X_WB.translation() - p_W).norm() < 1e-12; });
+  }
+  void place(const Vector3d& p_W) { live->send(command::PlaceThing{1, fromXyzRpy(p_W, Vector3d::Zero())}); }
+
+  std::unique_ptr<LiveSession> live;
+  view::SceneSnapshot seen;
+};
+
+TEST(LiveSession, PlacedThingIsThereAtOnceAndRests) {
+  LiveThings l("");
+  // The distance of a ball above a table is exact up to the bound of its query.
+  const auto clearance = [&] { return std::abs(l.seen.pairs[0].result.distance - 0.25) <= 1e-3; };
+  l.place({0.0, 0.0, 0.3});
+  ASSERT_TRUE(l.ballIsAt({0.0, 0.0, 0.3}));
+  EXPECT_TRUE(l.waitFor(clearance)) << l.seen.pairs[0].result.distance;
+  EXPECT_EQ(l.seen.objects[1].velocity.linear.norm(), 0.0);
+  l.live->send(command::PlaceThing{7, Transform::Identity()});
+  l.place({kNaN, 0.0, 0.0});
+  l.place({0.0, 0.0, 0.2});
+  ASSERT_TRUE(l.ballIsAt({0.0, 0.0, 0.2})) << "no such thing, and no pose, change nothing";
+  l.live->send(command::PlaceThing{1, std::nullopt});
+  EXPECT_TRUE(l.ballIsAt({0.0, 0.0, 0.5})) << "as in the scene";
+}
+
+TEST(LiveSession, PlacedThingFallsFromThere) {
+  LiveThings l(", mass: 0.5");
+  l.live->send(command::Step{100});
+  ASSERT_TRUE(l.waitFor([&] { return std::abs(l.seen.t - 0.1) < 1e-9; }));
+  const double fallen = 0.5 - l.seen.objects[1].X_WB.translation().z();
+  EXPECT_GT(fallen, 0.04);
+  const long loops = l.seen.loops;
+  l.place({0.0, 0.0, 0.4});
+  ASSERT_TRUE(l.waitFor([&] { return l.seen.loops > loops; }));
+  EXPECT_NEAR(l.seen.objects[1].X_WB.translation().z(), 0.4, 1e-12);
+  EXPECT_NEAR(l.seen.t, 0.1, 1e-9) << "the clock stays";
+  l.live->send(command::Step{100});
+  ASSERT_TRUE(l.waitFor([&] { return std::abs(l.seen.t - 0.2) < 1e-9; }));
+  EXPECT_NEAR(0.4 - l.seen.objects[1].X_WB.translation().z(), fallen, 1e-9) << "from rest, as before";
+}
+
 TEST(LiveSession, WithoutReactionMotionMatchesRecording) {
   Live l(kYield);
   l.live.send(command::React{false});
