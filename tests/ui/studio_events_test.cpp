@@ -4,10 +4,16 @@
 #include <QAction>
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QStatusBar>
 #include <QTableView>
 #include <QTest>
+#include <set>
 
+#include "core/base/output_file.hpp"
+#include "core/base/text_file.hpp"
+#include "humanmodel/human_model.hpp"
 #include "tests/ui/slide_studio.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 #include "ui/model/event_table_model.hpp"
 #include "ui/model/pair_table_model.hpp"
 #include "ui/model/playback.hpp"
@@ -115,6 +121,101 @@ TEST_F(StudioEvents, MarginEditChangesIntrusionsAndMarksForces) {
   ASSERT_EQ(charts[1]->lines(), 3u);
   EXPECT_GT(charts[1]->series(2)->at(t), 0.0);
   EXPECT_EQ(of(EventKind::kContact).size(), touches.size()) << "margins do not change touches";
+}
+
+/// One of four hundred frames in which the person's right arm is not seen.
+constexpr int kLostFrom = 250, kLostTo = 280;
+
+/// Writes the person's recording without the right arm for a while.
+void hideArm(const testing::ScratchFolder& folder) {
+  tracking::Recording recording;
+  const humanmodel::SkeletonFrame rest = humanmodel::makeHuman({}).rest;
+  for (int i = 0; i <= 400; ++i) {
+    humanmodel::SkeletonFrame frame = rest;
+    frame.t = 0.01 * i;
+    for (auto& p : frame.p) p.x() -= 0.3 * frame.t;
+    using humanmodel::Joint;
+    for (const Joint joint : {Joint::kElbowRight, Joint::kWristRight, Joint::kHandRight})
+      if (i >= kLostFrom && i < kLostTo)
+        frame.set(joint, Vector3d::Constant(kNaN), humanmodel::JointState::kMissing);
+    recording.frames.push_back(frame);
+  }
+  tracking::writeSkeletonCsv(folder.path() / "person.csv", recording);
+}
+
+TEST_F(StudioEvents, KeysGoToEventsOfTheirKind) {
+  hideArm(folder);
+  open();
+  // A margin that some part breaks, and another only comes near.
+  const auto link = static_cast<int>(window.review().store()->layout().links.front().object);
+  for (double metres = 0.05; metres < 0.6 && (of(EventKind::kNear).empty() || of(EventKind::kInside).empty());
+       metres += 0.05) {
+    window.panels().margins->row(link)->findChild<QDoubleSpinBox*>()->setValue(1e3 * metres);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(window.review().objectMargin(link) - metres) < 1e-9; },
+                                kLimitMs));
+    QTest::qWait(50);
+  }
+  const struct {
+    Qt::Key key;
+    EventKind kind;
+  } keys[] = {{Qt::Key_E, EventKind::kInside}, {Qt::Key_M, EventKind::kNear}, {Qt::Key_U, EventKind::kLost}};
+  for (const auto& [k, kind] : keys) {
+    SCOPED_TRACE(static_cast<char>(k));
+    std::set<double> marks;
+    for (const ui::RecordingEvent& event : of(kind))
+      if (event.mark() > kFrame) marks.insert(event.mark());
+    ASSERT_FALSE(marks.empty());
+    window.playback().seek(0.0);
+    ASSERT_TRUE(goesTo(0.0));
+    double before = 0.0;
+    for (const double mark : marks) {
+      if (mark < before + 0.6 * kFrame) continue;  // in the same frame
+      key(k);
+      ASSERT_TRUE(goesTo(mark)) << mark;
+      EXPECT_EQ(window.moment().playing, false);
+      before = mark;
+    }
+    key(k);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return window.statusBar()->currentMessage().startsWith("No later event known"); }, kLimitMs));
+    EXPECT_TRUE(goesTo(before)) << "the clock stays";
+    window.playback().seek(4.0);
+    ASSERT_TRUE(goesTo(4.0));
+    key(k, Qt::ShiftModifier);
+    EXPECT_TRUE(goesTo(*marks.rbegin()) || goesTo(before));
+  }
+  const double lost = of(EventKind::kLost).front().t0;
+  EXPECT_NEAR(lost, 0.01 * kLostFrom, 1.5 * kFrame);
+}
+
+/// The ball has a mass and stops before the person.
+TEST_F(StudioEvents, KeyGoesToStopsThatWerePlayed) {
+  folder.write("slide.mech",
+               "units\nlength m\nangle degrees\nend_units\nmapping\ndof 0 1\nend_mapping\nchain\n"
+               "frame 1 0 90 d 0\nend_chain\nlimits\nlimit 1 -5 5 10 500\nend_limits\n"
+               "inertia\nbody 1 2 0 0 0 0.002 0.002 0.002 0 0 0\nend_inertia\n");
+  std::string text = readFile(scene, 1 << 20, true);
+  text.replace(text.find("    motion: go.csv\n"), 0, "    reaction: {stop: {distance: 0.4}}\n");
+  writeFile(scene, text);
+  SlideStudio::open();
+  key(Qt::Key_S);
+  EXPECT_TRUE(window.statusBar()->currentMessage().startsWith("No later event known"))
+      << "nothing was played";
+  key(Qt::Key_Space);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !of(EventKind::kStop).empty() && window.moment().t > 3.0; }, kLimitMs));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.moment().playing; }, kLimitMs));
+  const double stop = of(EventKind::kStop).front().t0;
+  EXPECT_GT(stop, 0.5);
+  key(Qt::Key_S, Qt::ShiftModifier);
+  ASSERT_TRUE(goesTo(stop));
+  key(Qt::Key_Home);
+  ASSERT_TRUE(goesTo(0.0));
+  QTest::qWait(200);
+  ASSERT_EQ(of(EventKind::kStop).size(), 1u) << "what was played stays until it is played again";
+  key(Qt::Key_S);
+  EXPECT_TRUE(goesTo(stop));
 }
 
 }  // namespace studio_events_test

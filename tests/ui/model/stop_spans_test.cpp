@@ -53,9 +53,29 @@ TEST(StopSpans, LastFromStopUntilResume) {
   EXPECT_FALSE(stops.add(snapshotAt(5.0, StopState::kRunning, 3.25)));
   EXPECT_TRUE(stops.add(snapshotAt(6.0, StopState::kProtectiveStop, 5.5)));
   EXPECT_EQ(stops.spans().size(), 2u);
-  view::SceneSnapshot again = snapshotAt(0.0, StopState::kRunning, 0.0);
-  again.loops = 2;
-  EXPECT_TRUE(stops.add(again));
+}
+
+TEST(StopSpans, StayUntilTheirBeginningIsPlayedAgain) {
+  StopSpans stops;
+  stops.add(snapshotAt(2.0, StopState::kProtectiveStop, 1.5));
+  stops.add(snapshotAt(2.5, StopState::kRunning, 2.25));
+  stops.add(snapshotAt(4.0, StopState::kProtectiveStop, 3.5));
+  const auto again = [&](double t, StopState state, double since) {
+    view::SceneSnapshot snapshot = snapshotAt(t, state, since);
+    snapshot.loops = 2;
+    return stops.add(snapshot);
+  };
+  EXPECT_FALSE(again(1.0, StopState::kRunning, 0.0));
+  EXPECT_FALSE(again(1.4, StopState::kRunning, 0.0));
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{1.5, 2.25}, {3.5, 4.0}})) << "as they were played";
+  EXPECT_TRUE(again(1.6, StopState::kRunning, 0.0));
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{3.5, 4.0}})) << "this time it did not stop";
+  EXPECT_TRUE(again(3.75, StopState::kProtectiveStop, 3.25));
+  EXPECT_TRUE(again(3.8, StopState::kRunning, 3.8));
+  EXPECT_EQ(rangesOf(stops), (std::vector<TimeRange>{{3.25, 3.8}})) << "this time it stopped earlier";
+  view::SceneSnapshot none = snapshotAt(4.0, StopState::kRunning, 0.0);
+  none.robots.clear();
+  EXPECT_TRUE(stops.add(none));
   EXPECT_TRUE(stops.spans().empty());
 }
 
