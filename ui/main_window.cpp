@@ -252,7 +252,8 @@ void MainWindow::setSession(SessionPort* session) {
 void MainWindow::openPanels(const view::SceneOutline& outline) {
   const std::vector<double> margins = follower_.margins(document_->work());
   review_->setSettings(document_->work().what_if);
-  review_->open(session_ ? session_->analysis() : nullptr, outline, margins);
+  review_->open(session_ ? session_->analysis() : nullptr, outline,
+                follower_.reviewMargins(document_->work()));
   feed_->open(outline, margins);
   commands_.margins->open(session_ ? &outline : nullptr);
   commands_.exchange->open(session_ ? &outline : nullptr);

@@ -338,7 +338,14 @@ void MainWindow::connectMargins() {
           &CompareLanes::setCompared);
   connect(panels_.timeline->compareLanes(), &CompareLanes::closeWanted, this,
           [this] { commands_.margins->compare(false); });
-  connect(panels_.curve, &MarginCurve::dragged, panels_.margins, &MarginPanel::hold);
+  connect(panels_.curve, &MarginCurve::dragged, this, [this](int object, double metres) {
+    // The curve shows the margin of the class where that has its own.
+    if (SessionFollower::classMargin(document_->work(), view::PairClass::kPersonRobot))
+      commands_.margins->setClass(view::PairClass::kPersonRobot, metres);
+    else
+      panels_.margins->hold(object, metres);
+  });
+  connect(panels_.curve, &MarginCurve::released, document_, &Document::endStep);
   connect(panels_.curve, &MarginCurve::released, panels_.margins, &MarginPanel::release);
   connect((*actions_)[ActionId::kReport], &QAction::triggered, this, [this] {
     const std::string margins = commands_.margins->presentSet();

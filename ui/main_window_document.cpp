@@ -54,9 +54,9 @@ QString MainWindow::nameOf(int object) const {
 
 void MainWindow::followWork(const Work& before, const Work& after) {
   follower_.follow(before, after);
-  if (session_ && before.margins != after.margins) {
-    const std::vector<double> margins = follower_.margins(after);
-    panels_.margins->show(margins);
+  if (session_ && (before.margins != after.margins || before.classes != after.classes)) {
+    panels_.margins->show(follower_.margins(after));
+    const std::vector<double> margins = follower_.reviewMargins(after);
     for (std::size_t i = 0; i < margins.size(); ++i) review_->setMargin(static_cast<int>(i), margins[i]);
   }
   if (!(before.separation == after.separation)) {

@@ -3,6 +3,10 @@
 
 #include <QMap>
 #include <QObject>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/view/snapshot.hpp"
@@ -16,6 +20,7 @@ class Document;
 class MarginPanel;
 class RecordingReview;
 class SessionFollower;
+struct Work;
 
 /// Presets, locks, the clipboard, files of margin sets, and proposed margins: one undo step each. A locked
 /// margin stays. Dialogs belong to `window`. GUI thread only.
@@ -32,8 +37,11 @@ class MarginCommands : public QObject {
   /// The present margins as the text of a file of margins; empty, with said(), where the scene has no pair of
   /// a person and a robot.
   std::string presentSet();
-  /// m, of objects.
-  void set(const QString& text, const QMap<int, double>& margins, const QString& merge_key = {});
+  /// m, of objects. `also` changes more in the same step.
+  void set(const QString& text, const QMap<int, double>& margins, const QString& merge_key = {},
+           const std::function<void(Work&)>& also = {});
+  /// m, of all pairs of a class; nullopt: the sums of the objects' margins again. A locked class stays.
+  void setClass(view::PairClass pair_class, std::optional<double> metres);
 
  Q_SIGNALS:
   void said(const QString& text);
@@ -53,6 +61,11 @@ class MarginCommands : public QObject {
  private:
   void connectPanel();
   void connectActions();
+  void connectClasses();
+  void tickClass(view::PairClass pair_class, bool on);
+  void lockClass(view::PairClass pair_class, bool locked);
+  void showClasses();
+  void takeClasses(const std::map<std::string, double>& classes, Work& work) const;
   void setAll(double metres);
   void reset();
   void lock(const std::vector<int>& objects, bool locked);

@@ -81,6 +81,9 @@ class LivePort final : public ui::SessionPort {
   void setReact(bool on) override { send(loop::command::React{on}); }
   void resetStops() override { send(loop::command::ResetStops{}); }
   void setMargin(int object, double metres) override { send(loop::command::Margin{object, metres}); }
+  void setClassMargin(view::PairClass pair_class, std::optional<double> metres) override {
+    send(loop::command::ClassMargin{pair_class, metres.value_or(-1.0)});
+  }
   void setTorques(bool on) override { send(loop::command::Torques{on}); }
   void setGroup(int group, view::PairGroupState state) override {
     send(loop::command::SetGroup{group, state});

@@ -55,6 +55,7 @@ class ViewerPort final : public ui::SessionPort {
   void setReact(bool) override {}
   void resetStops() override {}
   void setMargin(int, double) override {}
+  void setClassMargin(view::PairClass, std::optional<double>) override {}
   void setTorques(bool) override {}
   void setGroup(int, view::PairGroupState) override {}
   void addPair(int, int) override {}

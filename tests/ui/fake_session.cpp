@@ -372,6 +372,12 @@ void FakeSession::setMargin(int object, double metres) {
   compute(snapshot_.t);
 }
 
+void FakeSession::setClassMargin(view::PairClass pair_class, std::optional<double> metres) {
+  log.push_back(
+      line(("class margin " + std::to_string(static_cast<int>(pair_class))).c_str(), metres.value_or(-1.0)));
+  fresh_ = true;
+}
+
 void FakeSession::setPoseUncertainty(int object, double metres) {
   snapshot_.objects[static_cast<std::size_t>(object)].pose_uncertainty = metres;
   fresh_ = true;

@@ -27,6 +27,7 @@ class FakeSession : public SessionPort {
   void setReact(bool on) override;
   void resetStops() override;
   void setMargin(int object, double metres) override;
+  void setClassMargin(view::PairClass pair_class, std::optional<double> metres) override;
   void setTorques(bool on) override;
   void setGroup(int group, view::PairGroupState state) override;
   void addPair(int group, int pair) override;

@@ -152,6 +152,21 @@ QMap<QString, double> marginsUnder(const YamlFields& in, std::string_view key) {
   return margins;
 }
 
+void readClasses(const YamlFields& in, Work& work) {
+  const YamlNode* node = in.find("classes");
+  if (!node) return;
+  const std::vector<std::string> names(view::kPairClassNames.begin(), view::kPairClassNames.end());
+  const YamlFields classes(*node, in.file(), "`classes`", names);
+  for (const std::string& name : names) {
+    const YamlNode* entry = classes.find(name);
+    if (!entry) continue;
+    const YamlFields fields(*entry, in.file(), "a class of pairs", {"margin", "locked"});
+    fields.need("margin");
+    work.classes[QString::fromStdString(name)] = {*fields.number("margin", kMargin),
+                                                  flagOf(fields, "locked", false)};
+  }
+}
+
 QSet<QString> namesUnder(const YamlFields& in, std::string_view key) {
   QSet<QString> names;
   for (const YamlNode& item : in.list(key))
@@ -251,7 +266,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
                        "people",      "posed_robots", "margins",     "locked_margins", "compared_margins",
                        "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
                        "range",       "separation",   "view",        "camera",         "time",
-                       "reactions",   "added_files",  "what_if"});
+                       "reactions",   "added_files",  "what_if",     "classes"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -268,6 +283,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   readPosed(in, work);
   readReactions(in, work);
   work.margins = marginsUnder(in, "margins");
+  readClasses(in, work);
   work.locked = namesUnder(in, "locked_margins");
   if (in.find("compared_margins")) work.compared = marginsUnder(in, "compared_margins");
   readPairs(in, work);

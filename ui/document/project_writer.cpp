@@ -56,6 +56,18 @@ void addMargins(JsonText& json, const char* key, const QMap<QString, double>& ma
   json.close();
 }
 
+void addClasses(JsonText& json, const QMap<QString, ClassMargin>& classes) {
+  if (classes.isEmpty()) return;
+  json.open("classes", '{');
+  for (auto it = classes.begin(); it != classes.end(); ++it) {
+    json.open(it.key().toStdString(), '{');
+    json.addNumber("margin", it->metres);
+    if (it->locked) json.addFlag("locked", true);
+    json.close();
+  }
+  json.close();
+}
+
 void addPeople(JsonText& json, const QMap<QString, PersonOptions>& people) {
   if (people.isEmpty()) return;
   json.open("people", '{');
@@ -205,6 +217,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addPosed(json, work.posed);
   addReactions(json, work.reactions);
   addMargins(json, "margins", work.margins);
+  addClasses(json, work.classes);
   if (!work.locked.isEmpty()) addNames(json, "locked_margins", work.locked);
   if (work.compared) addMargins(json, "compared_margins", *work.compared);
   addPairs(json, work);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "ui/model/pair_class.hpp"
 
 namespace abstand::ui {
 
@@ -41,6 +42,7 @@ void SessionFollower::follow(const Work& before, const Work& after) {
   if (before.margins != after.margins)
     for (int i = 0; i < static_cast<int>(names_.size()); ++i)
       if (margin(before, i) != margin(after, i)) port_->setMargin(i, margin(after, i));
+  if (before.classes != after.classes) followClasses(before, after);
   if (before.moved != after.moved)
     for (int p = 0; p < static_cast<int>(pair_group_.size()); ++p) {
       const int from = group(before, p), to = group(after, p);
@@ -53,6 +55,14 @@ void SessionFollower::follow(const Work& before, const Work& after) {
       if (state(before, g) != state(after, g)) port_->setGroup(g, state(after, g));
   if (before.posed != after.posed) followPosed(before, after);
   if (before.reactions != after.reactions) followReactions(before, after);
+}
+
+void SessionFollower::followClasses(const Work& before, const Work& after) {
+  for (std::size_t c = 0; c < view::kPairClassNames.size(); ++c) {
+    const auto pair_class = static_cast<view::PairClass>(c);
+    const std::optional<double> margin = classMargin(after, pair_class);
+    if (margin != classMargin(before, pair_class)) port_->setClassMargin(pair_class, margin);
+  }
 }
 
 void SessionFollower::followReactions(const Work& before, const Work& after) {
@@ -104,6 +114,19 @@ double SessionFollower::margin(const Work& work, int object) const {
 std::vector<double> SessionFollower::margins(const Work& work) const {
   std::vector<double> all(names_.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = margin(work, static_cast<int>(i));
+  return all;
+}
+
+std::optional<double> SessionFollower::classMargin(const Work& work, view::PairClass pair_class) {
+  const auto found = work.classes.find(pairClassKey(pair_class));
+  return found == work.classes.end() ? std::optional<double>() : found->metres;
+}
+
+std::vector<double> SessionFollower::reviewMargins(const Work& work) const {
+  std::vector<double> all = margins(work);
+  const std::optional<double> own = classMargin(work, view::PairClass::kPersonRobot);
+  if (!own) return all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = port_->outline().objects[i].human ? *own : 0.0;
   return all;
 }
 

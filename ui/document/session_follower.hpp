@@ -3,6 +3,8 @@
 
 #include <QStringList>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "ui/document/work.hpp"
 #include "ui/model/session_port.hpp"
@@ -22,6 +24,11 @@ class SessionFollower {
   double margin(const Work& work, int object) const;
   /// Of all objects.
   std::vector<double> margins(const Work& work) const;
+  /// m, of all pairs of a class; nullopt: the sums of the objects' margins.
+  static std::optional<double> classMargin(const Work& work, view::PairClass pair_class);
+  /// m, of all objects: margins whose sums are those of the pairs of people and robots, also where this class
+  /// has its own. The recording is judged with them.
+  std::vector<double> reviewMargins(const Work& work) const;
   /// rad or m: joints of a robot (index of the outline) that `work` poses by hand; empty: it does not, or not
   /// with this number of joints.
   QVector<double> posed(const Work& work, int robot) const;
@@ -34,6 +41,7 @@ class SessionFollower {
  private:
   int group(const Work& work, int pair) const;
   void followPosed(const Work& before, const Work& after);
+  void followClasses(const Work& before, const Work& after);
   void followReactions(const Work& before, const Work& after);
   view::PairGroupState state(const Work& work, int group) const;
 

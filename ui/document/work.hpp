@@ -48,6 +48,13 @@ struct PersonOptions {
   bool operator==(const PersonOptions&) const = default;
 };
 
+/// Margin of all pairs of a class, which replaces the sums of the objects' margins.
+struct ClassMargin {
+  double metres{0.0};
+  bool locked{false};  ///< stays as it is
+  bool operator==(const ClassMargin&) const = default;
+};
+
 /// Everything that can be undone. Objects, groups and pairs go by their names, so that they outlive another
 /// recording and a scene that was edited. What is not named here is as the scene file says.
 struct Work {
@@ -59,6 +66,7 @@ struct Work {
   QMap<QString, QVector<double>> posed;  ///< rad or m, all joints of each robot that is posed by hand
   QMap<QString, control::ReactionChange> reactions;  ///< of robots with a reaction that differ from the scene
   QMap<QString, double> margins;                     ///< m, by object
+  QMap<QString, ClassMargin> classes;                ///< by a name of view::kPairClassNames
   QSet<QString> locked;                              ///< objects whose margin stays as it is
   std::optional<QMap<QString, double>> compared;     ///< m, by object: what the margins are compared with
   QMap<QString, view::PairGroupState> groups;        ///< by name of a pair group

@@ -117,8 +117,11 @@ double MarginSet::marginOf(const margin::MarginRules& rules, const Pair& pair) c
   return margin->margin;
 }
 
-QMap<int, double> MarginSet::margins(const margin::MarginRules& rules) const {
-  checkNames(rules);
+QMap<int, double> MarginSet::margins(const margin::MarginRules& set) const {
+  checkNames(set);
+  if (set.rules.empty() && !set.other) return {};
+  margin::MarginRules rules = set;
+  rules.classes.clear();
   std::vector<double> wanted;
   for (const Pair& pair : pairs_) wanted.push_back(marginOf(rules, pair));
   Sums parts(parts_.size()), links(links_.size());

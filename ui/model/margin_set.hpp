@@ -26,9 +26,10 @@ class MarginSet {
   /// Several people have different margins for the same part, which a set cannot say.
   bool differs(const std::vector<double>& margins) const;
 
-  /// m, by object: rows whose sums are the margins of the pairs. Throws UsageError for a name that the scene
+  /// m, by object: rows whose sums are the margins of the pairs, apart from those of classes; empty where the
+  /// set has only these. Throws UsageError for a name that the scene
   /// does not have, a pair without a margin, and for margins that no sum of two rows can be.
-  QMap<int, double> margins(const margin::MarginRules& rules) const;
+  QMap<int, double> margins(const margin::MarginRules& set) const;
 
  private:
   struct Body {

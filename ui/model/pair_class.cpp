@@ -4,6 +4,11 @@
 
 namespace abstand::ui {
 
+QString pairClassKey(PairClass pair_class) {
+  const auto i = static_cast<std::size_t>(pair_class);
+  return i < view::kPairClassNames.size() ? QString::fromLatin1(view::kPairClassNames[i]) : QString();
+}
+
 QString pairClassName(PairClass pair_class) {
   switch (pair_class) {
     case PairClass::kPersonRobot:

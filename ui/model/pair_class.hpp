@@ -11,6 +11,8 @@ using view::PairClass;
 using view::pairClassOf;
 inline constexpr int kPairClasses = static_cast<int>(view::kPairClasses);
 
+/// "person_robot": in files; empty for kOther.
+QString pairClassKey(PairClass pair_class);
 /// "Person – robot".
 QString pairClassName(PairClass pair_class);
 /// "person – robot", within a sentence.

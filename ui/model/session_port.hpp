@@ -81,6 +81,9 @@ class SessionPort {
   virtual void resetStops() = 0;
   /// Safety margin of one object (index of the outline), metres.
   virtual void setMargin(int object, double metres) = 0;
+  /// Margin (m) of all pairs of a class, which replaces the sums of the objects' margins; nullopt: the sums
+  /// again.
+  virtual void setClassMargin(view::PairClass pair_class, std::optional<double> metres) = 0;
   /// Torques of the robots' reactions reach their motors; off: robots only follow their motion and stop. At
   /// first: on.
   virtual void setTorques(bool on) = 0;

@@ -2,6 +2,7 @@
 #include "ui/panels/margin_panel.hpp"
 
 #include <QFrame>
+#include <QLabel>
 #include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -9,9 +10,26 @@
 #include <utility>
 
 #include "ui/model/groups.hpp"
+#include "ui/model/pair_class.hpp"
+#include "ui/panels/class_margin_row.hpp"
 #include "ui/panels/margin_row.hpp"
 
 namespace abstand::ui {
+
+namespace {
+
+/// Below what `content` has so far.
+QWidget* lineBelow(QWidget* content) {
+  auto* line = new QFrame(content);
+  line->setFrameShape(QFrame::HLine);
+  line->setFrameShadow(QFrame::Plain);
+  line->setForegroundRole(QPalette::Mid);
+  line->setContentsMargins(0, 4, 0, 4);
+  content->layout()->addWidget(line);
+  return line;
+}
+
+}  // namespace
 
 MarginPanel::MarginPanel(QWidget* parent) : QScrollArea(parent), gather_{new QTimer(this)} {
   setWidgetResizable(true);
@@ -36,6 +54,7 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(2);
+  addClasses(outline, content);
   for (const Group& group : groupsOf(outline)) {
     const QString name = QString::fromStdString(group.name);
     auto* master = new MarginRow(groupTitle(group), true, content);
@@ -49,19 +68,79 @@ void MarginPanel::open(const view::SceneOutline& outline, const std::vector<doub
     }
     connectRow(master, group.objects);
     group_rows_[name] = master;
-    auto* line = new QFrame(content);
-    masters_.push_back({master, group.objects, line, groupTitle(group)});
-    line->setFrameShape(QFrame::HLine);
-    line->setFrameShadow(QFrame::Plain);
-    line->setForegroundRole(QPalette::Mid);
-    line->setContentsMargins(0, 4, 0, 4);
-    layout->addWidget(line);
+    masters_.push_back({master, group.objects, lineBelow(content), groupTitle(group)});
   }
   layout->addStretch();
   setWidget(content);
   setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
   show(margins);
   setFilter(filter_);
+}
+
+/// A row for each class that the scene has pairs of.
+void MarginPanel::addClasses(const view::SceneOutline& outline, QWidget* content) {
+  classes_ = {};
+  for (const auto& pair : outline.pairs)
+    if (const PairClass of = pairClassOf(outline, pair); of != PairClass::kOther)
+      classes_.pairs[of].push_back(pair);
+  if (classes_.pairs.empty()) return;
+  auto* title = new QLabel(tr("Classes of pairs"), content);
+  title->setObjectName(QStringLiteral("pair_classes"));
+  title->setToolTip(
+      tr("A ticked class has one margin for all of its pairs, instead of the sums of two bodies' margins"));
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  content->layout()->addWidget(title);
+  classes_.title = title;
+  for (const auto& entry : classes_.pairs) {
+    auto* row = new ClassMarginRow(pairClassName(entry.first), content);
+    classes_.rows[entry.first] = row;
+    content->layout()->addWidget(row);
+    connectClass(entry.first, row);
+  }
+  int widest = 0;
+  for (const auto& entry : classes_.rows) widest = std::max(widest, entry.second->nameWidth());
+  for (const auto& entry : classes_.rows) entry.second->setNameWidth(widest);
+  classes_.line = lineBelow(content);
+}
+
+void MarginPanel::connectClass(PairClass pair_class, ClassMarginRow* row) {
+  connect(row, &ClassMarginRow::tickWanted, this,
+          [this, pair_class](bool on) { Q_EMIT classTicked(pair_class, on); });
+  connect(row, &ClassMarginRow::lockWanted, this,
+          [this, pair_class](bool locked) { Q_EMIT classLockWanted(pair_class, locked); });
+  connect(row, &ClassMarginRow::edited, this, [this, pair_class, row](double metres) {
+    Q_EMIT classMarginChanged(pair_class, metres);
+    if (!row->isDragged()) Q_EMIT editFinished();
+  });
+  connect(row, &ClassMarginRow::released, this, &MarginPanel::editFinished);
+}
+
+void MarginPanel::showClass(PairClass pair_class, const std::optional<double>& metres, bool locked) {
+  ClassMarginRow* row = classRow(pair_class);
+  if (!row) return;
+  row->show(metres, locked);
+  if (!metres) row->showSum(largestSum(pair_class));
+}
+
+ClassMarginRow* MarginPanel::classRow(PairClass pair_class) const {
+  const auto found = classes_.rows.find(pair_class);
+  return found == classes_.rows.end() ? nullptr : found->second;
+}
+
+double MarginPanel::largestSum(PairClass pair_class) const {
+  double largest = 0.0;
+  const auto found = classes_.pairs.find(pair_class);
+  if (found == classes_.pairs.end()) return largest;
+  for (const auto& [a, b] : found->second) largest = std::max(largest, row(a)->metres() + row(b)->metres());
+  return largest;
+}
+
+/// Of classes without a margin of their own.
+void MarginPanel::showSums() {
+  for (const auto& [pair_class, row] : classes_.rows)
+    if (!row->isTicked()) row->showSum(largestSum(pair_class));
 }
 
 void MarginPanel::connectRow(MarginRow* row, const std::vector<int>& objects) {
@@ -97,6 +176,7 @@ void MarginPanel::show(const std::vector<double>& margins) {
       largest = std::max(largest, rows_[static_cast<std::size_t>(object)]->metres());
     set(master.row, largest);
   }
+  showSums();
 }
 
 void MarginPanel::showLocked(const std::vector<bool>& locked) {
@@ -126,6 +206,16 @@ void MarginPanel::setFilter(const QString& text) {
     }
     master.row->setVisible(any);
     master.line->setVisible(any);
+  }
+  bool any_class = false;
+  for (const auto& [pair_class, row] : classes_.rows) {
+    const bool shown = pairClassName(pair_class).contains(filter_, Qt::CaseInsensitive);
+    row->setVisible(shown);
+    any_class |= shown;
+  }
+  if (classes_.title) {
+    classes_.title->setVisible(any_class);
+    classes_.line->setVisible(any_class);
   }
   showMasterLocks();
 }
@@ -170,6 +260,9 @@ void MarginPanel::release() {
 
 bool MarginPanel::isDragged() const {
   if (held_) return true;
+  if (std::any_of(classes_.rows.begin(), classes_.rows.end(),
+                  [](const auto& entry) { return entry.second->isDragged(); }))
+    return true;
   const auto dragged = [](const MarginRow* row) { return row->isDragged(); };
   return std::any_of(rows_.begin(), rows_.end(), dragged) ||
          std::any_of(masters_.begin(), masters_.end(),

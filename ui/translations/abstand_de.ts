@@ -3286,6 +3286,17 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     </message>
 </context>
 <context>
+    <name>abstand::ui::ClassMarginRow</name>
+    <message>
+        <source>One margin for all pairs %1</source>
+        <translation>Ein Sicherheitsabstand für alle Paare %1</translation>
+    </message>
+    <message>
+        <source>One margin for all pairs %1, instead of the sums of two bodies&apos; margins</source>
+        <translation>Ein Sicherheitsabstand für alle Paare %1 statt der Summen zweier Körper</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::CommandPalette</name>
     <message>
         <source>Find a command</source>
@@ -4480,6 +4491,14 @@ Hier nicht: Was gezeigt wird, kommt von einem Server, und der entscheidet.</tran
         <source>proposed margins</source>
         <translation>vorgeschlagene Sicherheitsabstände</translation>
     </message>
+    <message>
+        <source>margin of the pairs %1</source>
+        <translation>Sicherheitsabstand der Paare %1</translation>
+    </message>
+    <message>
+        <source>The margin of all pairs of people and robots is locked. Proposed margins are for single parts and would have no effect.</source>
+        <translation>Der Sicherheitsabstand aller Paare von Personen und Robotern ist gesperrt. Vorgeschlagene Abstände gelten für einzelne Teile und hätten keine Wirkung.</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::MarginCurve</name>
@@ -4521,6 +4540,14 @@ Hier nicht: Was gezeigt wird, kommt von einem Server, und der entscheidet.</tran
     <message>
         <source>Safety margins</source>
         <translation>Sicherheitsabstände</translation>
+    </message>
+    <message>
+        <source>Classes of pairs</source>
+        <translation>Klassen von Paaren</translation>
+    </message>
+    <message>
+        <source>A ticked class has one margin for all of its pairs, instead of the sums of two bodies&apos; margins</source>
+        <translation>Eine angekreuzte Klasse hat einen Sicherheitsabstand für alle ihre Paare statt der Summen zweier Körper</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,7 @@ inline Project sampleProject() {
                     {"stop.resume_after", {kInfinity}}};
   work.reactions = {{"arm", change}};
   work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
+  work.classes = {{"robot_robot", {0.01, true}}, {"person_robot", {1.0 / 3.0, false}}};
   work.locked = {"operator/hand_left", "table"};
   work.compared = QMap<QString, double>{{"operator/head", 0.07}};
   work.groups = {{"people", view::PairGroupState::kPaused}, {"things", view::PairGroupState::kStopped}};
