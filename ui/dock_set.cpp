@@ -1,6 +1,7 @@
 #include "ui/dock_set.hpp"
 
 #include <QAction>
+#include <QDataStream>
 #include <QDockWidget>
 #include <QLayout>
 #include <QMainWindow>
@@ -41,6 +42,21 @@ constexpr int kLeftWidth = 284, kRightWidth = 370, kTimelineHeight = 236, kTable
 
 /// Not where it is hidden or covered by another tab.
 bool isInFront(const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); }
+
+/// QMainWindow::saveState() writes of each dock its name, flags, position and size, and then the least and
+/// the largest size of its content, which restoreState() ignores. They depend on what panels show: without
+/// them the same layout gives the same bytes.
+void forgetLimits(QByteArray& state, const QString& dock) {
+  constexpr char kDockMarker = '\xfb', kFloats = 2;
+  constexpr int kBefore = 1 + 2 * sizeof(qint32), kLimits = 2 * sizeof(qint32);  // flags, position, size
+  QByteArray name;
+  QDataStream writer(&name, QIODevice::WriteOnly);
+  writer << dock;
+  const int at = state.indexOf(kDockMarker + name);
+  const int flags = at + 1 + name.size();
+  if (at < 0 || flags + kBefore + kLimits > state.size() || (state[flags] & kFloats)) return;
+  state.replace(flags + kBefore, kLimits, QByteArray(kLimits, '\0'));
+}
 
 }  // namespace
 
@@ -189,6 +205,17 @@ void DockSet::keepOnly(Task task) const {
       notes->raise();
       return events->raise();
   }
+}
+
+QByteArray DockSet::layout() const {
+  QByteArray state = window_->saveState(kLayoutVersion);
+  for (const QDockWidget* dock : all()) forgetLimits(state, dock->objectName());
+  return state;
+}
+
+void DockSet::restore(const QByteArray& layout) const {
+  const QSize size = window_->size();
+  if (window_->restoreState(layout, kLayoutVersion)) keepSize(size);
 }
 
 void DockSet::raise(QDockWidget* dock) {

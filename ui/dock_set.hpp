@@ -1,6 +1,7 @@
 // The docks of the window and their layout.
 #pragma once
 
+#include <QByteArray>
 #include <QCoreApplication>
 #include <QSize>
 #include <array>
@@ -34,6 +35,10 @@ class DockSet {
   enum class Task { kReplay, kTuning, kReview };
   /// The first places, with only those docks that the task needs.
   void arrangeFor(Task task) const;
+  /// For project files.
+  QByteArray layout() const;
+  /// A layout of another version, or a damaged one, changes nothing. The window keeps its size.
+  void restore(const QByteArray& layout) const;
   /// Shows a dock in front of those that share its place.
   static void raise(QDockWidget* dock);
 

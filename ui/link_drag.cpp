@@ -3,6 +3,7 @@
 
 #include "ui/document/document.hpp"
 #include "ui/document/session_follower.hpp"
+#include "ui/model/groups.hpp"
 #include "ui/model/inspected_subject.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/session_port.hpp"
@@ -46,7 +47,8 @@ std::optional<LinkDrag::Held> LinkDrag::hold(int object, const Vector3d& p_W) {
   const auto i = static_cast<std::size_t>(object);
   const int robot = robotOf(outline, outline.objects[i].group);
   if (robot < 0) {
-    Q_EMIT said(tr("Only links of robots can be moved"));
+    Q_EMIT said(isThing(outline.objects[i]) ? tr("A thing is moved by its handles, once it is selected")
+                                            : tr("Only links of robots can be moved"));
     return {};
   }
   Held held{object, robot, my_.moment.objects[i].X_WB.inverse() * p_W, {}};

@@ -68,6 +68,7 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/kept_keys.hpp"
 #include "ui/theme_commands.hpp"
+#include "ui/thing_drag.hpp"
 #include "ui/time_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -186,6 +187,7 @@ void MainWindow::buildCommands() {
   connect(commands_.imports, &ImportCommands::failed, this, &MainWindow::showProblem);
   commands_.drag =
       new LinkDrag({*document_, follower_, *selection_, *viewport_, feed_->moment()}, *actions_, this);
+  commands_.things = new ThingDrag({*document_, *selection_, *viewport_, feed_->moment()}, this);
   commands_.live = new LiveCommands(*actions_, panels_, this);
   connect(commands_.live, &LiveCommands::said, this, &MainWindow::say);
   connect(commands_.drag, &LinkDrag::said, this, &MainWindow::say);
@@ -219,6 +221,7 @@ void MainWindow::setSession(SessionPort* session) {
   openPanels(outline);
   commands_.drag->open(session_ && !session_->live() ? session_ : nullptr);
   commands_.poke->open(session_ && !session_->live() ? session_ : nullptr);
+  commands_.things->open(session_ && !session_->live() ? session_ : nullptr);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(feed_->moment());
   enableActions(outline);
@@ -258,10 +261,12 @@ void MainWindow::openPanels(const view::SceneOutline& outline) {
   commands_.margins->open(session_ ? &outline : nullptr);
   commands_.exchange->open(session_ ? &outline : nullptr);
   commands_.scene->open(outline, session_ && session_->live());
-  (outline.reacting.empty() ? docks_->margins : docks_->robots)->raise();
+  // What is read again finds the panels as the user has them.
+  if (fresh_document_) (outline.reacting.empty() ? docks_->margins : docks_->robots)->raise();
   static const std::vector<scene::SceneNote> kNoNotes;
   panels_.notes->open(session_ ? session_->notes() : kNoNotes);
   docks_->notes->setWindowTitle(panels_.notes->title());
+  panels_.recordings->showChoice(document_->work().recordings, document_->work().recording);
   panels_.inspector->setWork(document_->work());
   panels_.separation->setSettings(document_->work().separation);
   panels_.reactions->setReactions(document_->work().reactions);

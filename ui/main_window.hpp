@@ -39,6 +39,7 @@ class SceneTreeModel;
 class Selection;
 class SpeedCommands;
 class StartPage;
+class ThingDrag;
 class TimeAxis;
 class VideoRecorder;
 class Viewport;
@@ -171,6 +172,7 @@ class MainWindow : public QMainWindow {
     LinkDrag* drag;
     LiveCommands* live;
     LinkPoke* poke;
+    ThingDrag* things;
     SpeedCommands* speeds;
   } commands_{};
   struct {

@@ -37,6 +37,7 @@
 #include "ui/panels/pair_matrix.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/person_editor.hpp"
+#include "ui/panels/recording_panel.hpp"
 #include "ui/panels/robot_panel.hpp"
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/start_page.hpp"
@@ -213,6 +214,7 @@ void MainWindow::connectSession() {
 }
 
 void MainWindow::connectPicks() {
+  connect(panels_.recordings, &RecordingPanel::wanted, this, &MainWindow::openRecordingRequested);
   connect(panels_.timeline->laneView(), &LaneView::pairPicked, this, &MainWindow::chooseLane);
   connect(panels_.events, &EventPanel::picked, this, [this](double t, int part, int link) {
     playback_->seek(t);
@@ -290,7 +292,8 @@ void MainWindow::connectProjects() {
   connect(document_, &Document::opened, this, &MainWindow::showDocument);
   connect(document_, &Document::titleChanged, this, &MainWindow::showTitle);
   connect(viewport_, &Viewport::cameraMoved, this, [this] {
-    if (session_) document_->setViewpoint({viewport_->cameraView(), playback_->time()});
+    if (session_)
+      document_->setViewpoint({viewport_->cameraView(), playback_->time(), document_->viewpoint().layout});
   });
 
   connect(panels_.status->cancelButton(), &QAbstractButton::clicked, this, &MainWindow::cancelRequested);
@@ -305,7 +308,8 @@ void MainWindow::connectProjects() {
   connect((*actions_)[ActionId::kSave], &QAction::triggered, commands_.projects, &ProjectCommands::save);
   connect((*actions_)[ActionId::kSaveAs], &QAction::triggered, commands_.projects, &ProjectCommands::saveAs);
   connect(commands_.projects, &ProjectCommands::aboutToSave, this, [this] {
-    if (session_) document_->setViewpoint({document_->viewpoint().camera, playback_->time()});
+    if (session_)
+      document_->setViewpoint({document_->viewpoint().camera, playback_->time(), docks_->layout()});
   });
   connect(commands_.projects, &ProjectCommands::openWanted, this, &MainWindow::openProjectRequested);
   connect(commands_.projects, &ProjectCommands::failed, this, &MainWindow::showProblem);

@@ -2,6 +2,7 @@
 #include <QFileInfo>
 #include <QSlider>
 
+#include "ui/dock_set.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/left_overs.hpp"
@@ -16,6 +17,7 @@
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/reaction_panel.hpp"
+#include "ui/panels/recording_panel.hpp"
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
@@ -68,8 +70,12 @@ void MainWindow::followWork(const Work& before, const Work& after) {
   if (before.bookmarks != after.bookmarks) showBookmarks();
   if (before.hidden != after.hidden) showHidden(before.hidden, after.hidden);
   if (before.view != after.view) showView();
-  if (before.posed != after.posed || before.people != after.people) panels_.inspector->setWork(after);
+  if (before.posed != after.posed || before.people != after.people || before.placed != after.placed ||
+      before.things != after.things)
+    panels_.inspector->setWork(after);
   if (before.reactions != after.reactions) panels_.reactions->setReactions(after.reactions);
+  if (before.recordings != after.recordings || before.recording != after.recording)
+    panels_.recordings->showChoice(after.recordings, after.recording);
   if (before.posed.keys() != after.posed.keys()) showTitle();
 }
 
@@ -124,6 +130,7 @@ void MainWindow::showDocument() {
   fresh_document_ = true;
   showView();
   showBookmarks();
+  panels_.recordings->showChoice(document_->work().recordings, document_->work().recording);
   if (!kept_.recovered) return;
   kept_.autosave->write();
   if (QFileInfo::exists(kept_.autosave->file())) kept_.recovered->remove();
@@ -135,8 +142,10 @@ void MainWindow::attachDocument() {
   showHidden({}, work.hidden);
   if (document_->viewpoint().camera) viewport_->setCameraView(*document_->viewpoint().camera);
   kept_selection_.restore(*selection_, session_->outline());
+  const bool fresh = std::exchange(fresh_document_, false);
+  if (fresh && !document_->viewpoint().layout.isEmpty()) docks_->restore(document_->viewpoint().layout);
   const QStringList unknown = follower_.unknownNames(work);
-  if (!std::exchange(fresh_document_, false) || unknown.isEmpty()) return;
+  if (!fresh || unknown.isEmpty()) return;
   QString names = unknown.mid(0, kNamesInMessage).join(QLatin1Char('\n'));
   if (unknown.size() > kNamesInMessage) names += QStringLiteral("\n…");
   showProblem(tr("Project"),

@@ -11,6 +11,7 @@
 #include "ui/panels/inspector_panel.hpp"
 #include "ui/panels/joint_editor.hpp"
 #include "ui/panels/pair_matrix.hpp"
+#include "ui/panels/placement_editor.hpp"
 #include "ui/panels/reaction_panel.hpp"
 
 namespace abstand::ui {
@@ -22,6 +23,7 @@ SceneEdits::SceneEdits(const Sources& sources, const PanelSet& panels, QObject* 
   connectGroups(panels);
   connectJoints(panels);
   connectReactions(panels);
+  connectPlaces(panels);
 }
 
 QString SceneEdits::nameOf(int object) const {
@@ -120,6 +122,23 @@ void SceneEdits::connectReactions(const PanelSet& panels) {
                 merge_key);
           });
   connect(laws, &ReactionPanel::released, &my_.document, &Document::endStep);
+}
+
+void SceneEdits::connectPlaces(const PanelSet& panels) {
+  const PlacementEditor* editor = panels.inspector->placement();
+  const auto places = [editor](Work& work) -> QMap<QString, Placement>& {
+    return editor->kind() == PlacementEditor::Kind::kThing ? work.things : work.placed;
+  };
+  connect(editor, &PlacementEditor::edited, this, [=, this](const Placement& placement, int axis) {
+    if (fixed_) return Q_EMIT said(tr("The server decides where everything stands"));
+    my_.document.edit(
+        tr("place %1").arg(editor->name()), [&](Work& work) { places(work)[editor->name()] = placement; },
+        QStringLiteral("place/%1/%2").arg(editor->name()).arg(axis));
+  });
+  connect(editor, &PlacementEditor::resetWanted, this, [=, this] {
+    my_.document.edit(tr("place %1 as in the scene").arg(editor->name()),
+                      [&](Work& work) { places(work).remove(editor->name()); });
+  });
 }
 
 /// The other joints stay where they are shown.

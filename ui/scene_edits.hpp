@@ -46,6 +46,7 @@ class SceneEdits : public QObject {
   void connectGroups(const PanelSet& panels);
   void connectJoints(const PanelSet& panels);
   void connectReactions(const PanelSet& panels);
+  void connectPlaces(const PanelSet& panels);
   void showObjects(const std::vector<int>& objects, bool visible);
   void movePair(int pair, const QString& group);
   void checkPair(int a, int b, bool checked);

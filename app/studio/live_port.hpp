@@ -92,6 +92,9 @@ class LivePort final : public ui::SessionPort {
   void removePair(int pair) override { send(loop::command::RemovePair{pair}); }
   void poseJoint(int joint, double value) override { send(loop::command::PoseJoint{joint, value}); }
   void followMotion(int robot) override { send(loop::command::FollowMotion{robot}); }
+  void placeThing(int object, const std::optional<Transform>& X_WB) override {
+    send(loop::command::PlaceThing{object, X_WB});
+  }
   void setReaction(int robot, const control::ReactionDescription& reaction) override {
     send(live_->laws(robot, reaction));
   }

@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QMetaObject>
 #include <algorithm>
+#include <filesystem>
 
 #include "app/depth/open_session.hpp"
 #include "app/run/scene_notes.hpp"
@@ -30,6 +31,13 @@ session::SessionOptions optionsOf(const ui::Work& work) {
   return options;
 }
 
+scene::SceneNote defaultNote() {
+  return {"placement",
+          "the files of person and robot do not say how they stand to each other; the person stands in front "
+          "of the robot by default",
+          scene::Severity::kStrict};
+}
+
 /// Runs on the load's thread. Sets `bodies`.
 std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_file::PackagePaths& packages,
                                               const std::atomic<bool>& cancelled,
@@ -47,6 +55,42 @@ std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_
   options.keep_fits = true;
   options.monitor.cancelled = [&cancelled] { return cancelled.load(); };
   return depth::openSession(std::move(scene), options);
+}
+
+/// Where neither a scene file nor the user says where the person stands. True: it stands by default.
+bool place(session::Session& session, Loaded& loaded, bool places) {
+  if (hasSceneFile(loaded.work)) return false;
+  const std::optional<DefaultPlacement> found = defaultPlacement(session);
+  if (!found) return false;
+  const QString name = QString::fromStdString(found->person);
+  if (const auto present = loaded.work.placed.find(name); present != loaded.work.placed.end())
+    return isSame(*present, found->placement);
+  if (!places) return false;
+  const auto& humans = session.description().humans;
+  const auto human = std::find_if(humans.begin(), humans.end(),
+                                  [&](const auto& each) { return each.name == found->person; });
+  session.placePerson(static_cast<std::size_t>(human - humans.begin()), found->placement.xyz,
+                      found->placement.rpy.z());
+  loaded.work.placed[name] = found->placement;
+  loaded.placed = found;
+  return true;
+}
+
+QStringList filesOf(const scene_file::SceneDescription& scene) {
+  QStringList files;
+  const auto add = [&](const std::filesystem::path& file) {
+    const QString path = QFile::decodeName(file.c_str());
+    if (!path.isEmpty() && !files.contains(path)) files << path;
+  };
+  add(scene.file);
+  add(scene.pairs.file);
+  for (const auto& robot : scene.mechanisms) {
+    for (const auto& file : {robot.file, robot.motion, robot.srdf}) add(file);
+    for (const auto& link : robot.links) add(link.mesh);
+  }
+  for (const auto& human : scene.humans) add(human.recording.file);
+  for (const auto& thing : scene.objects) add(thing.mesh);
+  return files;
 }
 
 }  // namespace
@@ -69,14 +113,14 @@ void Loader::removeEnded() {
   std::erase_if(jobs_, [](const auto& job) { return job->ended.load(); });
 }
 
-void Loader::start(const ui::Work& work, double t, bool lenient) {
+void Loader::start(const ui::Work& work, double t, Options options) {
   abandon();
   removeEnded();
   auto job = std::make_shared<Job>();
   current_ = job;
   jobs_.push_back(job);
   // The thread outlives neither the job nor the loader; what it has posted may outlive the job.
-  job->thread = std::jthread([this, job = job.get(), weak = std::weak_ptr<Job>(job), work, t, lenient] {
+  job->thread = std::jthread([this, job = job.get(), weak = std::weak_ptr<Job>(job), work, t, options] {
     const auto post = [this, weak](auto&& call) {
       const auto if_current = [this, weak, call] {
         if (current_ && weak.lock() == current_) call();
@@ -97,12 +141,15 @@ void Loader::start(const ui::Work& work, double t, bool lenient) {
       try {
         session = make();
       } catch (const std::exception&) {
-        if (!lenient || job->cancelled) throw;
+        if (!options.lenient || job->cancelled) throw;
         loaded->left_out = leaveOutUnreadable(loaded->work, packages_);
         if (loaded->left_out.isEmpty() || loaded->work.showsNothing()) throw;
         session = make();
       }
+      const bool by_default = place(*session, *loaded, options.places);
+      loaded->files = filesOf(session->description());
       loaded->notes = run::notesOf(*session);
+      if (by_default) loaded->notes.insert(loaded->notes.begin(), defaultNote());
       loaded->analysis = analysis::requestFor(*session, optionsOf(loaded->work));
       loaded->depth = depthPeople(*session);
       loaded->reach = RobotReach(*session);

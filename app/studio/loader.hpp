@@ -11,6 +11,7 @@
 #include "app/analysis/analysis_runner.hpp"
 #include "app/loop/live_session.hpp"
 #include "app/studio/body_previews.hpp"
+#include "app/studio/default_placement.hpp"
 #include "app/studio/live_port.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "core/scene/scene_note.hpp"
@@ -30,8 +31,10 @@ struct Loaded {
   SceneBodies bodies;                                 ///< without the options of the work
   std::vector<DepthPerson> depth;                     ///< whose recording is one of depth images
   RobotReach reach;
-  QString problem;       ///< why it failed
-  ui::Work work;         ///< what was loaded
+  std::optional<DefaultPlacement> placed;  ///< of a person that no file places; part of `work`
+  QStringList files;                       ///< absolute paths of what the scene was read from
+  QString problem;                         ///< why it failed
+  ui::Work work;                           ///< what was loaded
   QStringList left_out;  ///< a sentence for each file that could not be read and is not in `work`
 };
 
@@ -45,9 +48,12 @@ class Loader : public QObject {
   /// Waits for all loads, which are told to end.
   ~Loader() override;
 
-  /// Scene, recording, added files and reading of `work`; the session starts at `t`. `lenient`: a file that
-  /// cannot be read is left out, and the others are loaded.
-  void start(const ui::Work& work, double t, bool lenient = false);
+  struct Options {
+    bool lenient{false};  ///< a file that cannot be read is left out, and the others are loaded
+    bool places{false};   ///< where robot and recording come from different files, defaultPlacement() holds
+  };
+  /// Scene, recording, added files and reading of `work`; the session starts at `t`.
+  void start(const ui::Work& work, double t, Options options);
   void abandon();
   bool isLoading() const { return current_ != nullptr; }
 

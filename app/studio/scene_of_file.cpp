@@ -73,11 +73,6 @@ void addRobot(const QString& file, const robot_file::PackagePaths& packages, Sce
   scene.remarks.insert(scene.remarks.end(), robot.remarks.begin(), robot.remarks.end());
 }
 
-/// The scene of `work` is a scene file, not a robot.
-bool hasSceneFile(const ui::Work& work) {
-  return !work.scene.isEmpty() && ui::kindOf(work.scene) != ui::FileKind::kRobot;
-}
-
 /// Without a scene file, messages and the title go by the first file that there is.
 SceneDescription baseOf(const ui::Work& work, const robot_file::PackagePaths& packages) {
   if (hasSceneFile(work)) return scene_file::loadScene(pathOf(work.scene), packages);
@@ -87,6 +82,10 @@ SceneDescription baseOf(const ui::Work& work, const robot_file::PackagePaths& pa
 }
 
 }  // namespace
+
+bool hasSceneFile(const ui::Work& work) {
+  return !work.scene.isEmpty() && ui::kindOf(work.scene) != ui::FileKind::kRobot;
+}
 
 std::string quoted(const QString& text) {
   QString safe = text;

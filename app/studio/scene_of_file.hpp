@@ -15,6 +15,9 @@ inline constexpr double kLargestThing = 50.0;
 /// under a name of its own; meshes are read for their size. Throws ParseError and UsageError.
 scene_file::SceneDescription sceneOf(const ui::Work& work, const robot_file::PackagePaths& packages);
 
+/// The scene of `work` is a scene file, not a robot.
+bool hasSceneFile(const ui::Work& work);
+
 /// In the quotes of YAML.
 std::string quoted(const QString& text);
 

@@ -36,6 +36,9 @@ QSet<QString> bodiesOf(const scene_file::SceneDescription& scene) {
 }  // namespace
 
 void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
+  for (scene_file::MechanismDescription& robot : scene.mechanisms)
+    if (const auto place = work.placed.find(QString::fromStdString(robot.name)); place != work.placed.end())
+      robot.X_WB = place->X_W();
   for (scene_file::HumanDescription& human : scene.humans) {
     if (!work.reading.units.isEmpty()) human.recording.options.units = work.reading.units.toStdString();
     if (!work.reading.up.isEmpty()) human.recording.options.up = work.reading.up.toStdString();
@@ -43,12 +46,22 @@ void applyWork(const ui::Work& work, scene_file::SceneDescription& scene) {
     if (!work.reading.joint_map.isEmpty())
       human.recording.options.joint_map = QFile::encodeName(work.reading.joint_map).toStdString();
     applyPerson(work.people.value(QString::fromStdString(human.name)), human.body);
+    if (const auto place = work.placed.find(QString::fromStdString(human.name)); place != work.placed.end()) {
+      human.recording.place_xyz = place->xyz;
+      human.recording.place_yaw = place->rpy.z();
+    }
   }
   if (work.added.isEmpty()) return;
   const QSet<QString> bodies = bodiesOf(scene);
   for (const auto& [a, b] : work.added)
     if (a != b && bodies.contains(a) && bodies.contains(b))
       scene.pairs.include.emplace_back(a.toStdString(), b.toStdString());
+}
+
+void placeThings(const ui::Work& work, scene_file::SceneDescription& scene) {
+  for (scene_file::ObjectDescription& thing : scene.objects)
+    if (const auto place = work.things.find(QString::fromStdString(thing.name)); place != work.things.end())
+      thing.X_WB = place->X_W();
 }
 
 void leaveOutUnchecked(const ui::Work& work, scene_file::SceneDescription& scene) {
@@ -68,7 +81,8 @@ bool hasUnchecked(const ui::Work& work) {
 
 bool changesScene(const ui::Work& work) {
   return !work.reading.units.isEmpty() || !work.reading.up.isEmpty() || !work.reading.mirror.isEmpty() ||
-         !work.reading.joint_map.isEmpty() || !work.people.isEmpty() || !work.added.isEmpty();
+         !work.reading.joint_map.isEmpty() || !work.people.isEmpty() || !work.added.isEmpty() ||
+         !work.placed.isEmpty() || !work.things.isEmpty();
 }
 
 }  // namespace abstand::studio

@@ -11,6 +11,7 @@
 #include "app/studio/avi_file.hpp"
 #include "app/studio/import_reader.hpp"
 #include "app/studio/pair_file.hpp"
+#include "app/studio/studio_request.hpp"
 #include "app/studio/viewer_port.hpp"
 #include "core/base/output_file.hpp"
 #include "core/contact/contact_limits_reader.hpp"
@@ -36,13 +37,6 @@ namespace abstand::studio {
 
 namespace {
 
-bool isLoadedAlike(const ui::Work& a, const ui::Work& b) {
-  return a.scene == b.scene && a.recording == b.recording && a.reading == b.reading && a.people == b.people &&
-         a.added == b.added && a.added_files == b.added_files;
-}
-
-constexpr int kNoticeMs = 8000, kSettleMs = 500;
-
 /// Those of the project's table; null where it is not installed.
 std::shared_ptr<const contact::ContactLimits> contactLimits() {
   const std::filesystem::path file = contact::defaultContactLimits();
@@ -51,28 +45,7 @@ std::shared_ptr<const contact::ContactLimits> contactLimits() {
   return std::make_shared<contact::ContactLimits>(contact::loadContactLimits(file, humanmodel::partNames()));
 }
 
-QString absolute(const QString& path) { return path.isEmpty() ? path : QFileInfo(path).absoluteFilePath(); }
-
 }  // namespace
-
-/// What becomes of the document when the load has succeeded.
-struct Studio::Request {
-  enum class Kind {
-    kNew,        ///< `project` takes its place
-    kRecording,  ///< an edit: the recording of `project`
-    kPerson,     ///< an edit: `person` as in `project`
-    kFiles,      ///< an edit: scene, added files and recording of `project`
-    kFollow      ///< nothing: it is as it should be
-  };
-  Kind kind{Kind::kFollow};
-  ui::Project project;
-  QString file;
-  bool modified{false};
-  QString person{};
-  std::shared_ptr<LiveSource> live{};  ///< moments of a server in this scene
-  ui::Work before{};                   ///< of the document when the request was made
-  bool lenient{false};                 ///< files that cannot be read are left out
-};
 
 Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
     : window_(window), packages_(packages), loader_(packages) {
@@ -97,11 +70,9 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
       });
   connectExchange();
   connectLive();
-  connect(&files_, &QFileSystemWatcher::fileChanged, this, [this](const QString& file) {
-    window_.statusBar()->showMessage(
-        tr("%1 has changed. Reload it with Ctrl+R").arg(QFileInfo(file).fileName()), kNoticeMs);
-    // An editor replaces a file: for a moment there is none.
-    QTimer::singleShot(kSettleMs, this, &Studio::watchFiles);
+  connect(&watch_, &FileWatch::changed, this, [this](const QStringList& changed) {
+    // What a server computes does not depend on the file any more.
+    if (!record_ && (!request_ || request_->kind == Request::Kind::kFollow)) readAgain(changed);
   });
   connect(&window, &ui::MainWindow::cancelRequested, this, &Studio::cancel);
   connect(&window, &ui::MainWindow::closeRequested, this, &Studio::close);
@@ -115,148 +86,11 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
 
 Studio::~Studio() { window_.setSession(nullptr); }
 
-void Studio::load(Request request) {
-  if (!loader_.isLoading()) QApplication::setOverrideCursor(Qt::BusyCursor);
-  request.before = window_.document().work();
-  request_ = std::make_unique<Request>(std::move(request));
-  window_.showOpening({});
-  loader_.start(request_->project.work, request_->project.viewpoint.t, request_->lenient);
-}
-
-void Studio::openScene(const QString& scene, const QString& recording, double t) {
-  const ui::Work& work = window_.document().work();
-  if (port_ && absolute(scene) == work.scene && recording.isEmpty()) return reload();
-  Request request;
-  request.kind = Request::Kind::kNew;
-  request.project.work.view = work.view;
-  request.project.work.scene = absolute(scene);
-  request.project.work.recording = absolute(recording);
-  request.project.viewpoint.t = t;
-  load(std::move(request));
-}
-
-void Studio::reload() {
-  if (!port_) return;
-  Request request;
-  request.project = window_.document().project();
-  request.project.viewpoint.t = window_.playback().time();
-  load(std::move(request));
-}
-
-void Studio::openRecording(const QString& recording) {
-  // Into the scene that is on its way, where one is.
-  if (request_ && request_->kind == Request::Kind::kNew) {
-    Request request = std::move(*request_);
-    request.project.work.recording = absolute(recording);
-    request.modified |= !request.file.isEmpty();
-    return load(std::move(request));
-  }
-  Request request;
-  request.kind = port_ ? Request::Kind::kRecording : Request::Kind::kNew;
-  request.project = window_.document().project();
-  request.project.work.recording = absolute(recording);
-  request.project.viewpoint.t = 0.0;
-  load(std::move(request));
-}
-
-void Studio::openBatch(const ui::FileBatch& batch) {
-  const auto loadWith = [&](Request request) {
-    request.lenient = true;
-    ui::Work& work = request.project.work;
-    if (!batch.scene.isEmpty()) work.scene = absolute(batch.scene);
-    if (!batch.recording.isEmpty()) work.recording = absolute(batch.recording);
-    for (const QString& file : batch.added) work.added_files << absolute(file);
-    load(std::move(request));
-  };
-  // Into the scene that is on its way, where one is.
-  if (request_ && request_->kind == Request::Kind::kNew && !batch.fresh) {
-    Request request = std::move(*request_);
-    request.modified |= !request.file.isEmpty();
-    return loadWith(std::move(request));
-  }
-  Request request;
-  if (batch.fresh || !port_) {
-    request.kind = Request::Kind::kNew;
-    request.project.work.view = window_.document().work().view;
-  } else {
-    request.kind = Request::Kind::kFiles;
-    request.project = window_.document().project();
-    request.project.viewpoint.t = batch.recording.isEmpty() ? window_.playback().time() : 0.0;
-  }
-  loadWith(std::move(request));
-}
-
-void Studio::changePerson(const QString& name, const ui::PersonOptions& options) {
-  if (!port_) return;
-  Request request;
-  request.kind = Request::Kind::kPerson;
-  request.person = name;
-  request.project = window_.document().project();
-  if (options == ui::PersonOptions())
-    request.project.work.people.remove(name);
-  else
-    request.project.work.people[name] = options;
-  request.project.viewpoint.t = window_.playback().time();
-  load(std::move(request));
-}
-
-void Studio::openProject(const ui::Project& project, const QString& file, bool modified) {
-  Request request;
-  request.kind = Request::Kind::kNew;
-  request.project = project;
-  request.file = file;
-  request.modified = modified;
-  if (!project.work.showsNothing()) return load(std::move(request));
-  close();
-  window_.document().open(project, file, modified);
-}
-
-void Studio::cancel() {
-  opening_.abandon();
-  window_.hideOpening();
-  if (!loader_.isLoading()) return;
-  QApplication::restoreOverrideCursor();
-  loader_.abandon();
-  window_.hideOpening();
-  giveUp(*std::exchange(request_, nullptr));
-}
-
-/// The document asks for what could not be loaded: nothing is shown rather than something else.
-void Studio::giveUp(const Request& request) {
-  if (request.kind != Request::Kind::kFollow || isLoadedAlike(shown_, window_.document().work())) return;
-  window_.setSession(nullptr);
-  port_.reset();
-  record_.reset();
-  shown_ = {};
-}
-
-void Studio::close() {
-  cancel();
-  window_.setSession(nullptr);
-  analysis_.close();
-  port_.reset();
-  record_.reset();
-  shown_ = {};
-  ui::Project empty;
-  empty.work.view = window_.document().work().view;
-  window_.document().open(empty, QString(), false);
-}
-
-void Studio::followWork(const ui::Work& before, const ui::Work& after) {
-  analysis_.follow(after);
-  window_.review().setLeftOut(analysis_.leftOut());
-  if (isLoadedAlike(before, after) || isLoadedAlike(after, request_ ? request_->project.work : shown_))
-    return;
-  Request request;
-  request.project = window_.document().project();
-  if (port_) request.project.viewpoint.t = window_.playback().time();
-  load(std::move(request));
-}
-
 /// As it is shown, with the pairs and the assumptions that need no other session.
 ui::Work Studio::tunedWork() const {
   ui::Work work = shown_;
   work.moved = window_.document().work().moved;
+  work.things = window_.document().work().things;
   work.what_if = window_.document().work().what_if;
   return work;
 }
@@ -304,19 +138,19 @@ void Studio::connectLive() {
 
 void Studio::connectTo(const QString& address, const QString& scene) {
   window_.showOpening({});
-  opening_.connectTo(address, absolute(scene));
+  opening_.connectTo(address, absolutePath(scene));
 }
 
 void Studio::openMoments(const QString& file, const QString& scene) {
   window_.showOpening({});
-  opening_.readFile(absolute(file), absolute(scene));
+  opening_.readFile(absolutePath(file), absolutePath(scene));
 }
 
 void Studio::openLive(std::shared_ptr<LiveSource> source, const QString& scene) {
   auto request = std::make_unique<Request>();
   request->kind = Request::Kind::kNew;
   request->project.work.view = window_.document().work().view;
-  request->project.work.scene = absolute(scene);
+  request->project.work.scene = absolutePath(scene);
   request->live = std::move(source);
   load(std::move(*request));
 }
@@ -372,113 +206,6 @@ void Studio::savePairs(const QString& robot, const QString& file) {
   } catch (const std::exception& e) {
     window_.showProblem(tr("Cannot save"), QString::fromUtf8(e.what()));
   }
-}
-
-/// A file that was replaced is watched no longer: all are added again.
-void Studio::watchFiles() {
-  if (!files_.files().isEmpty()) files_.removePaths(files_.files());
-  for (const QString& file : QStringList{shown_.scene, shown_.recording} + shown_.added_files)
-    if (QFileInfo::exists(file)) files_.addPath(file);
-}
-
-void Studio::editDocument(const Request& request) {
-  ui::Document& document = window_.document();
-  const ui::Work& wanted = request.project.work;
-  switch (request.kind) {
-    case Request::Kind::kNew:
-      return document.open(request.project, request.file, request.modified);
-    case Request::Kind::kRecording:
-      return document.edit(tr("open recording %1").arg(QFileInfo(wanted.recording).fileName()),
-                           [&](ui::Work& work) { work.recording = wanted.recording; });
-    case Request::Kind::kFiles: {
-      const ui::Work& shown = document.work();
-      const int count = (wanted.scene != shown.scene) + (wanted.recording != shown.recording) +
-                        (wanted.added_files.size() - shown.added_files.size());
-      return document.edit(tr("open %n files", nullptr, count), [&](ui::Work& work) {
-        work.scene = wanted.scene;
-        work.recording = wanted.recording;
-        work.added_files = wanted.added_files;
-      });
-    }
-    case Request::Kind::kPerson:
-      return document.edit(tr("change the person %1").arg(request.person),
-                           [&](ui::Work& work) { work.people = wanted.people; });
-    case Request::Kind::kFollow:
-      break;
-  }
-}
-
-std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& request) {
-  record_ = request.live ? request.live->record : nullptr;
-  if (!request.live) {
-    std::unique_ptr<FeedPort> feed = analysis_.open(std::move(loaded.analysis), request.project.work);
-    return std::make_unique<LivePort>(LivePort::Parts{
-        std::move(loaded.live), std::move(loaded.notes), std::move(feed), std::move(loaded.meshes),
-        std::move(loaded.structures), std::move(loaded.depth), std::move(loaded.reach)});
-  }
-  ViewerPort::Parts parts;
-  parts.record = record_;
-  parts.link = std::move(request.live->link);
-  parts.outline = loaded.live->outline();
-  loaded.live->takeSnapshot(parts.sized);
-  parts.notes = std::move(loaded.notes);
-  parts.meshes = std::move(loaded.meshes);
-  parts.structures = std::move(loaded.structures);
-  try {
-    const QByteArray scene = QFile::encodeName(request.project.work.scene);
-    parts.other_file = moment::sceneKey(scene.toStdString()) != record_->card()->scene;
-  } catch (const std::exception&) {
-    parts.other_file = true;
-  }
-  return std::make_unique<ViewerPort>(std::move(parts));
-}
-
-void Studio::take(Loaded& loaded) {
-  QApplication::restoreOverrideCursor();
-  const std::unique_ptr<Request> request = std::move(request_);
-  window_.hideOpening();
-  if (!loaded.live) {
-    giveUp(*request);
-    return fail(loaded.problem);
-  }
-  if (!loaded.left_out.isEmpty()) {
-    request->project.work.scene = loaded.work.scene;
-    request->project.work.recording = loaded.work.recording;
-    request->project.work.added_files = loaded.work.added_files;
-    window_.showProblem(tr("Not opened"), loaded.left_out.join(QLatin1Char('\n')));
-    Q_EMIT leftOut(loaded.left_out);
-  }
-  ui::Document& document = window_.document();
-  const bool is_new = request->kind == Request::Kind::kNew;
-  // Work that was done while it was loading.
-  if (is_new && !(document.work() == request->before) && !window_.projects().mayDiscard()) return;
-  const ui::Work& wanted = request->project.work;
-  // The clock has gone on while it was loading.
-  const bool goes_on =
-      port_ && !is_new && !record_ && wanted.scene == shown_.scene && wanted.recording == shown_.recording;
-  const bool was_playing = window_.playback().playing();
-  const double t = window_.playback().time();
-  if (goes_on) document.setViewpoint({window_.viewport().cameraView(), t});
-  if (const QString why =
-          request->live ? whyNotShown(*request->live->record->card(), loaded.live->outline()) : QString();
-      !why.isEmpty())
-    return fail(tr("%1 cannot be shown with this scene. %2").arg(request->live->name, why));
-  window_.setSession(nullptr);
-  analysis_.close();
-  port_ = portOf(loaded, *request);
-  bodies_ = std::move(loaded.bodies);
-  shown_ = wanted;
-  watchFiles();
-  editDocument(*request);
-  window_.setSession(port_.get());
-  analysis_.follow(document.work());
-  window_.review().setLeftOut(analysis_.leftOut());
-  window_.files().sessionShown();
-  if (goes_on) {
-    window_.playback().seek(t);
-    if (was_playing) window_.playback().setPlaying(true);
-  }
-  Q_EMIT ready();
 }
 
 }  // namespace abstand::studio

@@ -1,13 +1,13 @@
 // Opens projects, scenes and recordings in the window.
 #pragma once
 
-#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
 #include <memory>
 #include <optional>
 
 #include "app/analysis/analysis_runner.hpp"
+#include "app/studio/file_watch.hpp"
 #include "app/studio/live_opening.hpp"
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
@@ -36,7 +36,7 @@ class Studio : public QObject {
   /// present document is loaded anew, and the document stays; any other begins a new document.
   void openScene(const QString& scene, const QString& recording, double t);
   /// Replaces the recordings of the people in the present scene, as an edit of the document. Without a scene
-  /// the person of the recording is shown alone.
+  /// the person of the recording is shown alone, and beside a robot in front of it (defaultPlacement()).
   void openRecording(const QString& recording);
   /// Shows files together. A batch with a scene begins a new document if it is fresh; what else it has is an
   /// edit of the document. A file of it that cannot be read is left out, with leftOut().
@@ -51,7 +51,8 @@ class Studio : public QObject {
   /// Builds one person of the present scene anew, as an edit of the document. Camera, margins, selection and
   /// the clock stay. The options that change nothing are those of the scene.
   void changePerson(const QString& name, const ui::PersonOptions& options);
-  /// Reads scene and recording again; the document and the moment stay.
+  /// Reads scene and recording again; the document and the moment stay. So it does by itself when one of
+  /// their files was written anew; where that cannot be read, what is shown stays.
   void reload();
   /// Ends the load that is under way; what is shown stays.
   void cancel();
@@ -82,7 +83,10 @@ class Studio : public QObject {
   void disconnectLive();
   void fail(const QString& problem);
   std::unique_ptr<ui::SessionPort> portOf(Loaded& loaded, const Request& request);
-  void watchFiles();
+  static void takeRecording(const QString& recording, ui::Work& work);
+  void readAgain(const QStringList& changed);
+  void sayOpened(const Request& request, const Loaded& loaded);
+  void sayUnread(const Request& request, const QString& problem);
 
   ui::MainWindow& window_;
   robot_file::PackagePaths packages_;
@@ -98,7 +102,7 @@ class Studio : public QObject {
   LiveOpening opening_;
   std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server
   MomentSaving saving_;
-  QFileSystemWatcher files_;  // of what is shown
+  FileWatch watch_;  // of what is shown
 };
 
 }  // namespace abstand::studio

@@ -43,6 +43,7 @@ QString TuneCall::sceneFile() const {
   if (!changesScene(work_) && !isComposed(work_) && !hasUnchecked(work_)) return work_.scene;
   scene_file::SceneDescription scene = sceneOf(work_, packages_);
   applyWork(work_, scene);
+  placeThings(work_, scene);
   leaveOutUnchecked(work_, scene);
   const QString name = QFileInfo(QString::fromStdString(scene.file.string())).completeBaseName();
   return keep(name + QStringLiteral("_as_read.yaml"), scene_file::describeScene(scene));

@@ -63,14 +63,19 @@ QStringList leaveOutUnreadable(ui::Work& work, const robot_file::PackagePaths& p
       sentences << why;
   }
   work.added_files = added;
-  if (work.recording.isEmpty()) return sentences;
-  one = {};
-  one.recording = work.recording;
-  one.reading = work.reading;
-  const QString why = whyUnreadable(work.recording, [&] { readRecording(one, packages); });
-  if (why.isEmpty()) return sentences;
-  work.recording.clear();
-  return sentences << why;
+  // The next one to choose from takes its place.
+  while (!work.recording.isEmpty()) {
+    one = {};
+    one.recording = work.recording;
+    one.reading = work.reading;
+    const QString why = whyUnreadable(work.recording, [&] { readRecording(one, packages); });
+    if (why.isEmpty()) break;
+    sentences << why;
+    work.recordings.removeAll(work.recording);
+    work.recording = work.recordings.value(0);
+  }
+  if (work.recordings.size() < 2) work.recordings.clear();
+  return sentences;
 }
 
 }  // namespace abstand::studio

@@ -62,6 +62,7 @@ class ViewerPort final : public ui::SessionPort {
   void removePair(int) override {}
   void poseJoint(int, double) override {}
   void followMotion(int) override {}
+  void placeThing(int, const std::optional<Transform>&) override {}
   void setReaction(int, const control::ReactionDescription&) override {}
   void poke(int, const Vector3d&, const Vector3d&) override {}
   void endPoke() override {}

@@ -378,6 +378,12 @@ void FakeSession::setClassMargin(view::PairClass pair_class, std::optional<doubl
   fresh_ = true;
 }
 
+void FakeSession::placeThing(int object, const std::optional<Transform>& X_WB) {
+  log.push_back(line(("place " + std::to_string(object)).c_str(), X_WB ? X_WB->translation().x() : kNaN));
+  if (X_WB) snapshot_.objects[static_cast<std::size_t>(object)].X_WB = *X_WB;
+  fresh_ = true;
+}
+
 void FakeSession::setPoseUncertainty(int object, double metres) {
   snapshot_.objects[static_cast<std::size_t>(object)].pose_uncertainty = metres;
   fresh_ = true;

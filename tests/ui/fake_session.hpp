@@ -34,6 +34,7 @@ class FakeSession : public SessionPort {
   void removePair(int pair) override;
   void poseJoint(int joint, double value) override;
   void followMotion(int robot) override;
+  void placeThing(int object, const std::optional<Transform>& X_WB) override;
   void setReaction(int robot, const control::ReactionDescription& reaction) override;
   void poke(int object, const Vector3d& p_B, const Vector3d& target_W) override;
   void endPoke() override;

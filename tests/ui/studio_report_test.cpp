@@ -129,7 +129,7 @@ TEST_F(StudioReport, DetectsEditedScene) {
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         return std::any_of(said.begin(), said.end(), [](const auto& message) {
-          return message.front().toString().contains(QLatin1String("has changed"));
+          return message.front().toString().contains(QLatin1String("has changed and was read again"));
         });
       },
       kLimitMs));

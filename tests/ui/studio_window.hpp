@@ -8,7 +8,9 @@
 #include <QTest>
 
 #include "app/studio/studio.hpp"
+#include "humanmodel/human_model.hpp"
 #include "tests/support/paths.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 #include "ui/document/document.hpp"
 #include "ui/project_commands.hpp"
 #include "ui/viewport/viewport.hpp"
@@ -38,6 +40,17 @@ struct StudioWindow : ::testing::Test {
       text += std::to_string(0.1 * i) + "," + at + ",0,1," + at + ",0,1.5\n";
     }
     return text;
+  }
+  /// Of a person who stands upright at x (m) and goes on along it.
+  void writeUpright(const char* name, double x) const {
+    tracking::Recording recording;
+    for (int i = 0; i < 20; ++i) {
+      humanmodel::SkeletonFrame frame = humanmodel::makeHuman({}).rest;
+      frame.t = 0.1 * i;
+      for (auto& p : frame.p) p.x() += x + 0.01 * i;
+      recording.frames.push_back(frame);
+    }
+    tracking::writeSkeletonCsv(folder.path() / name, recording);
   }
   QString in(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
   const ui::Work& work() const { return window.document().work(); }

@@ -31,6 +31,8 @@ constexpr YamlRange kRobotMass{0.0, 1e4, "kg"};
 constexpr YamlRange kArrowNumber{0.0, 1e4, "SI units"};
 constexpr YamlRange kJoint{-1e4, 1e4, "rad or m"};
 
+constexpr int kMaxLayoutBytes = 1 << 16;
+
 [[noreturn]] void fail(const YamlFields& in, const YamlNode& node, const std::string& expected) {
   throw ParseError(in.pos(node), "found " + config::yamlFound(node) + ", expected " + expected);
 }
@@ -68,6 +70,17 @@ std::optional<CameraView> cameraOf(const YamlFields& in) {
   return camera;
 }
 
+/// As QMainWindow::saveState() gave it.
+QByteArray layoutOf(const YamlFields& in) {
+  const YamlNode* node = in.find("layout");
+  if (!node) return {};
+  const QByteArray text = QByteArray::fromStdString(in.text("layout").value_or(""));
+  const auto decoded = QByteArray::fromBase64Encoding(text, QByteArray::AbortOnBase64DecodingErrors);
+  if (!decoded || decoded.decoded.isEmpty() || decoded.decoded.size() > kMaxLayoutBytes)
+    fail(in, *node, "the layout of the panels in base64");
+  return decoded.decoded;
+}
+
 void readReading(const YamlFields& in, const QString& folder, ReadingOptions& reading) {
   const YamlNode* node = in.find("reading");
   if (!node) return;
@@ -92,6 +105,27 @@ void readPeople(const YamlFields& in, Work& work) {
     if (const auto sex = fields.choice("sex", {"f", "m"})) person.sex = QString::fromStdString(*sex);
     if (!(person == PersonOptions())) work.people[QString::fromStdString(node->keys[i].text)] = person;
   }
+}
+
+QMap<QString, Placement> placementsUnder(const YamlFields& in, std::string_view key) {
+  QMap<QString, Placement> placements;
+  const YamlNode* node = namesOf(in, key);
+  for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
+    const YamlFields fields(node->items[i], in.file(), "a placement", {"xyz", "rpy"});
+    placements[QString::fromStdString(node->keys[i].text)] = {
+        fields.vector("xyz", kLength).value_or(Vector3d::Zero()),
+        fields.vector("rpy", kAngle).value_or(Vector3d::Zero())};
+  }
+  return placements;
+}
+
+/// Absolute paths.
+QStringList filesUnder(const YamlFields& in, std::string_view key, const QString& folder) {
+  QStringList files;
+  for (const YamlNode& item : in.list(key))
+    files << QDir::cleanPath(QDir(folder).absoluteFilePath(
+        QString::fromStdString(config::yamlText(item, in.file(), "`" + std::string(key) + "`"))));
+  return files;
 }
 
 void readPosed(const YamlFields& in, Work& work) {
@@ -266,7 +300,8 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
                        "people",      "posed_robots", "margins",     "locked_margins", "compared_margins",
                        "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
                        "range",       "separation",   "view",        "camera",         "time",
-                       "reactions",   "added_files",  "what_if",     "classes"});
+                       "reactions",   "added_files",  "what_if",     "classes",        "placed",
+                       "things",      "recordings",   "layout"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -275,11 +310,12 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   out.saved_as = pathOf(in, "saved_as", folder);
   work.scene = pathOf(in, "scene", folder);
   work.recording = pathOf(in, "recording", folder);
-  for (const YamlNode& item : in.list("added_files"))
-    work.added_files << QDir::cleanPath(QDir(folder).absoluteFilePath(
-        QString::fromStdString(config::yamlText(item, in.file(), "`added_files`"))));
+  work.recordings = filesUnder(in, "recordings", folder);
+  work.added_files = filesUnder(in, "added_files", folder);
   readReading(in, folder, work.reading);
   readPeople(in, work);
+  work.placed = placementsUnder(in, "placed");
+  work.things = placementsUnder(in, "things");
   readPosed(in, work);
   readReactions(in, work);
   work.margins = marginsUnder(in, "margins");
@@ -292,7 +328,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   readSeparation(in, work.separation);
   readWhatIf(in, work.what_if);
   readView(in, work.view);
-  out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0)};
+  out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0), layoutOf(in)};
   return out;
 }
 

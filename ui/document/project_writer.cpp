@@ -82,6 +82,28 @@ void addPeople(JsonText& json, const QMap<QString, PersonOptions>& people) {
   json.close();
 }
 
+void addPlacements(JsonText& json, const char* key, const QMap<QString, Placement>& placements) {
+  if (placements.isEmpty()) return;
+  json.open(key, '{');
+  for (auto it = placements.begin(); it != placements.end(); ++it) {
+    json.open(it.key().toStdString(), '{');
+    for (const auto& [name, numbers] : {std::pair("xyz", it->xyz), std::pair("rpy", it->rpy)}) {
+      json.open(name, '[');
+      for (const double number : numbers) json.addNumber("", number);
+      json.close();
+    }
+    json.close();
+  }
+  json.close();
+}
+
+void addFiles(JsonText& json, const char* key, const QStringList& files, const QString& folder) {
+  if (files.isEmpty()) return;
+  json.open(key, '[');
+  for (const QString& file : files) json.addText("", fileName(file, folder));
+  json.close();
+}
+
 void addPosed(JsonText& json, const QMap<QString, QVector<double>>& posed) {
   if (posed.isEmpty()) return;
   json.open("posed_robots", '{');
@@ -207,13 +229,12 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   if (!saved_as.isEmpty()) json.addText("saved_as", fileName(saved_as, folder));
   if (!work.scene.isEmpty()) json.addText("scene", fileName(work.scene, folder));
   if (!work.recording.isEmpty()) json.addText("recording", fileName(work.recording, folder));
-  if (!work.added_files.isEmpty()) {
-    json.open("added_files", '[');
-    for (const QString& file : work.added_files) json.addText("", fileName(file, folder));
-    json.close();
-  }
+  addFiles(json, "recordings", work.recordings, folder);
+  addFiles(json, "added_files", work.added_files, folder);
   addReading(json, work.reading, folder);
   addPeople(json, work.people);
+  addPlacements(json, "placed", work.placed);
+  addPlacements(json, "things", work.things);
   addPosed(json, work.posed);
   addReactions(json, work.reactions);
   addMargins(json, "margins", work.margins);
@@ -228,6 +249,8 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addView(json, work.view);
   if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);
   json.addNumber("time", project.viewpoint.t);
+  if (!project.viewpoint.layout.isEmpty())
+    json.addText("layout", project.viewpoint.layout.toBase64().toStdString());
   json.close();
   return json.text();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.hpp"
+#include "ui/model/groups.hpp"
 #include "ui/model/pair_class.hpp"
 
 namespace abstand::ui {
@@ -53,6 +54,7 @@ void SessionFollower::follow(const Work& before, const Work& after) {
   if (before.groups != after.groups)
     for (int g = 0; g < static_cast<int>(groups_.size()); ++g)
       if (state(before, g) != state(after, g)) port_->setGroup(g, state(after, g));
+  if (before.things != after.things) followThings(before, after);
   if (before.posed != after.posed) followPosed(before, after);
   if (before.reactions != after.reactions) followReactions(before, after);
 }
@@ -62,6 +64,16 @@ void SessionFollower::followClasses(const Work& before, const Work& after) {
     const auto pair_class = static_cast<view::PairClass>(c);
     const std::optional<double> margin = classMargin(after, pair_class);
     if (margin != classMargin(before, pair_class)) port_->setClassMargin(pair_class, margin);
+  }
+}
+
+void SessionFollower::followThings(const Work& before, const Work& after) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!isThing(port_->outline().objects[i])) continue;
+    const auto from = before.things.find(names_[i]), to = after.things.find(names_[i]);
+    const bool was = from != before.things.end(), is = to != after.things.end();
+    if (was == is && (!is || *from == *to)) continue;
+    port_->placeThing(static_cast<int>(i), is ? std::optional(to->X_W()) : std::nullopt);
   }
 }
 
@@ -158,6 +170,7 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
   if (work.compared)
     for (const QString& name : work.compared->keys()) check(objects, name);
   for (const QString& name : work.groups.keys()) check(groups, name);
+  for (const QString& name : work.things.keys()) check(objects, name);
   QSet<QString> robots, people, reacting;
   for (const std::string& robot : port_->outline().reacting) reacting.insert(QString::fromStdString(robot));
   for (const QString& name : work.reactions.keys()) check(reacting, name);
@@ -172,6 +185,7 @@ QStringList SessionFollower::unknownNames(const Work& work) const {
     people.insert(QString::fromStdString(person.name));
   for (const QString& name : work.posed.keys()) check(robots, name);
   for (const QString& name : work.people.keys()) check(people, name);
+  for (const QString& name : work.placed.keys()) check(robots + people, name);
   for (const auto& pair : work.added) {
     check(objects, pair.first);
     check(objects, pair.second);

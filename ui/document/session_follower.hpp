@@ -42,6 +42,7 @@ class SessionFollower {
   int group(const Work& work, int pair) const;
   void followPosed(const Work& before, const Work& after);
   void followClasses(const Work& before, const Work& after);
+  void followThings(const Work& before, const Work& after);
   void followReactions(const Work& before, const Work& after);
   view::PairGroupState state(const Work& work, int group) const;
 

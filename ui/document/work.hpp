@@ -1,6 +1,7 @@
 // What a user makes of a scene, as values.
 #pragma once
 
+#include <QByteArray>
 #include <QMap>
 #include <QMetaType>
 #include <QPair>
@@ -13,6 +14,7 @@
 #include "core/control/reaction_change.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
+#include "ui/document/placement.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/model/separation_settings.hpp"
 #include "ui/model/time_range.hpp"
@@ -60,9 +62,12 @@ struct ClassMargin {
 struct Work {
   QString scene;            ///< absolute path; empty: none
   QString recording;        ///< absolute path; empty: those of the scene
+  QStringList recordings;   ///< absolute paths of those to choose from; empty: nothing to choose
   QStringList added_files;  ///< absolute paths of robots and meshes that the scene does not name
   ReadingOptions reading;
   QMap<QString, PersonOptions> people;   ///< those that differ from the scene
+  QMap<QString, Placement> placed;       ///< of people (their recordings) and robots (their bases), by name
+  QMap<QString, Placement> things;       ///< of objects of the room, by name
   QMap<QString, QVector<double>> posed;  ///< rad or m, all joints of each robot that is posed by hand
   QMap<QString, control::ReactionChange> reactions;  ///< of robots with a reaction that differ from the scene
   QMap<QString, double> margins;                     ///< m, by object
@@ -88,6 +93,7 @@ struct Work {
 struct Viewpoint {
   std::optional<CameraView> camera;  ///< none: the whole scene from a corner
   double t{0.0};                     ///< s
+  QByteArray layout{};               ///< of the panels, as QMainWindow::saveState() gives it; empty: any
   bool operator==(const Viewpoint&) const = default;
 };
 

@@ -29,7 +29,8 @@ void sortInto(SortedFiles& sorted, const QString& file) {
       sorted.batch.added << file;
       return;
     case FileKind::kRecording:
-      return takeOne(sorted.batch.recording, file, tr("one recording is shown"), sorted.problems);
+      if (!sorted.batch.recordings.contains(file)) sorted.batch.recordings << file;
+      return;
     case FileKind::kMargins:
       return takeOne(sorted.margins, file, tr("one set of margins holds"), sorted.problems);
     case FileKind::kMoments:
@@ -61,6 +62,8 @@ SortedFiles sortedFiles(const QStringList& files, bool has_scene) {
       sorted.problems << why;
   }
   FileBatch& batch = sorted.batch;
+  batch.recording = batch.recordings.value(0);
+  if (batch.recordings.size() < 2) batch.recordings.clear();
   if (!sorted.project.isEmpty() && !batch.scene.isEmpty()) {
     sorted.problems << tr("%1 was not opened: the project %2 has a scene.")
                            .arg(batch.scene, QFileInfo(sorted.project).fileName());

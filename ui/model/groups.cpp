@@ -12,10 +12,12 @@ namespace {
 
 GroupKind kindOf(const view::SceneOutline::ObjectInfo& info) {
   if (info.human) return GroupKind::kHuman;
-  return info.group == "objects" ? GroupKind::kObjects : GroupKind::kMechanism;
+  return isThing(info) ? GroupKind::kObjects : GroupKind::kMechanism;
 }
 
 }  // namespace
+
+bool isThing(const view::SceneOutline::ObjectInfo& info) { return !info.human && info.group == "objects"; }
 
 std::vector<Group> groupsOf(const view::SceneOutline& outline) {
   std::vector<Group> groups;

@@ -21,6 +21,9 @@ struct Group {
 /// In the order of the first member: mechanisms first, then people, then objects.
 std::vector<Group> groupsOf(const view::SceneOutline& outline);
 
+/// An object of the room: of no person and no robot.
+bool isThing(const view::SceneOutline::ObjectInfo& info);
+
 /// As the window shows it: that of the things in the room has no name of its own.
 QString groupTitle(const Group& group);
 

@@ -38,10 +38,6 @@ void share(Sums& parts, Sums& links, const std::vector<std::size_t>& in_parts,
   for (const std::size_t i : in_links) *links[i] = rounded(*links[i] - shift);
 }
 
-bool isThing(const view::SceneOutline::ObjectInfo& object) {
-  return !object.human && object.group == "objects";
-}
-
 }  // namespace
 
 MarginSet::MarginSet(const view::SceneOutline& outline) {

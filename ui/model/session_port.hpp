@@ -97,6 +97,8 @@ class SessionPort {
   virtual void poseJoint(int joint, double value) = 0;
   /// Gives a robot (index of SceneOutline::robots) that was posed by hand back to its motion.
   virtual void followMotion(int robot) = 0;
+  /// Puts a thing (index of the outline) at a pose in the world; nullopt: as in the scene file.
+  virtual void placeThing(int object, const std::optional<Transform>& X_WB) = 0;
   /// Laws and numbers of a robot (index of SceneOutline::reacting), from the next cycle on; active stops stay
   /// until they are reset. The reaction fits the robot (control::changedReaction).
   virtual void setReaction(int robot, const control::ReactionDescription& reaction) = 0;

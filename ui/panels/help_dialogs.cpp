@@ -38,6 +38,8 @@ QString shortcutPage(const Actions& actions) {
        QApplication::translate("help", "Pan")},
       {QApplication::translate("help", "Ctrl and left button"),
        QApplication::translate("help", "Pull a link of a robot")},
+      {QApplication::translate("help", "Left button on an arrow or the ring of a selected thing"),
+       QApplication::translate("help", "Move or turn it")},
       {QApplication::translate("help", "Ctrl, Shift and left button"),
        QApplication::translate("help", "Poke a robot that reacts: 4 N per cm, at most 150 N")},
       {QApplication::translate("help", "Wheel"), QApplication::translate("help", "Zoom")},

@@ -1,4 +1,5 @@
-// What is selected: where it is, how near, how fast, how it is made; joints and people can be changed.
+// What is selected: where it is, how near, how fast, how it is made; joints, places and people can be
+// changed.
 #pragma once
 
 #include <QWidget>
@@ -16,6 +17,7 @@ namespace abstand::ui {
 
 class JointEditor;
 class PersonEditor;
+class PlacementEditor;
 
 /// Shows one moment, the one that is drawn. A hidden panel takes no time. GUI thread only.
 class InspectorPanel : public QWidget {
@@ -28,7 +30,7 @@ class InspectorPanel : public QWidget {
   void open(const view::SceneOutline& outline);
   /// What the selection holds now.
   void setSubject(const std::vector<int>& objects, int pair);
-  /// What the document says of robots that are posed by hand and of people.
+  /// What the document says of robots that are posed by hand, of people, and of places.
   void setWork(const Work& work);
   /// Nothing is refreshed while it is not in front.
   void setInFront(bool in_front) { in_front_ = in_front; }
@@ -40,10 +42,13 @@ class InspectorPanel : public QWidget {
   QTreeWidget* rows() const { return rows_; }
   JointEditor* joints() const { return joints_; }
   PersonEditor* person() const { return person_; }
+  PlacementEditor* placement() const { return placement_; }
   QLabel* title() const { return title_; }
 
  private:
   void showEditors();
+  void openPlacement();
+  void showPlacement();
 
   const view::SceneOutline* outline_;
   Work work_;
@@ -55,7 +60,9 @@ class InspectorPanel : public QWidget {
   QTreeWidget* rows_;
   JointEditor* joints_;
   PersonEditor* person_;
-  QScrollArea* joints_area_;
+  PlacementEditor* placement_;
+  Transform X_thing_{Transform::Identity()};  ///< of the selected object of the room, as it is shown
+  QScrollArea *joints_area_, *editors_area_;  ///< of joints; of place and person
 };
 
 }  // namespace abstand::ui

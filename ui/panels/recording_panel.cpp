@@ -1,9 +1,12 @@
 #include "ui/panels/recording_panel.hpp"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLocale>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -88,7 +91,23 @@ void addRows(QTreeWidget* tree, const view::RecordingCard& card) {
 }  // namespace
 
 RecordingPanel::RecordingPanel(QAction* options, QWidget* parent)
-    : QWidget(parent), tree_{new QTreeWidget(this)} {
+    : QWidget(parent),
+      choice_row_{new QWidget(this)},
+      choice_{new QComboBox(choice_row_)},
+      tree_{new QTreeWidget(this)} {
+  auto* label = new QLabel(tr("Shown recording"), choice_row_);
+  label->setBuddy(choice_);
+  choice_->setObjectName(QStringLiteral("recording_choice"));
+  choice_->setAccessibleName(tr("Shown recording"));
+  choice_->setToolTip(tr("Of the recordings that were opened together; margins, view and selection stay"));
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* row = new QHBoxLayout(choice_row_);
+  row->setContentsMargins(8, 5, 8, 3);
+  row->addWidget(label);
+  row->addWidget(choice_, 1);
+  choice_row_->hide();
+  connect(choice_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int i) { Q_EMIT wanted(choice_->itemData(i).toString()); });
   tree_->setAccessibleName(tr("Recordings"));
   tree_->setHeaderLabels({tr("Property"), tr("Read as"), tr("Reason")});
   tree_->setRootIsDecorated(false);
@@ -101,8 +120,19 @@ RecordingPanel::RecordingPanel(QAction* options, QWidget* parent)
   change->setToolButtonStyle(Qt::ToolButtonTextOnly);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 6);
+  layout->addWidget(choice_row_);
   layout->addWidget(tree_, 1);
   layout->addWidget(change, 0, Qt::AlignRight);
+}
+
+void RecordingPanel::showChoice(const QStringList& files, const QString& shown) {
+  choice_->clear();
+  for (const QString& file : files) {
+    choice_->addItem(QFileInfo(file).fileName(), file);
+    choice_->setItemData(choice_->count() - 1, QDir::toNativeSeparators(file), Qt::ToolTipRole);
+  }
+  choice_->setCurrentIndex(files.indexOf(shown));
+  choice_row_->setVisible(files.size() > 1);
 }
 
 void RecordingPanel::open(const std::vector<view::RecordingCard>& cards) {

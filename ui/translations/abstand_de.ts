@@ -213,10 +213,6 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
 <context>
     <name>abstand::studio::Studio</name>
     <message>
-        <source>%1 has changed. Reload it with Ctrl+R</source>
-        <translation>%1 hat sich geändert. Mit Strg+R neu laden</translation>
-    </message>
-    <message>
         <source>Cannot open</source>
         <translation>Öffnen nicht möglich</translation>
     </message>
@@ -262,6 +258,18 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>Not opened</source>
         <translation>Nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 has changed and was read again</source>
+        <translation>%1 hat sich geändert und wurde neu gelesen</translation>
+    </message>
+    <message>
+        <source>%1 has changed and cannot be read; what is shown stays. %2</source>
+        <translation>%1 hat sich geändert und ist nicht lesbar; das Gezeigte bleibt. %2</translation>
+    </message>
+    <message>
+        <source>%1 was placed in front of %2 (Inspector, Place): the files do not say where they stand</source>
+        <translation>%1 wurde vor %2 gestellt (Inspektor, Ort): Die Dateien sagen nicht, wo sie stehen</translation>
     </message>
 </context>
 <context>
@@ -3018,10 +3026,6 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <translation>wird eine Szene gezeigt</translation>
     </message>
     <message>
-        <source>one recording is shown</source>
-        <translation>wird eine Aufnahme gezeigt</translation>
-    </message>
-    <message>
         <source>one set of margins holds</source>
         <translation>gilt ein Abstandssatz</translation>
     </message>
@@ -3993,6 +3997,10 @@ Roboter gestoppt: wie abgespielt; Verfolgung verloren: Körperteile, die nicht g
         <source>Joints</source>
         <translation>Gelenke</translation>
     </message>
+    <message>
+        <source>Place and person</source>
+        <translation>Ort und Person</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::JointEditor</name>
@@ -4152,6 +4160,10 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Out of reach by %1: a joint limit or the length of the arm</source>
         <translation>Um %1 außer Reichweite: eine Gelenkgrenze oder die Länge des Arms</translation>
+    </message>
+    <message>
+        <source>A thing is moved by its handles, once it is selected</source>
+        <translation>Ein Gegenstand wird an seinen Griffen bewegt, sobald er ausgewählt ist</translation>
     </message>
 </context>
 <context>
@@ -4904,6 +4916,61 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     </message>
 </context>
 <context>
+    <name>abstand::ui::PlacementEditor</name>
+    <message>
+        <source>As in the scene</source>
+        <translation>Wie in der Szene</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Place, %1</source>
+        <translation>Ort, %1</translation>
+    </message>
+    <message>
+        <source>Turn, %1</source>
+        <translation>Drehung, %1</translation>
+    </message>
+    <message>
+        <source>Place of %1</source>
+        <translation>Ort von %1</translation>
+    </message>
+    <message>
+        <source>Where the origin of the recording is in the world</source>
+        <translation>Wo der Ursprung der Aufnahme in der Welt liegt</translation>
+    </message>
+    <message>
+        <source>Where the base of the robot is in the world</source>
+        <translation>Wo die Basis des Roboters in der Welt steht</translation>
+    </message>
+    <message>
+        <source>Where the origin of the body is in the world</source>
+        <translation>Wo der Ursprung des Körpers in der Welt liegt</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::PlotPanel</name>
     <message>
         <source>Smallest distance</source>
@@ -5247,6 +5314,14 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
         <source>The people of this scene stand still</source>
         <translation>Die Personen dieser Szene stehen still</translation>
     </message>
+    <message>
+        <source>Shown recording</source>
+        <translation>Gezeigte Aufnahme</translation>
+    </message>
+    <message>
+        <source>Of the recordings that were opened together; margins, view and selection stay</source>
+        <translation>Von den zusammen geöffneten Aufnahmen; Abstände, Ansicht und Auswahl bleiben</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::ReportCommands</name>
@@ -5493,6 +5568,18 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     <message>
         <source>laws of %1: %2</source>
         <translation>Gesetze von %1: %2</translation>
+    </message>
+    <message>
+        <source>The server decides where everything stands</source>
+        <translation>Der Server bestimmt, wo alles steht</translation>
+    </message>
+    <message>
+        <source>place %1</source>
+        <translation>Ort von %1</translation>
+    </message>
+    <message>
+        <source>place %1 as in the scene</source>
+        <translation>Ort von %1 wie in der Szene</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6091,13 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     </message>
 </context>
 <context>
+    <name>abstand::ui::ThingDrag</name>
+    <message>
+        <source>move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::TimeCommands</name>
     <message>
         <source>Paused at an event, %1</source>
@@ -6381,6 +6475,14 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     <message>
         <source>Poke a robot that reacts: 4 N per cm, at most 150 N</source>
         <translation>Einen reagierenden Roboter stoßen: 4 N je cm, höchstens 150 N</translation>
+    </message>
+    <message>
+        <source>Left button on an arrow or the ring of a selected thing</source>
+        <translation>Linke Taste auf Pfeil oder Ring eines ausgewählten Gegenstands</translation>
+    </message>
+    <message>
+        <source>Move or turn it</source>
+        <translation>Ihn bewegen oder drehen</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,8 @@ constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label
 constexpr double kLineWidth = 2.0, kArrowWidth = 3.5, kArrowHead = 14.0;  // px
 constexpr double kValueDrop = 30.0;                                       // px from a point down to a value
 
+constexpr QRgb kAxisColours[3]{0xffa8483c, 0xff4d7f4a, 0xff3f63a0};
+
 /// In the colour of the brush, without an edge.
 void arrowHead(QPainter& p, QPointF from, QPointF to, double head) {
   const QPointF d = to - from;
@@ -114,6 +116,7 @@ void Overlay::paintEvent(QPaintEvent*) {
     else
       painter.drawEllipse(segment.b, 4.0, 4.0);
   }
+  paintHandles(painter);
   paintLabels(painter);
   paintAxes(painter);
   paintLegend(painter);
@@ -182,8 +185,31 @@ void Overlay::paintLabels(QPainter& painter) const {
   }
 }
 
+/// In the colours of the axes; the held one is thicker.
+void Overlay::paintHandles(QPainter& painter) const {
+  if (!content_.handles) return;
+  const Handles::Drawing& shown = *content_.handles;
+  const auto pen = [&](const QColor& colour, bool held, bool rim) {
+    const double width = (held ? kArrowWidth + 1.5 : kArrowWidth) + (rim ? 2.5 : 0.0);
+    return QPen(rim ? QColor(255, 255, 255, 190) : colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  };
+  const QPolygonF ring(QVector<QPointF>(shown.ring.begin(), shown.ring.end()));
+  const QColor ring_colour(kAxisColours[2]);
+  painter.setBrush(Qt::NoBrush);
+  for (const bool rim : {true, false}) {
+    painter.setPen(pen(ring_colour, shown.held == Handles::Part::kTurn, rim));
+    painter.drawPolyline(ring);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool held = shown.held == static_cast<Handles::Part>(k);
+    painter.setPen(pen(QColor(kAxisColours[k]), held, true));
+    painter.drawLine(shown.centre, shown.tips[k]);
+    painter.setPen(pen(QColor(kAxisColours[k]), held, false));
+    arrow(painter, shown.centre, shown.tips[k], kArrowHead);
+  }
+}
+
 void Overlay::paintAxes(QPainter& painter) const {
-  static constexpr QRgb kAxisColours[3]{0xffa8483c, 0xff4d7f4a, 0xff3f63a0};
   const int lighter = themeOf(palette()) == Theme::kDark ? 150 : 100;
   static const QString kNames[3]{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
   const QPointF origin(kMargin + kAxisLength + 6, height() - kMargin - kAxisLength - 6);

@@ -4,7 +4,10 @@
 #include <QColor>
 #include <QWidget>
 #include <array>
+#include <optional>
 #include <vector>
+
+#include "ui/viewport/handles.hpp"
 
 namespace abstand::ui {
 
@@ -46,8 +49,9 @@ struct OverlayContent {
   std::vector<OverlaySegment> segments;
   std::vector<LegendLine> legend;
   std::array<QPointF, 3> axes;  ///< x, y, z on the screen, length at most 1
-  QString message;              ///< in the middle of an empty view
-  QString reset_key;            ///< that resets stopped robots, for their labels; empty: none
+  std::optional<Handles::Drawing> handles;
+  QString message;    ///< in the middle of an empty view
+  QString reset_key;  ///< that resets stopped robots, for their labels; empty: none
 };
 
 /// Lets all mouse events through.
@@ -67,6 +71,7 @@ class Overlay : public QWidget {
  private:
   QFont labelFont() const;
   void paintAxes(QPainter& painter) const;
+  void paintHandles(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
   void paintLabels(QPainter& painter) const;
   void paintMessage(QPainter& painter) const;

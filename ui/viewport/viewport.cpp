@@ -221,6 +221,8 @@ void Viewport::close() {
   my.inside.setSource({});
   my.mouse.held.reset();
   my.mouse.pull.reset();
+  my.mouse.handled = -1;
+  my.mouse.handles.release();
   my.fillOverlay();
   if (!my.gl) return;
   my.objects.open({}, {}, themeOf(palette()));
@@ -394,6 +396,7 @@ void Viewport::moveMouse(const QMouseEvent& mouse) {
   Impl& my = *impl_;
   const QPoint moved = mouse.pos() - my.mouse.last;
   my.mouse.last = mouse.pos();
+  if (pullHandle(mouse.pos())) return;
   if (my.mouse.held) {
     my.camera.update();
     const Vector3d to = my.camera.atDepthOf(*my.mouse.held, mouse.pos());
@@ -410,7 +413,7 @@ void Viewport::moveMouse(const QMouseEvent& mouse) {
 
 void Viewport::releaseMouse(const QMouseEvent& mouse) {
   Impl& my = *impl_;
-  if (mouse.button() != Qt::LeftButton) return;
+  if (mouse.button() != Qt::LeftButton || releaseHandle()) return;
   if (my.mouse.held) {
     my.mouse.held.reset();
     if (my.mouse.pokes)
@@ -447,6 +450,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event) {
       const bool poke = mouse->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier);
       if (mouse->button() == Qt::LeftButton && (poke || mouse->modifiers() == Qt::ControlModifier))
         grabBody(mouse->pos(), poke);
+      else if (mouse->button() == Qt::LeftButton && mouse->modifiers() == Qt::NoModifier)
+        grabHandle(mouse->pos());
       return true;
     }
     case QEvent::MouseMove:

@@ -17,9 +17,9 @@ namespace abstand::ui {
 class Overlay;
 class Selection;
 
-/// Draws the newest snapshot when something in it has changed. Left button: orbit, click: choose; middle or
-/// right: pan; wheel: zoom; Ctrl and left: a body is pulled; Ctrl, Shift and left: it is poked. Without
-/// OpenGL it says so and the rest of the window works. GUI thread only.
+/// Draws the newest snapshot when something in it has changed. Left button: orbit, or pull the handle under
+/// the pointer; click: choose; middle or right: pan; wheel: zoom; Ctrl and left: a body is pulled; Ctrl,
+/// Shift and left: it is poked. Without OpenGL it says so and the rest of the window works. GUI thread only.
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -80,6 +80,8 @@ class Viewport : public QWidget {
   /// A line from a point of the scene to where it shall be, until hidePull().
   void showPull(const Vector3d& p_W, const Vector3d& target_W);
   void hidePull();
+  /// The body that has handles; -1: none.
+  void setHandles(int object);
   /// Number of frames drawn so far.
   long framesDrawn() const;
 
@@ -95,6 +97,11 @@ class Viewport : public QWidget {
   void bodyPoked(int object, const abstand::Vector3d& p_W);
   void pokeMoved(const abstand::Vector3d& target_W);
   void pokeEnded();
+  /// The user has taken hold of a handle of a body, whose centre (m, world) is told, pulls it by a shift (m,
+  /// world) or a turn (rad, about the vertical through that centre), and lets go.
+  void handleGrabbed(int object, const abstand::Vector3d& centre_W);
+  void handlePulled(const abstand::Vector3d& shift, double turn);
+  void handleReleased();
   /// A picture is drawn; it took so long (s) on this thread.
   void drawn(double seconds);
 
@@ -105,6 +112,9 @@ class Viewport : public QWidget {
 
  private:
   void grabBody(const QPoint& at, bool poke);
+  bool grabHandle(const QPoint& at);
+  bool pullHandle(const QPoint& at);
+  bool releaseHandle();
   void moveMouse(const QMouseEvent& mouse);
   void releaseMouse(const QMouseEvent& mouse);
 

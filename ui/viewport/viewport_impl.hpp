@@ -15,6 +15,7 @@
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
 #include "ui/viewport/canvas.hpp"
+#include "ui/viewport/handles.hpp"
 #include "ui/viewport/inside_actors.hpp"
 #include "ui/viewport/object_actors.hpp"
 #include "ui/viewport/overlay.hpp"
@@ -42,6 +43,8 @@ struct Viewport::Impl {
   void fitDepth();
   void resize();
   void setTheme();
+  /// m, world; nullopt: no body has handles.
+  std::optional<Vector3d> handleCentre() const;
   /// Labels, lines and legend for the camera as it is; before every frame.
   void fillOverlay();
 
@@ -79,6 +82,8 @@ struct Viewport::Impl {
     QPoint pressed, last;
     std::optional<Vector3d> held;  ///< m, world: the point that the user pulls or pokes
     bool pokes{false};
+    Handles handles;
+    int handled{-1};                  ///< the body that has them
     std::function<QString(int)> tip;  ///< of a body under the pointer; empty: none
     /// m, world: a line from a point to where it shall be
     std::optional<std::pair<Vector3d, Vector3d>> pull;
@@ -90,6 +95,7 @@ struct Viewport::Impl {
   void addBodyLabels();
   void addRobotLabels();
   void addPoke();
+  void addHandles();
   void addLegend();
 
   /// Which lines are drawn.

@@ -51,6 +51,7 @@ void Viewport::Impl::fillOverlay() {
   content.labels.clear();
   content.segments.clear();
   content.legend.clear();
+  content.handles.reset();
   shown.step = snapshot.step;
   if (!outline) return;
   camera.update();
@@ -62,6 +63,7 @@ void Viewport::Impl::fillOverlay() {
     if (options.labels) addBodyLabels();
   }
   addPoke();
+  addHandles();
   if (mouse.pull)
     content.segments.push_back(
         {camera.project(mouse.pull->first), camera.project(mouse.pull->second), QColor(kAccent), true});

@@ -21,6 +21,10 @@ inline Project sampleProject() {
   work.view.metres_per_newton = 0.004;
   work.people = {{"operator", {1.0 / 0.6, 95.0, 81.5, "f"}},
                  {"visitor", {std::nullopt, 5.0, std::nullopt, ""}}};
+  work.recordings = QStringList{"/recordings/Bücher/walk.bvh", "/recordings/turn.csv"};
+  work.placed = {{"operator", {{1.0 / 3.0, -2.0, 0.0}, {0.0, 0.0, 1.0 / 7.0}}},
+                 {"arm", {{0.0, 0.0, 0.8}, {3.0, -0.1, 0.2}}}};
+  work.things = {{"table \"old\"", {{0.1, 1e-9, 0.7}, {0.0, 0.5, -1.5}}}};
   work.posed = {{"arm", {0.1, -1.0 / 3.0, 0.0}}};
   control::ReactionChange change;
   change.laws = {{"repulsion", false}, {"speed", true}};
@@ -43,7 +47,8 @@ inline Project sampleProject() {
   work.view.forces = false;
   work.view.velocities = true;
   work.view.human_opacity = 0.35;
-  project.viewpoint = {CameraView{{1.0 / 7.0, 2.0, 0.9}, 5.5, 0.25, -0.125}, 6.02};
+  project.viewpoint = {CameraView{{1.0 / 7.0, 2.0, 0.9}, 5.5, 0.25, -0.125}, 6.02,
+                       QByteArray("\0\xff layout", 9)};
   return project;
 }
 
