@@ -21,6 +21,7 @@
 #include "ui/model/pair_class.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/panels/class_margin_row.hpp"
+#include "ui/panels/margin_curve.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
 #include "ui/panels/margin_tools.hpp"
@@ -216,6 +217,27 @@ TEST_F(StudioClasses, ComparedMarginsAreThoseOfTheClass) {
   ASSERT_TRUE(work().compared);
   EXPECT_NEAR(work().compared->value("person/head"), 0.3, kSame);
   EXPECT_EQ(work().compared->value("ball"), 0.0) << "their sum is the margin of the class";
+}
+
+TEST_F(StudioClasses, CurveDragsTheClassInOneStep) {
+  row(PairClass::kPersonRobot)->tick()->click();
+  const ui::Work before = work();
+  const int steps = window.document().steps().count();
+  const int head = static_cast<int>(window.review().store()->layout().parts.front().object);
+  for (const double metres : {0.05, 0.15, 0.2}) Q_EMIT window.panels().curve->dragged(head, metres);
+  Q_EMIT window.panels().curve->released();
+  EXPECT_EQ(window.document().steps().count(), steps + 1);
+  EXPECT_EQ(classMargin("person_robot"), 0.2);
+  EXPECT_EQ(work().margins, before.margins) << "the rows of the bodies stay";
+  ASSERT_TRUE(judgedWith(0.2));
+  ASSERT_TRUE(shows(PairClass::kPersonRobot, 0.2));
+  action(ActionId::kUndo)->trigger();
+  EXPECT_EQ(work(), before);
+  // A locked class does not follow.
+  row(PairClass::kPersonRobot)->findChild<QToolButton*>("lock")->click();
+  Q_EMIT window.panels().curve->dragged(head, 0.25);
+  Q_EMIT window.panels().curve->released();
+  EXPECT_EQ(classMargin("person_robot"), before.classes.value("person_robot").metres);
 }
 
 TEST_F(StudioClasses, LockedClassOfPeopleAndRobotsTakesNoProposal) {

@@ -289,6 +289,15 @@ TEST_F(StudioHandles, RingTurnsThingAboutTheVertical) {
       kLoadMs));
 }
 
+TEST_F(StudioHandles, LabelsKeepOffTheTips) {
+  const Handles::Drawing shown = *handles();
+  const std::vector<ui::PlacedLabel> labels = window.viewport().overlay().placeLabels();
+  ASSERT_FALSE(labels.empty()) << "the selection has a name";
+  for (const ui::PlacedLabel& label : labels)
+    for (const QPointF& tip : shown.tips)
+      EXPECT_FALSE(label.box.contains(tip)) << label.label.text.toStdString();
+}
+
 TEST_F(StudioHandles, OnlyThingsHaveHandles) {
   window.selection().setObjects({0});
   EXPECT_FALSE(handles());

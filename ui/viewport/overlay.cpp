@@ -129,11 +129,16 @@ QFont Overlay::labelFont() const {
 }
 
 std::vector<PlacedLabel> Overlay::placeLabels() const {
-  // Labels keep off the ends of the lines: there is what they speak of.
+  // Labels keep off the ends of the lines, where that is which they speak of, and off the tips of handles.
   std::vector<QRectF> taken;
   for (const OverlaySegment& segment : content_.segments)
     for (const QPointF& end : {segment.a, segment.b})
       taken.emplace_back(end - QPointF(kPointRoom, kPointRoom), end + QPointF(kPointRoom, kPointRoom));
+  if (content_.handles)
+    for (const QPointF& tip : content_.handles->tips)
+      taken.push_back(QRectF(0.5 * (content_.handles->centre + tip), tip)
+                          .normalized()
+                          .adjusted(-kPointRoom, -kPointRoom, kPointRoom, kPointRoom));
   const QFontMetricsF metrics(labelFont(), const_cast<Overlay*>(this));
   // Lower points first, so that the lines up to the labels cross each other less.
   std::vector<PlacedLabel> placed;
