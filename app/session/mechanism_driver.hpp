@@ -21,6 +21,8 @@ class MechanismDriver {
 
   /// Sets the scene object of link `link` of the description.
   void bind(std::size_t link, ObjectId object) { links_[link].object = object; }
+  /// Pose of the base in the world, from the next pose on. Not while a closed loop runs.
+  void setBase(const Transform& X_WB) { X_WB_ = X_WB; }
   /// `loose`: the link is posed by the proxy, and its contacts do not act on the joints.
   void setProxyControlled(std::size_t link, bool loose) { links_[link].loose = loose; }
   /// Pairs of links (indices) that share a joint, i.e. without another link between them in the tree of

@@ -273,6 +273,11 @@ void Session::placePerson(std::size_t human, const Vector3d& xyz, double yaw) {
   humans_.at(human)->setPlace(xyz, yaw);
 }
 
+void Session::placeRobot(std::size_t mechanism, const Transform& X_WB) {
+  description_.mechanisms.at(mechanism).X_WB = X_WB;
+  mechanisms_.at(mechanism)->setBase(X_WB);
+}
+
 std::vector<double> Session::frameTimes() const {
   for (const auto& h : humans_) {
     if (!h->recording()) continue;

@@ -65,6 +65,10 @@ class Session {
   /// Puts the recording of a person (index of description().humans) somewhere else, from the next step() on.
   void placePerson(std::size_t human, const Vector3d& xyz, double yaw);
 
+  /// Puts the base of a robot (index of description().mechanisms) somewhere else, likewise. Not while a
+  /// closed loop runs.
+  void placeRobot(std::size_t mechanism, const Transform& X_WB);
+
   /// Times (s) of the frames: of the first recording; otherwise of the poses; otherwise every millisecond of
   /// the longest joint motion, or of 5 s if objects can fall; otherwise 0 only.
   std::vector<double> frameTimes() const;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "core/math/roll_pitch_yaw.hpp"
 
 namespace abstand::studio {
 
@@ -47,6 +50,39 @@ double lowest(const std::vector<Vector3d>& corners) {
 Vector3d turned(const Vector3d& v, double yaw) { return Eigen::AngleAxisd(yaw, Vector3d::UnitZ()) * v; }
 
 }  // namespace
+
+std::vector<DefaultPlacement> placeRobotsBeside(session::Session& session,
+                                                const std::set<std::string>& placed) {
+  std::vector<DefaultPlacement> found;
+  double edge = -kInfinity;  // m, the largest y of the robots before
+  for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
+    const auto& description = session.description().mechanisms[m];
+    const auto boxOf = [&] {
+      std::vector<ObjectId> links;
+      for (const auto& link : session.mechanisms()[m]->links())
+        if (link.object) links.push_back(*link.object);
+      std::pair<double, double> y{kInfinity, -kInfinity};
+      for (const Vector3d& p : cornersOf(session.scene(), links))
+        y = {std::min(y.first, p.y()), std::max(y.second, p.y())};
+      return y;
+    };
+    session.applyMotion(session.frameTimes().front());
+    auto [low, high] = boxOf();
+    if (low > high) continue;
+    if (m > 0 && placed.count(description.name) == 0 && low < edge + kRobotGap) {
+      Transform X_WB = session.mechanisms()[m]->X_WB();
+      const double shift = std::ceil((edge + kRobotGap - low) / kCentimetre) * kCentimetre;
+      X_WB.translation().y() += shift;
+      session.placeRobot(m, X_WB);
+      high += shift;
+      found.push_back({description.name,
+                       session.description().mechanisms.front().name,
+                       {X_WB.translation(), neatRollPitchYaw(X_WB.linear())}});
+    }
+    edge = std::max(edge, high);
+  }
+  return found;
+}
 
 bool isSame(const ui::Placement& a, const ui::Placement& b) {
   return (a.xyz - b.xyz).norm() < kSamePlace && (a.rpy - b.rpy).norm() < kSamePlace;

@@ -4,6 +4,7 @@
 #include <QMetaObject>
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "app/depth/open_session.hpp"
 #include "app/run/scene_notes.hpp"
@@ -55,6 +56,16 @@ std::unique_ptr<session::Session> makeSession(const ui::Work& work, const robot_
   options.keep_fits = true;
   options.monitor.cancelled = [&cancelled] { return cancelled.load(); };
   return depth::openSession(std::move(scene), options);
+}
+
+/// Where neither a scene file nor the user says where robots stand.
+void placeRobots(session::Session& session, Loaded& loaded) {
+  if (hasSceneFile(loaded.work)) return;
+  std::set<std::string> placed;
+  for (const QString& name : loaded.work.placed.keys()) placed.insert(name.toStdString());
+  loaded.beside = placeRobotsBeside(session, placed);
+  for (const DefaultPlacement& robot : loaded.beside)
+    loaded.work.placed[QString::fromStdString(robot.person)] = robot.placement;
 }
 
 /// Where neither a scene file nor the user says where the person stands. True: it stands by default.
@@ -146,6 +157,7 @@ void Loader::start(const ui::Work& work, double t, Options options) {
         if (loaded->left_out.isEmpty() || loaded->work.showsNothing()) throw;
         session = make();
       }
+      if (options.places) placeRobots(*session, *loaded);
       const bool by_default = place(*session, *loaded, options.places);
       loaded->files = filesOf(session->description());
       loaded->notes = run::notesOf(*session);

@@ -31,6 +31,7 @@ struct Loaded {
   SceneBodies bodies;                                 ///< without the options of the work
   std::vector<DepthPerson> depth;                     ///< whose recording is one of depth images
   RobotReach reach;
+  std::vector<DefaultPlacement> beside;    ///< robots that no file places; likewise
   std::optional<DefaultPlacement> placed;  ///< of a person that no file places; part of `work`
   QStringList files;                       ///< absolute paths of what the scene was read from
   QString problem;                         ///< why it failed

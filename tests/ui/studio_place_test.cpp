@@ -98,6 +98,26 @@ TEST_F(StudioPlace, PersonStandsInFrontOfRobotAndFacesIt) {
   EXPECT_LT(nearest(), kPersonGap + 0.1) << "boxes of the bodies decide, not their surfaces";
 }
 
+TEST_F(StudioPlace, RobotsOfSeveralFilesStandBesideEachOther) {
+  folder.write("second.urdf", kPost);
+  folder.write("third.urdf", kPost);
+  ASSERT_TRUE(opensAll({"post.urdf", "second.urdf", "third.urdf", "turn.csv"})) << problem;
+  EXPECT_EQ(work().placed.keys(), QStringList({"person", "second", "third"})) << "the first stays";
+  window.pull();
+  // Posts of 0.4 m along y.
+  constexpr double kCentimetre = 0.01;  // they are rounded up to
+  for (const auto& [name, y] : {std::pair("second", 0.6), std::pair("third", 1.2)}) {
+    EXPECT_GE(work().placed.value(name).xyz.y(), y - kSame) << name;
+    EXPECT_LE(work().placed.value(name).xyz.y(), y + 2.0 * kCentimetre) << name;
+  }
+  double nearest = kInfinity;
+  for (const view::PairSnapshot& pair : window.moment().pairs)
+    nearest = std::min(nearest, pair.result.distance);
+  EXPECT_GE(nearest, kRobotGap - 1e-3) << "but for the bound of a distance";
+  // Undone together with what was opened: it is no edit of its own.
+  EXPECT_FALSE(window.document().steps().canUndo());
+}
+
 TEST_F(StudioPlace, PlaceOfPersonIsChangedInInspectorAndStored) {
   ASSERT_TRUE(opensAll({"post.urdf", "turn.csv"})) << problem;
   const ui::Placement by_default = work().placed.value("person");

@@ -271,6 +271,10 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <source>%1 was placed in front of %2 (Inspector, Place): the files do not say where they stand</source>
         <translation>%1 wurde vor %2 gestellt (Inspektor, Ort): Die Dateien sagen nicht, wo sie stehen</translation>
     </message>
+    <message>
+        <source>%1 was placed beside %2 (Inspector, Place): the files do not say where they stand</source>
+        <translation>%1 wurde neben %2 gestellt (Inspektor, Ort): Die Dateien sagen nicht, wo sie stehen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::TuneProcess</name>
