@@ -132,6 +132,7 @@ std::string trackedText(const TrackArguments& args, const TrackedClip& clip) {
                  1e3 * person.residual, clip.fps());
   text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  for (const std::string& note : tracking::heldNotes(person)) text += "note: " + note + "\n";
   return text;
 }
 

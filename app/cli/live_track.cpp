@@ -106,6 +106,7 @@ std::string liveText(const LiveReport& report, std::size_t chosen) {
                    sender->sent(), sender->refused(), sender->nameless());
   text += tracking::facingReason(person.facing) + " (--facing)\n";
   for (const std::string& note : facts.notes) text += "note: " + note + "\n";
+  for (const std::string& note : tracking::heldNotes(person)) text += "note: " + note + "\n";
   return text;
 }
 

@@ -29,12 +29,28 @@ void addStature(nlohmann::ordered_json& person, const tracking::Stature& stature
   person["height_used"] = stature.used > 0.0 ? nlohmann::ordered_json(stature.used) : unknown;
 }
 
+namespace {
+
+/// Things in the hands; `extent` (m) beyond the hand.
+nlohmann::ordered_json heldJson(const tracking::ClipPerson& person) {
+  auto held = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < person.held.size(); ++k)
+    if (person.held[k] > 0)
+      held.push_back({{"hand", k == 0 ? "left" : "right"},
+                      {"images", person.held[k]},
+                      {"extent", person.held_extent[k]}});
+  return held;
+}
+
+}  // namespace
+
 nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track) {
   auto people = nlohmann::ordered_json::array();
   for (const tracking::ClipPerson& p : track.people) {
     people.push_back({{"id", p.id}, {"tracked", p.found}, {"residual_mm", 1e3 * p.residual}});
     addStature(people.back(), p.stature);
     addFacing(people.back(), p.facing);
+    people.back()["held"] = heldJson(p);
     people.back()["warnings"] = tracking::trackWarnings(p);
   }
   return people;

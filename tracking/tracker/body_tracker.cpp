@@ -133,6 +133,12 @@ void BodyTracker::plantHiddenFeet() {
     feet |= DepthFit::bit(leg.end);
   }
   wide_.planted = narrow_.planted = last_t_ - legs_seen_t_ > kStands ? feet : 0;
+void BodyTracker::widenHands(const std::array<double, 2>& extent) {
+  using enum humanmodel::Joint;
+  body_.frame.spread[static_cast<std::size_t>(kHandLeft)] += extent[0] / humanmodel::kSpreadQuantile;
+  body_.frame.spread[static_cast<std::size_t>(kHandRight)] += extent[1] / humanmodel::kSpreadQuantile;
+}
+
 }
 
 void BodyTracker::follow(double dt) {

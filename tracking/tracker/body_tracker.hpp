@@ -46,6 +46,9 @@ class BodyTracker {
   void setFacingKnown(bool known) { facing_known_ = known; }
   /// Standard deviation (m) of the rig's stature; 0: known. Increases the uncertainty of every joint.
   void setStatureDeviation(double deviation) { stature_deviation_ = deviation; }
+  /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend
+  /// beyond them.
+  void widenHands(const std::array<double, 2>& extent);
   /// Continues from a pose as if it had been found in the last image.
   void resume(const RigPose& pose);
   const TrackedBody& body() const { return body_; }

@@ -189,6 +189,7 @@ class ClipPasses {
         const TrackedBody* body = tracker.see(moment.t, images);
         if (!keep) continue;
         noteMoment(track_, place, person, moment.t, body, true);
+        if (body && body->found) noteHeld(track_.people[place[person]], tracker.held().extent());
         widenByLag(images.size() > 1 ? moment.lag : 0.0, track_.people[place[person]].frames);
         if (!body || !options_.watch) continue;
         const double pause = processorSeconds();
@@ -220,8 +221,8 @@ class ClipPasses {
         person.settle();
       }
       if (!person.body()) continue;
-      learned.insert_or_assign(id,
-                               KnownBody{*person.body(), person.stature(), person.facing(), person.things()});
+      learned.insert_or_assign(id, KnownBody{*person.body(), person.stature(), person.facing(),
+                                             person.things(), person.held().atStart()});
       if (!keep || place.count(id) == 0) continue;
       ClipPerson& tracked = track_.people[place.at(id)];
       tracked.body = *person.body();
@@ -259,6 +260,13 @@ void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, dou
   if (!body || !body->found) return;
   ++person.found;
   person.residual += body->misfit.residual;
+}
+
+void noteHeld(ClipPerson& person, const HeldThings::Extents& extent) {
+  for (std::size_t k = 0; k < extent.size(); ++k) {
+    person.held[k] += extent[k] > 0.0;
+    person.held_extent[k] = std::max(person.held_extent[k], extent[k]);
+  }
 }
 
 void finishTrack(ClipTrack& track) {

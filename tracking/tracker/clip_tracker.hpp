@@ -45,6 +45,9 @@ struct ClipPerson {
       frames;             ///< for every image from the first to the last that shows the person
   std::size_t found{0};   ///< images in which the body was found
   double residual{kNaN};  ///< m, mean over these images of the RMS distance to the body
+  /// Images in which the left and the right hand held a thing, and the largest extent (m) beyond the hand.
+  std::array<std::size_t, 2> held{};
+  HeldThings::Extents held_extent{};
 };
 
 /// Share of one camera in a track.
@@ -74,6 +77,8 @@ struct ClipTrack {
 /// indices in track.people, and grows. Frames are added if `keep`, with the camera's spread.
 void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, double t,
                 const TrackedBody* body, bool keep);
+/// After noteMoment() with a body that was found: things in the person's hands.
+void noteHeld(ClipPerson& person, const HeldThings::Extents& extent);
 /// Call after the last image: turns sums of residuals into means and sorts people by the number of images
 /// found.
 void finishTrack(ClipTrack& track);

@@ -41,6 +41,7 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
     const PersonImage image{&frame.image, &track_.camera, mask_};
     const TrackedBody* body = tracker.see(frame.t, {&image, 1});
     noteMoment(track_, place_, person.id, frame.t, body, options_.keep);
+    if (body && body->found) noteHeld(track_.people[place_.at(person.id)], tracker.held().extent());
     if (!body) continue;
     if (body->found) seen_.push_back({person.id, body});
     if (options_.watch)

@@ -27,7 +27,11 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
 }
 
 TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
-    : options_{options}, facing_{known.facing}, stature_{known.stature}, things_{known.things} {
+    : options_{options},
+      facing_{known.facing},
+      stature_{known.stature},
+      things_{known.things},
+      held_{known.held} {
   use(known.body);
   fitted_ = true;
 }
@@ -44,7 +48,11 @@ void TrackedPerson::use(const humanmodel::HumanOptions& body) {
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> images) {
   const TrackedBody* body = follow(t, things_.remove(images));
-  if (body && body->found) things_.learn(tracker_->seen(), tracker_->fit(), body->X_WS);
+  if (body && body->found) {
+    things_.learn(tracker_->seen(), tracker_->fit(), body->X_WS);
+    held_.see(tracker_->seen(), tracker_->fit(), body->X_WS, body->visible);
+    tracker_->widenHands(held_.extent());
+  }
   return body;
 }
 
@@ -140,3 +148,4 @@ void TrackedPerson::adopt(const Fit& fit) {
 }
 
 }  // namespace abstand::tracking
+  if (turn) held_ = HeldThings();  // learned with the arms on the wrong side

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tracking/tracker/body_calibration.hpp"
+#include "tracking/tracker/held_things.hpp"
 #include "tracking/tracker/stature.hpp"
 #include "tracking/tracker/still_things.hpp"
 
@@ -27,7 +28,8 @@ struct KnownBody {
   humanmodel::HumanOptions body;
   Stature stature;
   Facing facing;
-  StillThings things{};  ///< around the person
+  StillThings things{};        ///< around the person
+  HeldThings::Extents held{};  ///< in the hands in the first images
 };
 
 /// Processes the images of one person, of one camera or several. The body is first made from the stature of
@@ -60,6 +62,7 @@ class TrackedPerson {
   /// Valid if body() has a value.
   const Stature& stature() const { return stature_; }
   const StillThings& things() const { return things_; }
+  const HeldThings& held() const { return held_; }
   /// The rig of body().
   const std::shared_ptr<const BodyRig>& rig() const { return rig_; }
   /// Ends measuring and fitting with the images so far.
@@ -89,6 +92,7 @@ class TrackedPerson {
   BodyCalibration calibration_;
   StillThings things_;
   std::future<Fit> fitting_;
+  HeldThings held_;
   bool fitted_{false};
 };
 

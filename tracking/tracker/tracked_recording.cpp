@@ -85,6 +85,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.notes.push_back("person " + std::to_string(person + 1) + " of " + std::to_string(track.people.size()) +
                     ", found in " + std::to_string(tracked.found) + " of " + std::to_string(track.images) +
                     " images, " + toMillimetre(tracked.residual) + " mean distance to the body");
+  for (std::string& note : heldNotes(tracked)) r.notes.push_back(std::move(note));
   return recording;
 }
 
@@ -125,6 +126,21 @@ std::vector<std::string> trackWarnings(const ClipPerson& person) {
   if (!person.stature.known())
     warnings.push_back("the stature is " + statureReason(person.stature) + " (--height)");
   return warnings;
+}
+
+std::vector<std::string> heldNotes(const ClipPerson& person) {
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < person.held.size(); ++k) {
+    if (person.held[k] == 0) continue;
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "the %s hand holds a thing in %zu images, up to %.2f m beyond the hand; its pose uncertainty "
+        "includes the thing",
+        k == 0 ? "left" : "right", person.held[k], person.held_extent[k]);
+    notes.emplace_back(text);
+  }
+  return notes;
 }
 
 std::vector<std::string> cameraWarnings(const ClipTrack& track) {

@@ -23,6 +23,9 @@ std::string statureReason(const Stature& stature);
 /// Reservations about the track of a person, one sentence each: undecided facing, unknown stature.
 std::vector<std::string> trackWarnings(const ClipPerson& person);
 
+/// Things in the person's hands, one sentence for each hand.
+std::vector<std::string> heldNotes(const ClipPerson& person);
+
 /// Cameras that were moved while they recorded or repeat their images, one sentence each.
 std::vector<std::string> cameraWarnings(const ClipTrack& track);
 

@@ -93,6 +93,7 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
   EXPECT_TRUE(j["warnings"].empty()) << j["warnings"];
   EXPECT_LT(j["residual_mm"], 20.0);
   EXPECT_EQ(j["people"].size(), 1u);
+  EXPECT_EQ(j["people"][0]["held"], json::array());
   EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000018.png"));
   const json skeleton = runJson("skeleton " + csv);
   EXPECT_EQ(skeleton["frames"], 19);

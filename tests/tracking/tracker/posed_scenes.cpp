@@ -112,9 +112,35 @@ std::vector<PosedScene> posedScenes() {
 }
 
 SimulatedClip simulate(const PosedScene& scene) {
-  return simulate(
-      {.recording = {}, .eye = scene.eye, .look = scene.look, .body_seed = scene.body_seed, .room = true},
-      posedFrames(scene.postures), scene.furniture);
+  return simulate({.recording = {},
+                   .eye = scene.eye,
+                   .look = scene.look,
+                   .body_seed = scene.body_seed,
+                   .room = true,
+                   .held = scene.held},
+                  posedFrames(scene.postures), scene.furniture);
 }
 
 }  // namespace abstand::testing
+std::vector<PosedScene> heldScenes() {
+  using enum HeldBox::Grip;
+  const std::vector<Posture> stand{standing(0.0), handsAhead(1.5), standing(3.0)};
+  const std::vector<Posture> swing{
+      standing(0.0), {.t = 1.5, .reach = 0.10, .aside = 0.50, .low = 1.0}, standing(3.0)};
+  const std::vector<Posture> carry{{.t = 0.0, .reach = 0.38, .aside = 0.18, .low = 0.95},
+                                   {.t = 1.5, .reach = 0.40, .aside = 0.18, .low = 1.25},
+                                   {.t = 3.0, .reach = 0.38, .aside = 0.18, .low = 0.95}};
+  const Vector3d front{2.8, 0.0, 1.2}, look{0.0, 0.0, 0.9}, side{0.5, -2.6, 1.2};
+  // Across the palm, from 0.15 m below the fist to 0.35 m above it.
+  const std::vector<HeldBox> bar{{kRight, {-0.09, -0.02, -0.15}, {-0.05, 0.02, 0.35}}};
+  // As a case that hangs from the hand.
+  const std::vector<HeldBox> suitcase{{kRight, {-0.02, -0.08, -0.20}, {0.28, 0.08, 0.20}}};
+  const std::vector<HeldBox> carton{{kBoth, {-0.25, -0.15, -0.12}, {0.05, 0.15, 0.12}}};
+  return {{"bar", stand, front, look, {}, 0, bar},
+          {"bar_from_the_side", stand, side, look, {}, 0, bar},
+          {"suitcase", swing, front, look, {}, 0, suitcase},
+          {"suitcase_from_the_side", swing, side, look, {}, 0, suitcase},
+          {"carton", carry, front, look, {}, 0, carton},
+          {"carton_camera_at_2_6_m", carry, {2.8, 0.0, 2.6}, look, {}, 0, carton}};
+}
+

@@ -1,6 +1,8 @@
 // Written postures beside furniture and at the edge of the image, as clips.
 #pragma once
 
+#include <ostream>
+
 #include "tests/tracking/tracker/posed_person.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 
@@ -12,9 +14,15 @@ struct PosedScene {
   Vector3d eye{2.8, 0.0, 1.2}, look{0.0, 0.0, 0.9};  ///< m
   std::vector<FurnitureBox> furniture{};
   std::uint64_t body_seed{0};
+  std::vector<HeldBox> held{};
 };
 
+inline void PrintTo(const PosedScene& scene, std::ostream* out) { *out << scene.name; }
+
 std::vector<PosedScene> posedScenes();
+
+/// People who hold bars and boxes.
+std::vector<PosedScene> heldScenes();
 
 /// In a room, 320 x 240.
 SimulatedClip simulate(const PosedScene& scene);

@@ -58,6 +58,15 @@ humanmodel::Joint otherSide(humanmodel::Joint j) {
   return j;
 }
 
+void drawHeld(const HeldBox& box, const humanmodel::SkeletonFrame& frame, const Transform& X_CW,
+              tracking::DepthRender& render) {
+  const std::array<Vector3d, 8> p = box.corners(frame);
+  // Bit k of a corner's index: whether it is high along axis k.
+  constexpr std::array<std::array<std::size_t, 3>, 6> kFaces{
+      {{0, 1, 3}, {4, 5, 7}, {0, 1, 5}, {2, 3, 7}, {0, 2, 6}, {1, 3, 7}}};
+  for (const auto& [a, b, c] : kFaces) render.draw(rectangle(p[a], p[b], p[c]), X_CW);
+}
+
 using SkinPointer = std::shared_ptr<const tracking::SkinBody>;
 
 SkinPointer skinFor(const ClipPlan& plan, const std::vector<humanmodel::SkeletonFrame>& truth) {
@@ -96,6 +105,7 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
                        const SkinPointer& skin, std::vector<FurnitureBox> furniture) {
   SimulatedClip clip;
   clip.truth = std::move(truth);
+  clip.skin = skin;
   tracking::DepthSource source;
   source.camera.width = plan.width;
   source.camera.height = plan.width * 3 / 4;
@@ -120,6 +130,7 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
     for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
     if (plan.room) drawRoom(plan, camera.X_WC, X_CW, render);
     for (const FurnitureBox& box : boxes) drawBox(box, frames[i].t, X_CW, render);
+    for (const HeldBox& box : plan.held) drawHeld(box, frames[i], X_CW, render);
     image = tracking::seenByKinect(render.image(), camera, tracking::kinectNoiseIn(camera), 1, i);
     return image;
   };
@@ -128,6 +139,32 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
 }
 
 }  // namespace
+
+std::array<Vector3d, 8> HeldBox::corners(const humanmodel::SkeletonFrame& frame) const {
+  const Vector3d left_hand = frame[kHandLeft], right_hand = frame[kHandRight];
+  const Vector3d left_bone = left_hand - frame[kWristLeft], right_bone = right_hand - frame[kWristRight];
+  const Vector3d left = frame[kHipLeft] - frame[kHipRight];
+  const auto squared = [](const Vector3d& v, const Vector3d& axis) {
+    return Vector3d((v - v.dot(axis) * axis).normalized());
+  };
+  Transform X_WG = Transform::Identity();
+  Vector3d x, y;
+  if (grip == Grip::kBoth) {
+    X_WG.translation() = 0.5 * (left_hand + right_hand);
+    y = (left_hand - right_hand).normalized();
+    x = squared(left_bone + right_bone, y);
+  } else {
+    X_WG.translation() = grip == Grip::kLeft ? left_hand : right_hand;
+    x = (grip == Grip::kLeft ? left_bone : right_bone).normalized();
+    y = squared(left, x);
+  }
+  X_WG.linear() << x, y, x.cross(y);
+  std::array<Vector3d, 8> out;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = X_WG * Vector3d((i & 1u) != 0 ? high.x() : low.x(), (i & 2u) != 0 ? high.y() : low.y(),
+                             (i & 4u) != 0 ? high.z() : low.z());
+  return out;
+}
 
 SimulatedClip simulate(const ClipPlan& plan) {
   const tracking::Recording recording = tracking::openRecording(plan.recording);

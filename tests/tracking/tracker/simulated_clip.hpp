@@ -1,13 +1,26 @@
 // Depth recordings made in memory: a body of skin that moves as somebody did, seen by a Kinect.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <memory>
 #include <span>
 
 #include "tracking/depth/formats/depth_stream.hpp"
+#include "tracking/depth/simulator/skin_body.hpp"
 #include "tracking/recording/recording.hpp"
 
 namespace abstand::testing {
+
+/// A box in one hand or in both: corners (m) in the frame of the grip. Its origin is the end of the hand, or
+/// the middle between both ends; x from the wrist to the end of the hand, y to the left of the person; for
+/// both hands, y from the right one to the left one.
+struct HeldBox {
+  enum class Grip : std::uint8_t { kLeft, kRight, kBoth } grip;
+  Vector3d low, high;
+  /// World.
+  std::array<Vector3d, 8> corners(const humanmodel::SkeletonFrame& frame) const;
+};
 
 /// Where a clip comes from and how it is seen. Lengths in m; world: the floor is z = 0, the person stands
 /// over the origin in the clip's first frame and faces +x.
@@ -21,11 +34,13 @@ struct ClipPlan {
   bool room{false};  ///< a floor, and a wall 1.5 m behind the origin
   int width{320};
   double push_at{kInfinity}, push{0.0};  ///< s, rad: from then on the camera looks down by that much more
+  std::vector<HeldBox> held{};
 };
 
 struct SimulatedClip {
   std::unique_ptr<tracking::DepthStream> stream;  ///< 30 Hz, the camera's pose known
   std::vector<humanmodel::SkeletonFrame> truth;   ///< joints as recorded, world, one for each image
+  std::shared_ptr<const tracking::SkinBody> skin;
 };
 
 SimulatedClip simulate(const ClipPlan& plan);

@@ -1,4 +1,5 @@
 // Real captures, worn by a body that is not the model, seen by a simulated Kinect, and tracked.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/paths.hpp"
@@ -52,6 +53,7 @@ TEST_P(SimulatedPeople, AreTrackedWithinTolerance) {
   auto clip = testing::simulate(GetParam().scene.plan);
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_EQ(track.people.size(), 1u);
+  EXPECT_THAT(track.people[0].held, ::testing::Each(0u)) << "things in empty hands";
   const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
   EXPECT_LE(JointErrors::mean(errors.aligned), GetParam().mean);
   EXPECT_LE(JointErrors::quantile(errors.aligned, 0.95), GetParam().p95);

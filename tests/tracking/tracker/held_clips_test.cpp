@@ -1,0 +1,93 @@
+// Bars and boxes in the hands of tracked people: what is certified of a hand includes what it holds.
+#include <gtest/gtest.h>
+
+#include "humanmodel/part_uncertainty.hpp"
+#include "humanmodel/poser.hpp"
+#include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tracking/tracker/clip_tracker.hpp"
+
+namespace abstand::tracking {
+namespace held_clips_test {
+
+using humanmodel::BodyPart;
+using testing::HeldBox;
+
+constexpr double kCertified = 0.99;    // share of the images
+constexpr double kNoticed = 0.9;       // share of the images
+constexpr double kFromTheFront = 2.0;  // m, x of the camera
+constexpr std::string_view kHandNames[] = {"hand_left", "hand_right"};
+constexpr BodyPart kHands[] = {BodyPart::kHandLeft, BodyPart::kHandRight};
+
+bool isIn(HeldBox::Grip grip, std::size_t hand) {
+  return grip == HeldBox::Grip::kBoth || grip == (hand == 0 ? HeldBox::Grip::kLeft : HeldBox::Grip::kRight);
+}
+
+/// m, distance of the farthest true point of the hand and of the things in it from the hand of the pose. The
+/// distance to a convex body is convex, so that of a box is largest at a corner. If it is at most the pose
+/// uncertainty of the hand, the certified distance of the hand to any robot is at most the true one.
+double farthest(const testing::SimulatedClip& clip, const std::vector<HeldBox>& held, std::size_t image,
+                std::size_t hand, const humanmodel::HumanPart& part, const Transform& X_WP) {
+  double far = 0.0;
+  const auto add = [&](const Vector3d& p_W) {
+    far = std::max(far, geometry::distanceTo(part.shape, X_WP.inverse() * p_W).distance);
+  };
+  const humanmodel::SkeletonFrame& truth = clip.truth[image];
+  for (const HeldBox& box : held)
+    if (isIn(box.grip, hand))
+      for (const Vector3d& corner : box.corners(truth)) add(corner);
+  for (const SkinPart& skin : clip.skin->wrap(truth))
+    if (skin.name == kHandNames[hand])
+      for (const Vector3d& p : skin.mesh.vertices) add(p);
+  return far;
+}
+
+class HeldClips : public ::testing::TestWithParam<testing::PosedScene> {};
+
+TEST_P(HeldClips, CertifiedDistanceOfTheHandIncludesTheThing) {
+  const testing::PosedScene& scene = GetParam();
+  const auto clip = testing::simulate(scene);
+  const ClipTrack track = trackClip(*clip.stream, {});
+  ASSERT_EQ(track.people.size(), 1u);
+  const ClipPerson& person = track.people[0];
+  const humanmodel::HumanModel model = humanmodel::makeHuman(person.body);
+  humanmodel::Poser poser(model);
+  poser.calibrate(person.frames);
+  std::size_t certified = 0, all = 0, image = 0;
+  double sum = 0.0, needed = 0.0;
+  for (const humanmodel::SkeletonFrame& frame : person.frames) {
+    while (image + 1 < clip.truth.size() && clip.truth[image].t < frame.t - 1e-6) ++image;
+    humanmodel::HumanPose pose;
+    poser.pose(frame, pose);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!std::any_of(scene.held.begin(), scene.held.end(),
+                       [k](const HeldBox& box) { return isIn(box.grip, k); }))
+        continue;
+      const auto i = humanmodel::index(kHands[k]);
+      const double reach = humanmodel::partUncertainty(pose.age[i], pose.spread[i]);
+      const double far = farthest(clip, scene.held, image, k, model.part(kHands[k]), pose.X_WP[i]);
+      ++all;
+      certified += far <= reach;
+      sum += reach;
+      needed += far;
+    }
+  }
+  std::printf("| %s | %zu, %zu of %zu | %.3f | %.2f, %.2f |\n", scene.name.c_str(), person.held[0],
+              person.held[1], person.frames.size(), static_cast<double>(certified) / static_cast<double>(all),
+              sum / static_cast<double>(all), needed / static_cast<double>(all));
+  EXPECT_GE(static_cast<double>(certified), kCertified * static_cast<double>(all));
+  if (scene.eye.x() < kFromTheFront) return;  // a hidden arm may be fitted to the thing in the other hand
+  const auto images = static_cast<double>(person.frames.size());
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (std::any_of(scene.held.begin(), scene.held.end(),
+                    [k](const HeldBox& box) { return isIn(box.grip, k); }))
+      EXPECT_GE(static_cast<double>(person.held[k]), kNoticed * images);
+    else
+      EXPECT_EQ(person.held[k], 0u) << "an empty hand";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Things, HeldClips, ::testing::ValuesIn(testing::heldScenes()),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace held_clips_test
+}  // namespace abstand::tracking
