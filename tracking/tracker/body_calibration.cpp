@@ -17,7 +17,14 @@ constexpr int kTurnSteps = 15;                     // solver steps for one that 
 constexpr std::array kChanges{0.06, 0.03, 0.015};  // relative change of a size, by sweep
 // Share of the cost for each size that is 10 % off the usual one; regularises sizes that no image shows.
 constexpr double kUnusual = 0.01;
-constexpr double kMaxFactor = 1.25;  // and its inverse: limits of human proportions
+constexpr double kStatureStep = 0.05;  // m
+constexpr int kStatureSteps = 15;      // solver steps for an image and a changed stature
+// m; mean and standard deviation of the statures of women and men together (ANSUR II: 1.63 and 1.76 m), and
+// the share of the cost for each stature that is one standard deviation off. A body that points at the camera
+// hardly shows its length.
+constexpr double kMeanStature = 1.70, kStatureDeviation = 0.10, kUnusualStature = 0.05;
+constexpr double kPlausibleCost = 1.15;  // times the smallest
+constexpr double kMaxFactor = 1.25;      // and its inverse: limits of human proportions
 
 enum class Size { kLength, kGirth };
 
@@ -108,6 +115,32 @@ double BodyCalibration::costOf(const humanmodel::HumanOptions& options, int step
     sum += fit.misfit(images_[i].seen, X_WS).cost;
   }
   return sum / static_cast<double>(images_.size());
+}
+
+std::optional<std::array<double, 2>> BodyCalibration::plausibleStatures(
+    const humanmodel::HumanOptions& start, const std::array<double, 2>& limits) const {
+  if (images_.empty() || !start.height) return std::nullopt;
+  std::vector<std::pair<double, double>> costs;  // by stature
+  double smallest = kInfinity;
+  // From the stature of the poses outwards, so that each fit starts from one of nearly the same size.
+  for (const double step : {kStatureStep, -kStatureStep}) {
+    std::vector<RigPose> poses = this->poses();
+    for (double height = *start.height; height >= limits[0] && height <= limits[1]; height += step) {
+      humanmodel::HumanOptions body = start;
+      body.height = height;
+      const double unusual = (height - kMeanStature) / kStatureDeviation;
+      const double cost = costOf(body, kStatureSteps, poses) * (1.0 + kUnusualStature * unusual * unusual);
+      costs.emplace_back(height, cost);
+      smallest = std::min(smallest, cost);
+    }
+  }
+  std::array<double, 2> range{kInfinity, -kInfinity};
+  for (const auto& [height, cost] : costs) {
+    if (cost > kPlausibleCost * smallest) continue;
+    range = {std::min(range[0], height), std::max(range[1], height)};
+  }
+  if (range[0] > range[1]) return std::nullopt;
+  return range;
 }
 
 humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& start) const {

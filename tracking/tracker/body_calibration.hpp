@@ -1,6 +1,8 @@
 // Estimates body sizes of a person from the first seconds of depth images.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "tracking/tracker/body_tracker.hpp"
@@ -22,6 +24,11 @@ class BodyCalibration {
   double whenTurned(const humanmodel::HumanOptions& body) const;
   /// Declares that the person in the images faces the other way.
   void flipFacing(const humanmodel::HumanOptions& body);
+
+  /// Range (m) within `limits` of the statures whose mean body explains the images nearly as well as the best
+  /// one does, each image refitted. nullopt without images.
+  std::optional<std::array<double, 2>> plausibleStatures(const humanmodel::HumanOptions& start,
+                                                         const std::array<double, 2>& limits) const;
 
   /// Coordinate search over lengths of trunk, arms and legs, and girths, in steps of a few per cent, each
   /// image refitted, as long as the cost decreases. Keeps the stature of `start` and the parts that it

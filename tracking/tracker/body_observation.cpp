@@ -23,4 +23,6 @@ void BodyObservation::update(std::span<const PersonImage> images) {
 
 void BodyObservation::markStanding() { tracking::markStanding(points_); }
 
+void BodyObservation::unmarkStanding() { std::fill_n(points_.no_arm.begin(), points_.count, 0.0f); }
+
 }  // namespace abstand::tracking

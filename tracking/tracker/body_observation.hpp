@@ -19,6 +19,7 @@ class BodyObservation {
 
   /// Applies markStanding() to the points until the next update().
   void markStanding();
+  void unmarkStanding();
 
   const SeenPoints& points() const { return points_; }
   std::span<const BodyView> views() const { return {views_.data(), count_}; }

@@ -18,7 +18,7 @@ constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
 // Share of a stature error by which a joint moves: the body is still fitted to the observed points.
-constexpr double kOfStature = 0.25;
+constexpr double kOfStature = 0.30;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
@@ -40,11 +40,31 @@ constexpr double kStandingHead = 0.85;
 // below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of a
 // person who stands hang higher than markStanding() looks.
 constexpr double kHandsOffFloor = 0.70;
+constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
+
+// m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is at
+// 0.8. Height of the pelvis of people who lie.
+constexpr double kLyingTop = 0.65, kLyingPelvis = 0.12;
+constexpr double kLevelFront = 0.7;  // cosine; the front of a person who lies points up or down
 
 double topOf(const SeenPoints& points) {
   float top = 0.0f;
   for (std::size_t i = 0; i < points.count; ++i) top = std::max(top, points.z[i]);
   return static_cast<double>(top);
+}
+
+/// m, of a person who stands.
+double vertexAbovePelvis(const BodyRig& rig) {
+  RigPlacement X_WS;
+  place(rig, RigPose{}, X_WS);
+  const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
+  return (X_WS[index(rig.carrier[vertex])] * rig.p_joint[vertex]).z();
+}
+
+/// Whether a knee is on the floor. There is no chair then, and thighs stand on the floor beside the hands.
+bool kneels(const RigPlacement& X_WS) {
+  return std::min(X_WS[index(RigSegment::kCalfLeft)].translation().z(),
+                  X_WS[index(RigSegment::kCalfRight)].translation().z()) < kKneeOnFloor;
 }
 
 void bendLegs(const BodyRig& rig, const Vector3d& p_ankle, RigPose& pose) {
@@ -83,7 +103,8 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
   seen_.update(images);
   const double top = topOf(seen_.points()) / rig_->height;
-  if (top > kHandsOffFloor && top < kStandingHead) seen_.markStanding();
+  const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
+  if (may_sit && !(body_.found && kneels(body_.X_WS))) seen_.markStanding();
   const double dt = t - last_t_;
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {
@@ -93,7 +114,13 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;
     if (badly_ >= kBadImages) body_.found = false;
   }
-  if (!body_.found && seen_.points().count >= kFewestPoints) find();
+  if (!body_.found && seen_.points().count >= kFewestPoints) {
+    find();
+    if (may_sit && body_.found && kneels(body_.X_WS)) {
+      seen_.unmarkStanding();
+      find();
+    }
+  }
   finish(t);
   return body_;
 }
@@ -104,6 +131,12 @@ void BodyTracker::resume(const RigPose& pose) {
   velocity_.setZero();
   badly_ = 0;
   front_ = yawOf(pose);
+}
+
+void BodyTracker::widenHands(const std::array<double, 2>& extent) {
+  using enum humanmodel::Joint;
+  body_.frame.spread[static_cast<std::size_t>(kHandLeft)] += extent[0] / humanmodel::kSpreadQuantile;
+  body_.frame.spread[static_cast<std::size_t>(kHandRight)] += extent[1] / humanmodel::kSpreadQuantile;
 }
 
 void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
@@ -133,12 +166,6 @@ void BodyTracker::plantHiddenFeet() {
     feet |= DepthFit::bit(leg.end);
   }
   wide_.planted = narrow_.planted = last_t_ - legs_seen_t_ > kStands ? feet : 0;
-void BodyTracker::widenHands(const std::array<double, 2>& extent) {
-  using enum humanmodel::Joint;
-  body_.frame.spread[static_cast<std::size_t>(kHandLeft)] += extent[0] / humanmodel::kSpreadQuantile;
-  body_.frame.spread[static_cast<std::size_t>(kHandRight)] += extent[1] / humanmodel::kSpreadQuantile;
-}
-
 }
 
 void BodyTracker::follow(double dt) {
@@ -188,7 +215,9 @@ void BodyTracker::find() {
   }
   middle /= views;
   TrackedBody best;
-  if (front_) {
+  if (top < kLyingTop) {
+    tryLying(middle, best);
+  } else if (front_) {
     tryStarts(middle, top, *front_, best);
   } else {
     for (std::size_t v = 0; v < seen_.views().size(); ++v)
@@ -203,10 +232,7 @@ void BodyTracker::find() {
 /// Fits the postures of a start that faces `facing` (rad), about the middle of the body, its highest point at
 /// z = `top` (m); keeps the best of these and of `best`.
 void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best) {
-  RigPlacement X_WS;
-  place(*rig_, RigPose{}, X_WS);
-  const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
-  const double above = (X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex]).z();
+  const double above = vertexAbovePelvis(*rig_);
   const bool is_low = top < kStandingHead * rig_->height;
   const std::span<const StartPosture> postures =
       is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
@@ -217,17 +243,48 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, T
       pose.X_WP.translation().z() = top - above - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
-      body_.pose = pose;
-      for (int round = 0; round < 3; ++round) {
-        fit_.refine(seen_, body_.pose, wide_, 6, body_.pose);
-        searchLimbs(120, 0.3, 40, 0.2);
-      }
-      fit_.refine(seen_, body_.pose, narrow_, 10, body_.pose);
-      place(*rig_, body_.pose, body_.X_WS);
-      body_.misfit = fit_.misfit(seen_, body_.X_WS);
-      if (body_.misfit.cost < best.misfit.cost) best = body_;
+      tryStart(pose, best);
     }
   }
+}
+
+/// Fits a person who lies along the longest horizontal extent of the points, which passes `middle`, on the
+/// back and on the front, with the head at either end.
+void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
+  const SeenPoints& points = seen_.points();
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Eigen::Vector2d off = (points.point(i) - middle).head<2>();
+    scatter += off * off.transpose();
+  }
+  // Direction of the larger eigenvalue.
+  const double angle = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
+  for (const double end : {0.0, kPi}) {
+    const Vector3d head(std::cos(angle + end), std::sin(angle + end), 0.0);
+    double farthest = -kInfinity;
+    for (std::size_t i = 0; i < points.count; ++i)
+      farthest = std::max(farthest, head.dot(points.point(i) - middle));
+    for (const double front : {1.0, -1.0}) {
+      RigPose pose;
+      const Vector3d x = front * Vector3d::UnitZ();
+      pose.X_WP.linear() << x, head.cross(x), head;
+      pose.X_WP.translation() = middle + (farthest - vertexAbovePelvis(*rig_)) * head;
+      pose.X_WP.translation().z() = kLyingPelvis;
+      tryStart(pose, best);
+    }
+  }
+}
+
+void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
+  body_.pose = start;
+  for (int round = 0; round < 3; ++round) {
+    fit_.refine(seen_, body_.pose, wide_, 6, body_.pose);
+    searchLimbs(120, 0.3, 40, 0.2);
+  }
+  fit_.refine(seen_, body_.pose, narrow_, 10, body_.pose);
+  place(*rig_, body_.pose, body_.X_WS);
+  body_.misfit = fit_.misfit(seen_, body_.X_WS);
+  if (body_.misfit.cost < best.misfit.cost) best = body_;
 }
 
 void BodyTracker::finish(double t) {
@@ -243,7 +300,7 @@ void BodyTracker::finish(double t) {
   }
   found_t_ = t;
   away_ = false;
-  front_ = yawOf(body_.pose);
+  if (std::abs(body_.pose.X_WP.linear()(2, 0)) < kLevelFront) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);

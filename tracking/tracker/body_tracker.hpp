@@ -24,10 +24,10 @@ struct TrackedBody {
 
 /// Steps for each moment, of which there is one image or one of each camera: prediction from the last two
 /// poses, fit, search for limbs left behind, second fit. The initial search assumes a person upright and
-/// facing a camera, or with the back to it (expectAway()), and tolerates rotations up to 60 degrees.
-/// Afterwards left and right persist, as motion between two images is small. Lost when more than a third of
-/// the person's points are far from the body for some images; then searched anew, within a second in the last
-/// orientation.
+/// facing a camera, or with the back to it (expectAway()), and tolerates rotations up to 60 degrees; or
+/// lying, on the back or on the front, if nothing is high. Afterwards left and right persist, as motion
+/// between two images is small. Lost when more than a third of the person's points are far from the body for
+/// some images; then searched anew, within a second in the last orientation.
 ///
 /// One tracker for each person and thread. The rig must outlive it. track() allocates nothing after the first
 /// image; it does not throw.
@@ -61,6 +61,8 @@ class BodyTracker {
  private:
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
+  void tryLying(const Vector3d& middle, TrackedBody& best);
+  void tryStart(const RigPose& start, TrackedBody& best);
   void follow(double dt);
   void plantHiddenFeet();
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);

@@ -48,7 +48,16 @@ VerticalExtent verticalExtent(std::span<const PersonImage> images) {
           all_cut_above};
 }
 
-double Stature::deviation() const { return known() ? 0.0 : (interval[1] - interval[0]) / std::sqrt(12.0); }
+double Stature::deviation() const {
+  if (known()) return 0.0;
+  const double half = 0.5 * (interval[1] - interval[0]), off = 0.5 * (interval[1] + interval[0]) - used;
+  return std::sqrt(half * half / 3.0 + off * off);
+}
+
+void Stature::narrow(const std::array<double, 2>& indicated) {
+  interval = {std::min(used, std::max(interval[0], indicated[0] - kProportions)),
+              std::max(used, std::min(interval[1], indicated[1] + kProportions))};
+}
 
 Stature Stature::given(double height) { return {Source::kGiven, height, {height, height}, {}}; }
 

@@ -31,14 +31,22 @@ struct Stature {
   std::array<double, 2> interval{kShortest, kTallest};   ///< kInterval: bounds
   std::string reason{"too few images show the person"};  ///< kInterval: reason why it was not measured
 
+  /// kInterval: narrows the bounds to the statures (m) that the lengths of the parts indicate, widened by
+  /// kProportions; `used` stays within.
+  void narrow(const std::array<double, 2>& indicated);
+
   bool known() const { return source != Source::kInterval; }
-  /// Standard deviation of a uniform distribution over the interval; 0 if the stature is known.
+  /// RMS difference (m) between `used` and a uniform distribution over the interval; 0 if the stature is
+  /// known.
   double deviation() const;
 
   /// Limits of possible statures, and of those of upright adults: 1.45 m is below the first percentile of
   /// adult women (ANSUR II), 2.05 m above the 99th of men.
   static constexpr double kShortest = 1.3, kTallest = 2.1;
   static constexpr double kShortestUpright = 1.45, kTallestUpright = 2.05;
+  /// m; statures that the lengths of parts give have this error: twice the standard deviation of a stature
+  /// that is estimated from the sitting height (0.52 of it, standard deviation of the ratio 0.013; ANSUR II).
+  static constexpr double kProportions = 0.09;
   /// Default if the images show nothing.
   static constexpr double kUsual = 1.70;
 

@@ -70,7 +70,7 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
     calibration_.add(t, *tracker_);
     if (!calibration_.complete()) return body;
     if (options_.fit_aside)
-      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), *body_, facing_);
+      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), Fit{*body_, facing_, stature_});
   }
   if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return body;
@@ -123,29 +123,35 @@ void TrackedPerson::settle() {
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    adopt(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), *body_, facing_));
+    adopt(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), {*body_, facing_, stature_}));
   }
 }
 
-TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const humanmodel::HumanOptions& body,
-                                      Facing facing) {
-  if (facing.decided()) return {images.fit(body), facing};
-  facing.ratio = images.whenTurned(body);
-  if (facing.ratio < Facing::kBackBelow) {
-    facing.away = true;
-    images.flipFacing(body);
+TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const Fit& start) {
+  Fit fit = start;
+  if (!fit.facing.decided()) {
+    fit.facing.ratio = images.whenTurned(fit.body);
+    if (fit.facing.ratio < Facing::kBackBelow) {
+      fit.facing.away = true;
+      images.flipFacing(fit.body);
+    }
   }
-  return {images.fit(body), facing};
+  if (!fit.stature.known())
+    if (const auto range = images.plausibleStatures(fit.body, fit.stature.interval))
+      fit.stature.narrow(*range);
+  fit.body = images.fit(fit.body);
+  return fit;
 }
 
 void TrackedPerson::adopt(const Fit& fit) {
   const bool turn = fit.facing.away != facing_.away;
   facing_ = fit.facing;
+  stature_ = fit.stature;
   const TrackedBody last = tracker_->body();
   use(fit.body);
+  if (turn) held_ = HeldThings();  // learned with the arms on the wrong side
   if (last.found) tracker_->resume(turn ? flippedFacing(*rig_, last.pose) : last.pose);
   fitted_ = true;
 }
 
 }  // namespace abstand::tracking
-  if (turn) held_ = HeldThings();  // learned with the arms on the wrong side

@@ -72,9 +72,10 @@ class TrackedPerson {
   struct Fit {
     humanmodel::HumanOptions body;
     Facing facing;
+    Stature stature;
   };
-  /// Compares facing directions unless given.
-  static Fit fit(BodyCalibration images, const humanmodel::HumanOptions& body, Facing facing);
+  /// Compares facing directions unless given, and statures unless one is known.
+  static Fit fit(BodyCalibration images, const Fit& start);
   void use(const humanmodel::HumanOptions& body);
   void adopt(const Fit& fit);
   const TrackedBody* follow(double t, std::span<const PersonImage> images);
@@ -91,8 +92,8 @@ class TrackedPerson {
   std::unique_ptr<BodyTracker> tracker_;
   BodyCalibration calibration_;
   StillThings things_;
-  std::future<Fit> fitting_;
   HeldThings held_;
+  std::future<Fit> fitting_;
   bool fitted_{false};
 };
 

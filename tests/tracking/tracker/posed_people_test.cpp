@@ -1,7 +1,9 @@
 // People in hard postures, behind furniture and at the edge of the image, tracked.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tracking/depth/people/lying_people.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -14,12 +16,15 @@ using testing::JointErrors;
 constexpr double kSamePlace = 0.5;  // m, of the hips: farther away it is not the person
 constexpr double kRightWayRound = 0.99, kWithinReach = 0.99, kHiddenWithin = 0.97;  // shares
 constexpr double kRawMean = 0.050, kRawP95 = 0.130;                                 // m, tracked joints
+constexpr double kWidestInterval = 0.60;                                            // m, of statures
 constexpr double kStature = 0.04;                                                   // m
 constexpr std::size_t kLate = 3;  // images until a head is found that is out of the image
 
 struct Case {
   testing::PosedScene scene;
   double within{kWithinReach}, mean{kRawMean}, p95{kRawP95};
+  std::size_t late{kLate};
+  bool chair_at_hand{false};  ///< may be taken for a thing in the hand
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene.name; }
 
@@ -31,6 +36,10 @@ std::vector<Case> cases() {
     if (c.scene.name == "seated" || c.scene.name == "sitting_down" || c.scene.name == "standing_up")
       c.mean = 0.040, c.p95 = 0.080;
     if (c.scene.name == "still_from_behind_at_5_m") c.mean = 0.065;
+    if (c.scene.name == "seated_camera_at_2_6_m") c.chair_at_hand = true;
+    if (c.scene.name.starts_with("lying") && c.scene.name != "lying_down") c.late = LyingPeople::kImages;
+    // The mark of standing columns, which is for chairs, made it 38 mm.
+    if (c.scene.name == "kneeling") c.mean = 0.030;
     out.push_back(std::move(c));
   }
   return out;
@@ -107,7 +116,7 @@ TEST_P(PosedPeople, AreTrackedWithinTolerance) {
       errors.tracked.error.size(), errors.inferred.within(), errors.inferred.medianRatio(),
       errors.inferred.error.size());
   EXPECT_GE(shareRightWayRound(person.frames, clip.truth), kRightWayRound);
-  EXPECT_LE(errors.lost, kLate);
+  EXPECT_LE(errors.lost, c.late);
   EXPECT_EQ(person.numbers, 1u);
   EXPECT_EQ(person.ghosts, 0u);
   if (stature.known()) {
@@ -115,6 +124,10 @@ TEST_P(PosedPeople, AreTrackedWithinTolerance) {
   } else {
     EXPECT_LE(stature.interval[0], testing::kPosedStature);
     EXPECT_GE(stature.interval[1], testing::kPosedStature);
+    EXPECT_LE(stature.interval[1] - stature.interval[0], kWidestInterval);
+  }
+  if (!c.chair_at_hand) {
+    EXPECT_THAT(person.first->held, ::testing::Each(0u)) << "things in empty hands";
   }
   EXPECT_LE(JointErrors::mean(seen), c.mean);
   EXPECT_LE(JointErrors::quantile(seen, 0.95), c.p95);
@@ -125,6 +138,30 @@ TEST_P(PosedPeople, AreTrackedWithinTolerance) {
   std::vector<SkeletonFrame> other;
   for (const SkeletonFrame& frame : clip.truth) other.push_back(flippedFacing(frame));
   EXPECT_GE(testing::compare(person.frames, other).tracked.within(), kWithinReach) << "the other way round";
+}
+
+// The interval of an unknown stature is narrow, and holds those of short and tall people too.
+TEST(UnknownStature, IntervalHoldsShortAndTallPeople) {
+  for (const testing::PosedScene& scene : testing::posedScenes()) {
+    if (scene.name != "kneeling" && scene.name != "behind_a_bench" && scene.name != "lying_from_the_side")
+      continue;
+    for (const double stature : {1.58, 1.92}) {
+      std::vector<SkeletonFrame> truth = testing::posedFrames(scene.postures);
+      for (SkeletonFrame& frame : truth)
+        for (Vector3d& p : frame.p) p *= stature / testing::kPosedStature;
+      const auto clip = testing::simulate(
+          {.recording = {}, .eye = scene.eye, .look = scene.look, .room = true}, truth, scene.furniture);
+      const ClipTrack track = trackClip(*clip.stream, {});
+      ASSERT_EQ(track.people.size(), 1u);
+      const Stature& found = track.people[0].stature;
+      std::printf("%s, %.2f m: %.2f [%.2f, %.2f]\n", scene.name.c_str(), stature, found.used,
+                  found.interval[0], found.interval[1]);
+      EXPECT_FALSE(found.known());
+      EXPECT_LE(found.interval[0], stature);
+      EXPECT_GE(found.interval[1], stature);
+      EXPECT_LE(found.interval[1] - found.interval[0], kWidestInterval);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Postures, PosedPeople, ::testing::ValuesIn(cases()),

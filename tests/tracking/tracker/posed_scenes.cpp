@@ -49,6 +49,43 @@ Posture stooped(double t) {
 Posture armsAside(double t) { return {.t = t, .reach = 0.05, .aside = 0.75, .low = 1.45}; }
 Posture armsUp(double t) { return {.t = t, .reach = 0.15, .aside = 0.30, .low = 1.95}; }
 
+/// On the back, the head away from +x; `x` (m) of the hips.
+Posture lying(double t, double x) {
+  return {.t = t,
+          .hips = {x, 0.0, 0.12},
+          .loins = -0.5 * kPi,
+          .back = -0.5 * kPi,
+          .head = -0.5 * kPi,
+          .reach = x + 0.06,
+          .aside = 0.30,
+          .low = 0.09,
+          .foot = x + 0.84,
+          .apart = 0.12,
+          .ankle = 0.09,
+          .toes = 1.2};
+}
+Posture squatting(double t) {
+  return {.t = t,
+          .hips = {-0.15, 0.0, 0.35},
+          .loins = 0.6,
+          .back = 0.6,
+          .reach = 0.30,
+          .aside = 0.25,
+          .low = 0.45,
+          .foot = 0.10,
+          .apart = 0.14};
+}
+Posture seatedOnTheFloor(double t) {
+  return {.t = t,
+          .hips = {-0.25, 0.0, 0.12},
+          .loins = -0.2,
+          .reach = -0.35,
+          .aside = 0.35,
+          .low = 0.15,
+          .foot = 0.40,
+          .apart = 0.14};
+}
+
 const std::vector<FurnitureBox> kChair{{{-0.22, -0.22, 0.37}, {0.22, 0.22, 0.41}},
                                        {{-0.26, -0.22, 0.0}, {-0.22, 0.22, 0.95}},
                                        {{0.18, -0.22, 0.0}, {0.22, -0.18, 0.37}},
@@ -65,6 +102,7 @@ std::vector<PosedScene> posedScenes() {
   const std::vector<Posture> sit_down{standing(0.0), standing(0.8), seated(2.0), seated(2.8), standing(4.0)};
   const std::vector<Posture> kneel_down{standing(0.0), standing(0.8), kneeling(2.0), kneeling(2.8),
                                         standing(4.0)};
+  const std::vector<Posture> lie{lying(0.0, 0.0), lying(3.0, 0.0)};
   const Vector3d high{2.8, 0.0, 2.6};
   return {
       {"at_2_m", stand, {2.0, 0.0, 1.2}},
@@ -100,6 +138,13 @@ std::vector<PosedScene> posedScenes() {
       {"stooping_from_the_side",
        {standing(0.0), standing(0.8), stooped(1.8), stooped(2.4), standing(3.4), standing(4.0)},
        {0.5, -2.6, 1.2}},
+      {"lying", lie},
+      {"lying_from_the_side", lie, {0.5, -2.6, 1.2}},
+      {"lying_camera_at_2_6_m", lie, {0.5, -2.6, 2.6}},
+      {"lying_down",
+       {standing(0.0), standing(0.6), squatting(1.6), seatedOnTheFloor(2.4), lying(3.4, -0.25),
+        lying(4.5, -0.25)},
+       {0.5, -2.6, 1.2}},
       {"near_arms_out_of_the_image",
        {standing(0.0), standing(0.8), armsAside(1.6), armsAside(2.2), standing(3.0)},
        {1.1, 0.0, 1.2},
@@ -111,17 +156,6 @@ std::vector<PosedScene> posedScenes() {
   };
 }
 
-SimulatedClip simulate(const PosedScene& scene) {
-  return simulate({.recording = {},
-                   .eye = scene.eye,
-                   .look = scene.look,
-                   .body_seed = scene.body_seed,
-                   .room = true,
-                   .held = scene.held},
-                  posedFrames(scene.postures), scene.furniture);
-}
-
-}  // namespace abstand::testing
 std::vector<PosedScene> heldScenes() {
   using enum HeldBox::Grip;
   const std::vector<Posture> stand{standing(0.0), handsAhead(1.5), standing(3.0)};
@@ -144,3 +178,14 @@ std::vector<PosedScene> heldScenes() {
           {"carton_camera_at_2_6_m", carry, {2.8, 0.0, 2.6}, look, {}, 0, carton}};
 }
 
+SimulatedClip simulate(const PosedScene& scene) {
+  return simulate({.recording = {},
+                   .eye = scene.eye,
+                   .look = scene.look,
+                   .body_seed = scene.body_seed,
+                   .room = true,
+                   .held = scene.held},
+                  posedFrames(scene.postures), scene.furniture);
+}
+
+}  // namespace abstand::testing

@@ -101,6 +101,29 @@ TEST(Stature, IsNotTakenFromSeatedOrHeadlessPerson) {
   EXPECT_NEAR(cutAt(1.8), 1.8, kNear);
 }
 
+TEST(Stature, IsNarrowedByTheLengthsOfParts) {
+  Stature s = of(0.0, 1.3);
+  const double before = s.deviation();
+  s.narrow({1.6, 1.8});
+  EXPECT_THAT(s.interval, ElementsAre(1.6 - Stature::kProportions, 1.8 + Stature::kProportions));
+  EXPECT_LT(s.deviation(), 0.6 * before);
+  s.narrow({1.2, 2.5});
+  EXPECT_THAT(s.interval, ElementsAre(1.6 - Stature::kProportions, 1.8 + Stature::kProportions)) << "wider";
+  s.narrow({1.9, 2.0});
+  EXPECT_EQ(s.interval[0], s.used) << "the body that is used stays within";
+}
+
+TEST(Stature, DeviationIsThatFromTheStatureUsed) {
+  Stature s;
+  s.used = 1.7;
+  s.interval = {1.5, 2.1};
+  // Mean square over the interval, by the midpoint rule.
+  constexpr int kSteps = 10000;
+  double sum = 0.0;
+  for (int k = 0; k < kSteps; ++k) sum += std::pow(1.5 + 0.6 * (k + 0.5) / kSteps - s.used, 2) / kSteps;
+  EXPECT_NEAR(s.deviation(), std::sqrt(sum), 1e-6);
+}
+
 TEST(Stature, IsUnknownWithoutImages) {
   const Stature s = measureStature({});
   EXPECT_FALSE(s.known());

@@ -33,6 +33,7 @@ constexpr double kYoung = 1.0;  // s
 // the back of a chair, or a part of the other.
 constexpr double kSplit = 0.4, kSplitLow = 0.8;
 constexpr float kLowestOfNew = 1.2f;  // m
+constexpr double kLyingReach = 0.7;   // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
 
 constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
@@ -295,6 +296,26 @@ void PeopleFinder::follow(double t) {
   }
 }
 
+/// People who lie have no head of that kind: those who are followed stay, others are new.
+void PeopleFinder::followLying(double t) {
+  lying_.find(plan_);
+  for (const Place& place : lying_.places()) {
+    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
+    for (Track& track : tracks_) {
+      if (!track.here || (track.place - place).norm() > kLyingReach) continue;
+      track.head_seen = t;
+      is_new = false;
+    }
+    if (!is_new) continue;
+    Track track;
+    track.id = next_id_++;
+    track.place = place;
+    track.born = track.seen = track.head_seen = t;
+    track.here = track.suspect = true;
+    tracks_.push_back(track);
+  }
+}
+
 /// Assigns each cell to the nearest person whose trunk is in the same component, or within whose reach a
 /// disconnected part lies.
 void PeopleFinder::assignCells() {
@@ -439,6 +460,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   projectToPlan(image, known);
   findHeads();
   follow(t);
+  followLying(t);
   assignCells();
   label(image);
   dropUncovered(image);

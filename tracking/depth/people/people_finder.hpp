@@ -3,6 +3,7 @@
 
 #include "tracking/depth/people/floor_plane.hpp"
 #include "tracking/depth/people/furniture.hpp"
+#include "tracking/depth/people/lying_people.hpp"
 #include "tracking/depth/people/plan_view.hpp"
 
 namespace abstand::tracking {
@@ -32,7 +33,8 @@ struct PeopleImage {
 /// Projects pixels that are above the floor, not background and not otherwise known to a plan view. A person
 /// is detected by a head: a peak of a head's breadth with free space beside it, above enough of a body.
 /// Touching people are separated by their heads and their earlier positions; people who overlap in the image
-/// but not on the floor are separate anyway. Detected people are followed without a visible head, too.
+/// but not on the floor are separate anyway. Detected people are followed without a visible head, too. A
+/// person who lies is detected by the outline (LyingPeople).
 ///
 /// Surfaces too large and flat for a person (Furniture) belong to nobody.
 ///
@@ -91,6 +93,7 @@ class PeopleFinder {
   Place middleOfBody(Place place) const;
   double bodyArea(const Place& place, double radius) const;
   void follow(double t);
+  void followLying(double t);
   void assignCells();
   void label(const DepthImage& image);
   bool isUncovered(std::size_t track, const DepthImage& image) const;
@@ -107,6 +110,7 @@ class PeopleFinder {
   double next_floor_{-kInfinity};  ///< s, time of the next search
   PlanView plan_;
   Furniture furniture_;
+  LyingPeople lying_;
   std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
   std::vector<StablePixel> unassigned_;  ///< current unassigned surface
   std::vector<StablePixel> background_;  ///< learned; z 0: not learned
