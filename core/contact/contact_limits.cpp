@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+
+#include "core/config/cited_table.hpp"
 
 namespace abstand::contact {
 namespace {
-
-constexpr std::size_t kStampDigits = 12;
 
 bool hasName(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -46,10 +45,7 @@ std::vector<const RegionLimits*> ContactLimits::regionsOf(std::string_view part)
   return found;
 }
 
-std::string ContactLimits::stamp() const {
-  return title + ", " + edition + ", " + std::filesystem::path(file).filename().string() + ", " +
-         content.hex().substr(0, kStampDigits);
-}
+std::string ContactLimits::stamp() const { return config::tableStamp(*this); }
 
 std::vector<std::string> ContactLimits::doubts() const {
   std::vector<std::string> all = to_be_checked;

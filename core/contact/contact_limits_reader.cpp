@@ -6,6 +6,7 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
+#include "core/config/cited_table.hpp"
 #include "core/contact/cited_value_reader.hpp"
 
 namespace abstand::contact {
@@ -93,11 +94,7 @@ ContactLimits parseContactLimits(const std::string& text, const std::string& fil
                          {"title", "edition", "note", "origin", "to_be_checked", "sources", "regions"});
   const LimitsContext context{config::citedSources(table), {parts.begin(), parts.end()}};
   ContactLimits limits;
-  limits.title = config::neededText(table, "title");
-  limits.edition = config::neededText(table, "edition");
-  limits.note = table.text("note").value_or("");
-  limits.origin = table.text("origin").value_or("");
-  limits.to_be_checked = config::textList(table, "to_be_checked");
+  config::readTableHead(table, text, limits);
   for (const YamlNode& node : config::yamlList(table.need("regions"), file, "`regions`")) {
     RegionLimits region = readRegion(node, context);
     if (limits.region(region.name))
@@ -106,10 +103,6 @@ ContactLimits parseContactLimits(const std::string& text, const std::string& fil
     limits.regions.push_back(std::move(region));
   }
   checkCovered(limits, table, context);
-  limits.file = file;
-  ContentHash hash;
-  hash.add(text.data(), text.size());
-  limits.content = hash.value();
   return limits;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/data_folder.hpp"
 #include "core/base/text_file.hpp"
+#include "core/config/cited_table.hpp"
 
 namespace abstand::safety {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using config::YamlFields;
 
 constexpr std::uintmax_t kMaxTableBytes = 1u << 20;
-constexpr std::size_t kStampDigits = 12;
 constexpr std::array kOfAnEdition{"person_speed", "person_speed_near", "near"};
 
 /// "m/s^2" as a key: "m_per_s2".
@@ -60,26 +60,15 @@ SeparationOptions SeparationStandard::options() const {
   return options;
 }
 
-std::string SeparationStandard::stamp() const {
-  return title + ", " + edition + ", " + std::filesystem::path(file).filename().string() + ", " +
-         content.hex().substr(0, kStampDigits);
-}
+std::string SeparationStandard::stamp() const { return config::tableStamp(*this); }
 
 SeparationStandard parseSeparationStandard(const std::string& text, const std::string& file) {
   const config::YamlNode root = config::parseYaml(text, file);
   const YamlFields fields(root, file, "a table of the protective distance",
                           {"title", "edition", "note", "origin", "to_be_checked", "sources", "terms"});
   SeparationStandard table;
-  table.title = config::neededText(fields, "title");
-  table.edition = config::neededText(fields, "edition");
-  table.note = fields.text("note").value_or("");
-  table.origin = fields.text("origin").value_or("");
-  table.to_be_checked = config::textList(fields, "to_be_checked");
+  config::readTableHead(fields, text, table);
   table.terms = readTerms(fields, config::citedSources(fields));
-  table.file = file;
-  ContentHash hash;
-  hash.add(text.data(), text.size());
-  table.content = hash.value();
   return table;
 }
 

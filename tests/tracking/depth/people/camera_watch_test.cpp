@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/tracking/tracker/small_camera.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
@@ -10,17 +11,6 @@ namespace abstand::tracking {
 namespace camera_watch_test {
 
 constexpr double kStep = 1.0 / 30.0;  // s
-
-DepthCamera cameraAt(const Vector3d& eye, const Vector3d& look) {
-  DepthCamera camera;
-  camera.width = 160;
-  camera.height = 120;
-  camera.fx = camera.fy = 145.0;
-  camera.cx = 79.5;
-  camera.cy = 59.5;
-  camera.X_WC = lookingAt(eye, look);
-  return camera;
-}
 
 geometry::TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
@@ -40,7 +30,7 @@ DepthImage room(const DepthCamera& camera, double screen_y, std::uint64_t image)
 
 /// movedAt() of a camera that stands at `second` from 1 s on, while the screen goes through the image.
 double movedAt(const DepthCamera& second) {
-  const DepthCamera first = cameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9});
+  const DepthCamera first = smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9});
   CameraWatch watch(first);
   const std::vector<std::uint8_t> nobody(static_cast<std::size_t>(first.width * first.height), 0);
   for (int i = 0; i < 60; ++i) {
@@ -52,17 +42,17 @@ double movedAt(const DepthCamera& second) {
 }
 
 TEST(CameraWatch, SaysWhenACameraWasPushed) {
-  EXPECT_NEAR(movedAt(cameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.75})), 1.0, kStep) << "3 degrees down";
-  EXPECT_NEAR(movedAt(cameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 1.05})), 1.0, kStep) << "3 degrees up";
-  EXPECT_NEAR(movedAt(cameraAt({2.5, 0.0, 1.2}, {-0.3, 0.0, 0.9})), 1.0, kStep) << "0.3 m nearer";
+  EXPECT_NEAR(movedAt(smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.75})), 1.0, kStep) << "3 degrees down";
+  EXPECT_NEAR(movedAt(smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 1.05})), 1.0, kStep) << "3 degrees up";
+  EXPECT_NEAR(movedAt(smallCameraAt({2.5, 0.0, 1.2}, {-0.3, 0.0, 0.9})), 1.0, kStep) << "0.3 m nearer";
 }
 
 TEST(CameraWatch, SaysNothingOfOneBeforeWhichSomethingComesAndGoes) {
-  EXPECT_EQ(movedAt(cameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9})), kInfinity);
+  EXPECT_EQ(movedAt(smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9})), kInfinity);
 }
 
 TEST(CameraWatch, CountsRepeatedImages) {
-  const DepthCamera camera = cameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9});
+  const DepthCamera camera = smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9});
   CameraWatch watch(camera);
   const std::vector<std::uint8_t> nobody(static_cast<std::size_t>(camera.width * camera.height), 0);
   for (int i = 0; i < 9; ++i)
