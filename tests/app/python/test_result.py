@@ -31,11 +31,15 @@ class Results(unittest.TestCase):
     def program(*arguments):
         subprocess.run([os.environ["ABSTAND_PROGRAM"], *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
-    def test_has_the_numbers_of_the_exported_table(self):
-        table = os.path.join(self.folder.name, "pairs.csv")
-        self.program("export", self.study, "--pairs-csv", table)
+    def exported(self, option):
+        """Rows of the table that `export` writes with this option."""
+        table = os.path.join(self.folder.name, option + ".csv")
+        self.program("export", self.study, option, table)
         with open(table, newline="") as file:
-            rows = list(csv.DictReader(file))
+            return list(csv.DictReader(file))
+
+    def test_has_the_numbers_of_the_exported_table(self):
+        rows = self.exported("--pairs-csv")
         r = abstand.read_result(self.file)
         frames, pairs = len(r), len(r.pairs)
         self.assertEqual((r.t.shape, r.distance.shape, r.on_part.shape), ((frames,), (frames, pairs), (frames, pairs, 3)))
@@ -61,10 +65,7 @@ class Results(unittest.TestCase):
         self.assertTrue((r.clearance <= r.distance).all())
 
     def test_has_the_predicted_contacts_of_the_exported_table(self):
-        table = os.path.join(self.folder.name, "contacts.csv")
-        self.program("export", self.study, "--contact-csv", table)
-        with open(table, newline="") as file:
-            rows = list(csv.DictReader(file))
+        rows = self.exported("--contact-csv")
         r = abstand.read_result(self.file)
         self.assertEqual(r.contact.shape, (len(r), len(r.parts), 4))
         names = [""] + r.regions

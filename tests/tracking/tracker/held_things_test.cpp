@@ -5,6 +5,7 @@
 
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
+#include "tests/tracking/tracker/upright_person.hpp"
 
 namespace abstand::tracking {
 namespace held_things_test {
@@ -30,13 +31,7 @@ struct SquareAtHand {
     is_person.assign(image.z.size(), 0);
     visible.fill(kAllSeen);
   }
-  RigPlacement placed(const Vector3d& moved) const {
-    RigPose pose;
-    pose.X_WP.translation() = moved + Vector3d(0.0, 0.0, 0.95);
-    RigPlacement X_WS;
-    place(rig, pose, X_WS);
-    return X_WS;
-  }
+  RigPlacement placed(const Vector3d& moved) const { return uprightAt(rig, moved); }
   Vector3d hand(const Vector3d& moved) const {
     const std::size_t s = index(RigSegment::kHandLeft);
     return placed(moved)[s] * fit.surfaces()[s].centre.cast<double>();

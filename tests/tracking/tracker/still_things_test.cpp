@@ -5,6 +5,7 @@
 
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
+#include "tests/tracking/tracker/upright_person.hpp"
 
 namespace abstand::tracking {
 namespace still_things_test {
@@ -31,14 +32,7 @@ struct PostBeside {
     return i % width >= 140 && i % width < 146 && i / width >= 80 && i / width < 110;
   }
   std::size_t postPixels() const { return 6 * 30; }
-  /// A person who stands upright, `moved` (m) from the origin.
-  RigPlacement placed(const Vector3d& moved) const {
-    RigPose pose;
-    pose.X_WP.translation() = moved + Vector3d(0.0, 0.0, 0.95);
-    RigPlacement X_WS;
-    place(rig, pose, X_WS);
-    return X_WS;
-  }
+  RigPlacement placed(const Vector3d& moved) const { return uprightAt(rig, moved); }
   /// Shows the post at a depth of `post` (m), and learns from the person.
   void show(float post, const Vector3d& moved) {
     for (std::size_t i = 0; i < image.z.size(); ++i) {
