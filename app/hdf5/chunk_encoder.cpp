@@ -22,15 +22,10 @@ constexpr std::size_t kStoredHeader = 5, kMaxStored = 65535, kChecksum = 4;
 
 std::size_t wholeBlocks(std::size_t rows) { return (rows + kShuffled - 1) / kShuffled * kShuffled; }
 
-/// Numbers `stride` bytes apart.
-struct Column {
-  const std::byte* first;
-  std::size_t count, stride;
-};
-
 /// Copies byte after byte of all numbers to `planes`, `rows` bytes each; missing numbers are 0.
 template <class Number>
-void shuffle(const Column& numbers, std::size_t rows, std::vector<std::uint64_t>& memory, std::byte* planes) {
+void shuffle(const ChunkEncoder::Column& numbers, std::size_t rows, std::vector<std::uint64_t>& memory,
+             std::byte* planes) {
   memory.resize(wholeBlocks(rows));
   auto* const whole = reinterpret_cast<Number*>(memory.data());
   for (std::size_t i = 0; i < numbers.count; ++i)
@@ -74,19 +69,18 @@ struct ChunkEncoder::Deflate {
   libdeflate_compressor* compressor;
 };
 
-ChunkEncoder::ChunkEncoder(std::size_t rows, bool deflates)
-    : rows_{rows}, deflates_{deflates}, deflate_{std::make_unique<Deflate>()} {}
+ChunkEncoder::ChunkEncoder(bool deflates) : deflates_{deflates}, deflate_{std::make_unique<Deflate>()} {}
 
 ChunkEncoder::~ChunkEncoder() = default;
 
 /// Bytes of `deflated_` that hold `shuffled_`; 0 if there are no fewer. The lowest bytes of measured numbers
 /// are noise: they are stored, the planes behind them are deflated.
-std::size_t ChunkEncoder::deflate(std::size_t planes) {
+std::size_t ChunkEncoder::deflate(std::size_t rows, std::size_t planes) {
   std::size_t stored = 0;
-  while (stored + 1 < planes && (stored + 1) * rows_ <= kMaxStored &&
-         isNoise(shuffled_.data() + stored * rows_, rows_))
+  while (stored + 1 < planes && (stored + 1) * rows <= kMaxStored &&
+         isNoise(shuffled_.data() + stored * rows, rows))
     ++stored;
-  const std::size_t all = shuffled_.size(), head = stored * rows_;
+  const std::size_t all = shuffled_.size(), head = stored * rows;
   if (all == 0) return 0;
   deflated_.resize(all);
   if (head == 0) {
@@ -108,19 +102,17 @@ std::size_t ChunkEncoder::deflate(std::size_t planes) {
   return around + rest;
 }
 
-ChunkEncoder::Chunk ChunkEncoder::encode(const std::byte* numbers, std::size_t count, std::size_t stride,
-                                         std::size_t size) {
-  shuffled_.resize(rows_ * size);
-  const Column all{numbers, count, stride};
-  if (size == 8)
-    shuffle<std::uint64_t>(all, rows_, memory_, shuffled_.data());
-  else if (size == 4)
-    shuffle<std::uint32_t>(all, rows_, memory_, shuffled_.data());
+ChunkEncoder::Chunk ChunkEncoder::encode(const Column& column, std::size_t rows) {
+  shuffled_.resize(rows * column.size);
+  if (column.size == 8)
+    shuffle<std::uint64_t>(column, rows, memory_, shuffled_.data());
+  else if (column.size == 4)
+    shuffle<std::uint32_t>(column, rows, memory_, shuffled_.data());
   else
-    shuffle<std::uint16_t>(all, rows_, memory_, shuffled_.data());
+    shuffle<std::uint16_t>(column, rows, memory_, shuffled_.data());
   // Neighbouring columns are often equal: a part's uncertainty is the same beside every link.
   if (shuffled_ == before_) return chunk_;
-  const std::size_t bytes = deflates_ ? deflate(size) : 0;
+  const std::size_t bytes = deflates_ ? deflate(rows, column.size) : 0;
   before_.swap(shuffled_);
   chunk_ = bytes > 0 ? Chunk{{deflated_.data(), bytes}, 0} : Chunk{before_, kNotDeflated};
   return chunk_;

@@ -14,8 +14,8 @@ namespace abstand::hdf5 {
 /// what is noise. The same numbers give the same bytes. One thread.
 class ChunkEncoder {
  public:
-  /// `rows`: numbers in each chunk; `deflates`: false to shuffle only. Throws std::bad_alloc.
-  explicit ChunkEncoder(std::size_t rows, bool deflates = true);
+  /// `deflates`: false to shuffle only. Throws std::bad_alloc.
+  explicit ChunkEncoder(bool deflates = true);
   ~ChunkEncoder();
 
   /// Valid until the next call.
@@ -24,17 +24,20 @@ class ChunkEncoder {
     /// As H5Dwrite_chunk() expects it: bit 1 is set if deflate would not make the chunk smaller.
     std::uint32_t filter_mask{0};
   };
-  /// @param numbers  the first number of a column of at most `rows` numbers; missing ones are filled with 0
-  /// @param count    how many there are
-  /// @param stride   bytes from one number to the next
-  /// @param size     bytes of each number: 2, 4 or 8
-  Chunk encode(const std::byte* numbers, std::size_t count, std::size_t stride, std::size_t size);
+  /// Part of a table's column.
+  struct Column {
+    const std::byte* first;
+    std::size_t count;
+    std::size_t stride;  ///< bytes from one number to the next
+    std::size_t size;    ///< bytes of each number: 2, 4 or 8
+  };
+  /// @param rows  numbers in the chunk, at least column.count; missing ones are filled with 0
+  Chunk encode(const Column& column, std::size_t rows);
 
  private:
   struct Deflate;
-  std::size_t deflate(std::size_t planes);
+  std::size_t deflate(std::size_t rows, std::size_t planes);
 
-  std::size_t rows_;
   bool deflates_;
   std::unique_ptr<Deflate> deflate_;
   std::vector<std::uint64_t> memory_;  ///< of shuffle

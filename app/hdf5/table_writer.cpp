@@ -16,6 +16,7 @@
 namespace abstand::hdf5 {
 namespace {
 
+// Rows of a chunk at most: HDF5 reads whole chunks, so those of a shorter table have only its rows.
 constexpr hsize_t kChunkRows = 1024;
 constexpr int kDeflate = 1;
 constexpr std::size_t kStripBytes = 64;  // a cache line
@@ -68,11 +69,12 @@ void limitMetadata(hid_t access) {
 
 /// A table that grows by rows. Rows are kept in memory, in the file's type, until they fill a chunk.
 struct Table {
+  std::string name, unit, columns;
   std::vector<hsize_t> row;
-  hsize_t width{1}, rows{0};
+  hsize_t width{1}, rows{0}, chunk_rows{0};
   Storage storage{Storage::kDouble};
   double step{1.0};
-  Handle set;
+  Handle set;  ///< once a chunk is full, or the table complete
   std::vector<std::byte> buffer;
 
   std::size_t size() const {
@@ -96,13 +98,14 @@ struct Table {
       for (const double v : values) put(steps<std::int16_t>(v, step));
   }
 
+  std::size_t rowsKept() const { return buffer.size() / (width * size()); }
+
   /// Writes the full chunks, or all rows.
   bool flush(ChunkEncoder& encoder, bool all) {
-    if (!set) return true;
     const std::size_t bytes = width * size();
-    std::size_t left = buffer.size() / bytes, done = 0;
-    while (left >= kChunkRows || (all && left > 0)) {
-      const std::size_t count = std::min<std::size_t>(left, kChunkRows);
+    std::size_t left = rowsKept(), done = 0;
+    while (left >= chunk_rows || (all && left > 0)) {
+      const std::size_t count = std::min<std::size_t>(left, chunk_rows);
       if (!writeChunks(encoder, buffer.data() + done * bytes, count)) return false;
       done += count;
       left -= count;
@@ -120,14 +123,15 @@ struct Table {
     offset[0] = rows;
     // Some columns of all rows at once, so that a row is fetched into the cache only once for them.
     const std::size_t bytes = width * size(), strip = kStripBytes / size();
-    std::vector<std::byte> columns(count * kStripBytes);
+    std::vector<std::byte> strips(count * kStripBytes);
     for (std::size_t c = 0; c < width; ++c) {
       if (c % strip == 0) {
         const std::size_t wanted = std::min(kStripBytes, bytes - c * size());
         for (std::size_t r = 0; r < count; ++r)
-          std::memcpy(columns.data() + r * kStripBytes, first + r * bytes + c * size(), wanted);
+          std::memcpy(strips.data() + r * kStripBytes, first + r * bytes + c * size(), wanted);
       }
-      const auto chunk = encoder.encode(columns.data() + c % strip * size(), count, kStripBytes, size());
+      const auto chunk =
+          encoder.encode({strips.data() + c % strip * size(), count, kStripBytes, size()}, chunk_rows);
       std::size_t rest = c;
       for (std::size_t d = row.size(); d > 0; rest /= row[--d]) offset[d] = rest % row[d - 1];
       if (H5Dwrite_chunk(set.get(), H5P_DEFAULT, chunk.filter_mask, offset.data(), chunk.bytes.size(),
@@ -143,7 +147,7 @@ struct Table {
 
 struct TableWriter::Impl {
   Impl(const std::filesystem::path& name, Compression compression)
-      : file(name), out(name), encoder(kChunkRows, compression == Compression::kDeflate) {}
+      : file(name), out(name), encoder(compression == Compression::kDeflate) {}
 
   std::filesystem::path file;
   OutputFile out;
@@ -161,10 +165,36 @@ struct TableWriter::Impl {
     if (!failure.empty()) throw WriteError(file.string(), failure);
   }
   void flush(bool all) {
-    for (Table& table : tables)
+    for (Table& table : tables) {
+      if (table.width == 0) continue;
+      if (!table.set) create(table, all ? std::clamp<hsize_t>(table.rowsKept(), 1, kChunkRows) : kChunkRows);
       if (failure.empty()) expect(table.flush(encoder, all));
+    }
     pending = 0;
     check();
+  }
+  void create(Table& table, hsize_t chunk_rows) {
+    table.chunk_rows = chunk_rows;
+    std::vector<hsize_t> now{0}, most{H5S_UNLIMITED}, chunk{chunk_rows};
+    for (const hsize_t n : table.row) {
+      now.push_back(n);
+      most.push_back(n);
+      // Chunks of single columns, whose values hardly change from row to row.
+      chunk.push_back(1);
+    }
+    const Handle space(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose);
+    const Handle list = plainList();
+    H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(list.get());
+    H5Pset_deflate(list.get(), kDeflate);
+    table.set = Handle(H5Dcreate2(handle.get(), table.name.c_str(), typeOf(table.storage), space.get(),
+                                  H5P_DEFAULT, list.get(), H5P_DEFAULT),
+                       H5Dclose);
+    expect(static_cast<bool>(table.set));
+    check();
+    if (table.storage != Storage::kDouble) attribute(table.set, "step", H5T_NATIVE_DOUBLE, &table.step);
+    if (!table.unit.empty()) text(table.set, "unit", table.unit);
+    if (!table.columns.empty()) text(table.set, "columns", table.columns);
   }
   void close() {
     // After a failure the library holds data that it cannot write: only releases it.
@@ -242,39 +272,20 @@ void TableWriter::integers(const std::string& name, const std::vector<int>& valu
 std::size_t TableWriter::table(const std::string& name, std::vector<std::size_t> row, Storage storage,
                                double step) {
   Table table;
+  table.name = name;
   table.storage = storage;
   table.step = step;
-  std::vector<hsize_t> now{0}, most{H5S_UNLIMITED}, chunk{kChunkRows};
   for (const std::size_t n : row) {
     table.row.push_back(n);
     table.width *= n;
-    now.push_back(n);
-    most.push_back(n);
-    // Chunks of single columns, whose values hardly change from row to row.
-    chunk.push_back(1);
-  }
-  if (table.width > 0) {
-    const Handle space(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose);
-    const Handle list = plainList();
-    H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data());
-    H5Pset_shuffle(list.get());
-    H5Pset_deflate(list.get(), kDeflate);
-    table.set = Handle(H5Dcreate2(impl_->handle.get(), name.c_str(), typeOf(storage), space.get(),
-                                  H5P_DEFAULT, list.get(), H5P_DEFAULT),
-                       H5Dclose);
-    impl_->expect(static_cast<bool>(table.set));
-    impl_->check();
-    if (storage != Storage::kDouble) impl_->attribute(table.set, "step", H5T_NATIVE_DOUBLE, &step);
   }
   impl_->tables.push_back(std::move(table));
   return impl_->tables.size() - 1;
 }
 
 void TableWriter::describe(std::size_t table, const std::string& unit, const std::string& columns) {
-  const Handle& set = impl_->tables[table].set;
-  if (!set) return;
-  impl_->text(set, "unit", unit);
-  if (!columns.empty()) impl_->text(set, "columns", columns);
+  impl_->tables[table].unit = unit;
+  impl_->tables[table].columns = columns;
 }
 
 void TableWriter::add(std::size_t table, double value) { impl_->tables[table].add({&value, 1}); }

@@ -40,14 +40,14 @@ double valueAt(std::size_t row, std::size_t column) {
 class Hdf5Tables : public ::testing::Test {
  protected:
   std::filesystem::path file() const { return folder_.path() / "tables.h5"; }
-  /// Writes `kRows` rows of `width` numbers in rows of `row`.
+  /// Writes `rows` rows of numbers with the extents `row`.
   void write(const std::vector<std::size_t>& row, hdf5::Storage storage,
-             hdf5::Compression compression = hdf5::Compression::kDeflate) const {
+             hdf5::Compression compression = hdf5::Compression::kDeflate, std::size_t rows = kRows) const {
     hdf5::TableWriter out(file(), compression);
     const std::size_t table = out.table("values", row, storage, kStep);
     std::size_t width = 1;
     for (const std::size_t n : row) width *= n;
-    for (std::size_t i = 0; i < kRows; ++i) {
+    for (std::size_t i = 0; i < rows; ++i) {
       std::vector<double> values;
       for (std::size_t c = 0; c < width; ++c) values.push_back(valueAt(i, c));
       out.add(table, values);
@@ -126,6 +126,24 @@ TEST_F(Hdf5Tables, ReadsRowRangesAcrossChunks) {
   const std::vector<double> values = in.rows("values", 1020, 10, 5);
   for (std::size_t i = 0; i < 10; ++i)
     for (const std::size_t c : {0u, 1u, 2u, 4u}) EXPECT_EQ(values[i * 5 + c], valueAt(1020 + i, c));
+}
+
+/// Tables of up to a chunk, which is as long as the table, and of one row more.
+TEST_F(Hdf5Tables, OfAnyLengthRoundTripExactly) {
+  for (const std::size_t rows : {0u, 1u, 2u, 200u, 255u, 256u, 257u, 1023u, 1024u, 1025u}) {
+    write({3}, hdf5::Storage::kDouble, hdf5::Compression::kDeflate, rows);
+    const std::vector<double> values = hdf5::TableReader(file()).table("values", rows, 3);
+    ASSERT_EQ(values.size(), 3 * rows);
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t c = 0; c < 3; ++c) ASSERT_EQ(values[i * 3 + c], valueAt(i, c)) << rows << ", " << i;
+  }
+}
+
+/// Uncompressed, 400 columns of 10 rows take little more than their numbers: their chunks have 10 rows too.
+TEST_F(Hdf5Tables, ShortTablesHaveShortChunks) {
+  constexpr std::size_t kShort = 10, kColumns = 400, kChunkOverhead = 100;  // bytes of HDF5's index a chunk
+  write({kColumns}, hdf5::Storage::kDouble, hdf5::Compression::kNone, kShort);
+  EXPECT_LT(std::filesystem::file_size(file()), kColumns * (kShort * sizeof(double) + kChunkOverhead));
 }
 
 TEST_F(Hdf5Tables, SameValuesGiveSameBytes) {
