@@ -92,6 +92,7 @@ tune::TuneAnswer tuneHere(const std::filesystem::path& folder, const CommandLine
       const std::filesystem::path file = folder / (std::to_string(i) + ".h5");
       tune::ResultWriter writer(file, {}, hdf5::Compression::kNone);
       tune::TuneOptions tune = options;
+      tune.pass.keep_frames = session->frameTimes().size() <= held.left() / humanmodel::kBodyPartCount;
       tune.pass.on_frame = [&](const tune::SettledFrame& frame, const tune::PassResult& names) {
         writer.frame(frame, names);
       };

@@ -32,8 +32,8 @@ std::size_t writeSeparationTable(const tune::TuneAnswer& answer, const std::file
   std::string text;
   for (const tune::TunedRecording& r : answer.recordings) {
     const std::string name = csvField(r.recording);
-    const tune::PartFrames frames(r);
-    tune::PairRows rows(r, frames);
+    const tune::WholeBody body = tune::wholeBody(r, answer.options.margins());
+    tune::PairRows rows(r, body.track);
     while (rows.next()) {
       const margin::PairFrame frame = rows.frame();
       const auto moments = tune::frameSeparation(r.pass, frame, answer.options.pass.separation);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "app/hdf5/file_seal.hpp"
 #include "app/hdf5/hdf5_handle.hpp"
@@ -67,6 +68,12 @@ struct TableReader::Impl {
         static_cast<double>(kMaxTableBytes))
       fail("found more than 2 GiB in `" + name + "`, expected less");
   }
+  struct Range {
+    std::size_t first, count;
+  };
+  /// `entry`: of the first extent of each row; none: all of them.
+  std::vector<double> rows(const std::string& name, const Range& range, std::optional<std::size_t> entry,
+                           std::size_t width) const;
   /// The numbers of a table in `space`, scaled to their unit.
   std::vector<double> values(const Handle& s, const std::string& name, std::size_t count,
                              const Handle& memory, const Handle& space) const;
@@ -102,6 +109,32 @@ std::vector<double> TableReader::Impl::values(const Handle& s, const std::string
   else
     scaled(std::numeric_limits<std::int32_t>::min(), H5T_NATIVE_INT32);
   return values;
+}
+
+std::vector<double> TableReader::Impl::rows(const std::string& name, const Range& range,
+                                            std::optional<std::size_t> entry, std::size_t width) const {
+  const Handle s = set(name);
+  const Extents extents = this->extents(s, name);
+  std::vector<hsize_t> offset{range.first}, block{range.count};
+  for (const std::size_t n : extents.row) offset.push_back(0), block.push_back(n);
+  std::size_t found = extents.width();
+  if (entry) {
+    if (extents.row.empty() || *entry >= extents.row.front())
+      fail("found no entry " + std::to_string(*entry) + " in the rows of `" + name + "`, expected one");
+    found /= extents.row.front();
+    offset[1] = *entry, block[1] = 1;
+  }
+  if (found != width || range.first > extents.rows || range.count > extents.rows - range.first)
+    fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(found) + " numbers in `" +
+         name + "`, expected " + std::to_string(width) + " in a row, and rows up to " +
+         std::to_string(range.first + range.count));
+  checkSize(name, range.count, width);
+  const Handle space(H5Dget_space(s.get()), H5Sclose);
+  const Handle memory(H5Screate_simple(static_cast<int>(block.size()), block.data(), nullptr), H5Sclose);
+  if (!memory ||
+      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, block.data(), nullptr) < 0)
+    fail("`" + name + "` is damaged");
+  return values(s, name, range.count * width, memory, space);
 }
 
 TableReader::TableReader(const std::filesystem::path& file) : impl_(std::make_unique<Impl>()) {
@@ -176,21 +209,12 @@ std::vector<double> TableReader::table(const std::string& name, std::size_t rows
 
 std::vector<double> TableReader::rows(const std::string& name, std::size_t first, std::size_t count,
                                       std::size_t width) const {
-  const Handle s = impl_->set(name);
-  const Extents extents = impl_->extents(s, name);
-  if (extents.width() != width || first > extents.rows || count > extents.rows - first)
-    impl_->fail("found " + std::to_string(extents.rows) + " rows of " + std::to_string(extents.width()) +
-                " numbers in `" + name + "`, expected " + std::to_string(width) +
-                " in a row, and rows up to " + std::to_string(first + count));
-  impl_->checkSize(name, count, width);
-  std::vector<hsize_t> offset{first}, block{count};
-  for (const std::size_t n : extents.row) offset.push_back(0), block.push_back(n);
-  const Handle space(H5Dget_space(s.get()), H5Sclose);
-  const Handle memory(H5Screate_simple(static_cast<int>(block.size()), block.data(), nullptr), H5Sclose);
-  if (!memory ||
-      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offset.data(), nullptr, block.data(), nullptr) < 0)
-    impl_->fail("`" + name + "` is damaged");
-  return impl_->values(s, name, count * width, memory, space);
+  return impl_->rows(name, {first, count}, std::nullopt, width);
+}
+
+std::vector<double> TableReader::rowsOf(const std::string& name, std::size_t entry, std::size_t first,
+                                        std::size_t count, std::size_t width) const {
+  return impl_->rows(name, {first, count}, entry, width);
 }
 
 }  // namespace abstand::hdf5

@@ -40,6 +40,10 @@ class TableReader {
   /// `count` rows of a table, from row `first` on; it must have this `width`. For tables of any length.
   std::vector<double> rows(const std::string& name, std::size_t first, std::size_t count,
                            std::size_t width) const;
+  /// The same of one entry of the first extent of each row, with `width` numbers: of rows of parts and
+  /// columns, the columns of a part.
+  std::vector<double> rowsOf(const std::string& name, std::size_t entry, std::size_t first, std::size_t count,
+                             std::size_t width) const;
 
  private:
   struct Impl;

@@ -37,13 +37,15 @@ double largestStated(const std::vector<tune::TunedRecording>& recordings, double
   constexpr double kRounding = 1e-6;
   double largest = 0.0;
   for (const tune::TunedRecording& r : recordings) {
-    const tune::PartFrames frames(r);
-    for (const tune::PartClearance& part : frames.parts())
+    tune::PartByPart parts(r);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const tune::PartClearance& part = parts.part(p);
       for (std::size_t i = 0; i < part.track.frames(); ++i) {
         const double stated =
             part.uncertainty[i] - part.age_uncertainty[i] - part.latency_uncertainty[i] - calibration;
         if (std::isfinite(stated) && stated > kRounding) largest = std::max(largest, stated);
       }
+    }
   }
   return largest;
 }

@@ -3,8 +3,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/tune/margin_table.hpp"
+#include "app/tune/part_frames.hpp"
 #include "app/tune/result_file.hpp"
 #include "app/tune/result_key.hpp"
 #include "core/base/error.hpp"
@@ -43,8 +45,10 @@ std::vector<double> indexMargins() {
 /// Closest approach of a part, at a frame or after it.
 struct Nearest {
   double clearance{kInfinity};
-  std::size_t part{0}, frame{0};
-  std::int64_t not_seen{0};  ///< frames
+  std::size_t part{0};
+  std::optional<std::size_t> link;  ///< none: there are no frames
+  double t{kNaN};                   ///< s
+  std::int64_t not_seen{0};         ///< frames
 };
 
 Nearest nearestOf(const tune::PartClearance& p, std::size_t part) {
@@ -52,7 +56,11 @@ Nearest nearestOf(const tune::PartClearance& p, std::size_t part) {
   nearest.part = part;
   for (std::size_t i = 0; i < p.track.frames(); ++i) {
     const double least = std::min(p.track.clearance[i], p.track.between[i]);
-    if (least < nearest.clearance) nearest.clearance = least, nearest.frame = i;
+    if (i == 0 || least < nearest.clearance) {
+      nearest.clearance = least;
+      nearest.link = p.link[i];
+      nearest.t = p.track.t[i];
+    }
     nearest.not_seen += std::isinf(p.track.clearance[i]);
   }
   return nearest;
@@ -73,9 +81,10 @@ class RunRows {
     const tune::MarginTable table = tune::marginTable(alone, indexMargins(), stored.options);
     Nearest worst;
     const tune::ProposedMargin* largest = &table.proposed.front();
-    for (std::size_t i = 0; i < r.pass.parts.size(); ++i) {
-      const Nearest nearest = nearestOf(r.pass.parts[i], i);
-      if (nearest.clearance < worst.clearance) worst = nearest;
+    tune::PartByPart parts(r);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Nearest nearest = nearestOf(parts.part(i), i);
+      if (i == 0 || nearest.clearance < worst.clearance) worst = nearest;
       const auto proposed = std::find_if(table.proposed.begin(), table.proposed.end(),
                                          [&](const auto& p) { return p.part == r.pass.parts[i].part; });
       if (proposed == table.proposed.end()) continue;
@@ -89,23 +98,18 @@ class RunRows {
     run_.bind(pass.limit).bind(pass.braking.reaction_time).bind(pass.braking.deceleration);
     run_.bind(static_cast<std::int64_t>(r.reservations.size())).bind(worst.clearance);
     const tune::PartClearance& p = r.pass.parts[worst.part];
-    run_.bind(p.part).bind(linkAt(r, worst)).bind(timeAt(r, worst));
+    run_.bind(p.part).bind(linkOf(r, worst)).bind(worst.t);
     run_.bind(largest->margin).bind(largest->part).execute();
   }
 
  private:
-  static std::string linkAt(const tune::TunedRecording& r, const Nearest& n) {
-    const tune::PartClearance& p = r.pass.parts[n.part];
-    return n.frame < p.link.size() ? r.pass.links[p.link[n.frame]] : std::string();
-  }
-  static double timeAt(const tune::TunedRecording& r, const Nearest& n) {
-    const std::vector<double>& t = r.pass.parts[n.part].track.t;
-    return n.frame < t.size() ? t[n.frame] : kNaN;
+  static std::string linkOf(const tune::TunedRecording& r, const Nearest& n) {
+    return n.link ? r.pass.links[*n.link] : std::string();
   }
   void addPart(const std::string& key, const tune::TunedRecording& r, const Nearest& nearest,
                const tune::ProposedMargin& proposed) {
-    part_.bind(key).bind(proposed.part).bind(nearest.clearance).bind(linkAt(r, nearest));
-    part_.bind(timeAt(r, nearest)).bind(nearest.not_seen).bind(proposed.margin);
+    part_.bind(key).bind(proposed.part).bind(nearest.clearance).bind(linkOf(r, nearest));
+    part_.bind(nearest.t).bind(nearest.not_seen).bind(proposed.margin);
     part_.bind(proposed.decided_by ? proposed.decided_by->t : kNaN).execute();
   }
   void addMargin(const std::string& key, const tune::MarginRow& row) {
@@ -172,7 +176,7 @@ void fillIndex(SqliteDatabase& database, const fs::path& folder, const std::vect
   for (const FileStamp& stamp : stamps) {
     file.bind(stamp.name).bind(stamp.bytes).bind(stamp.modified).execute();
     try {
-      runs.add(stamp.name, tune::readResult(folder / "results" / stamp.name));
+      runs.add(stamp.name, tune::readResult(folder / "results" / stamp.name, tune::HeldFrames::kUsual));
     } catch (const ParseError& e) {
       unreadable.bind(stamp.name).bind(e.message()).execute();
     } catch (const UsageError& e) {

@@ -71,8 +71,9 @@ std::vector<ClosestApproach> closestApproaches(const std::vector<TunedRecording>
                                                double calibration) {
   std::vector<ClosestApproach> all;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
-    const PartFrames frames(recordings[r]);
-    for (const PartClearance& part : frames.parts()) {
+    PartByPart parts(recordings[r]);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const PartClearance& part = parts.part(p);
       auto found =
           std::find_if(all.begin(), all.end(), [&](const ClosestApproach& c) { return c.part == part.part; });
       if (found == all.end()) {

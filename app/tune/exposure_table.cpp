@@ -54,29 +54,29 @@ std::vector<ExposureRow> stretches(const std::vector<TunedRecording>& recordings
   return rows;
 }
 
-/// Adds one frame of a recording to the segment it lies in.
-void addFrame(ExposureRow& row, const TunedRecording& recording, const PartFrames& frames, std::size_t frame,
-              double near) {
-  const std::vector<double>& t = frames.times();
-  Exposure exposure;
-  double least = kInfinity;
-  bool seen = true;
-  for (std::size_t p = 0; p < frames.parts().size(); ++p) {
-    const PartClearance& part = frames.parts()[p];
-    const double clearance = part.track.clearance[frame];
-    if (!margin::isExposureKnown(clearance, part.uncertainty[frame])) {
-      seen = false;
+/// What all parts did in a frame.
+struct BodyFrame {
+  double least{kInfinity},
+      closing{0.0};                ///< m, of the nearest part that was seen; m/s, of parts that are near
+  std::uint16_t part{0}, link{0};  ///< the nearest
+  bool seen{true};                 ///< every part was
+};
+
+/// Adds part `p` to the frames of a recording.
+void addPart(const PartClearance& part, std::size_t p, double near, std::vector<BodyFrame>& frames) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    BodyFrame& frame = frames[i];
+    const double clearance = part.track.clearance[i];
+    if (!margin::isExposureKnown(clearance, part.uncertainty[i])) {
+      frame.seen = false;
       continue;
     }
-    if (clearance < near)
-      exposure.closing = std::max(exposure.closing, part.robot_speed[frame] + part.person_speed[frame]);
-    if (!(clearance < least)) continue;
-    least = clearance;
-    exposure.part = static_cast<std::uint16_t>(p);
-    exposure.link = part.link[frame];
+    if (clearance < near) frame.closing = std::max(frame.closing, part.robot_speed[i] + part.person_speed[i]);
+    if (!(clearance < frame.least)) continue;
+    frame.least = clearance;
+    frame.part = static_cast<std::uint16_t>(p);
+    frame.link = part.link[i];
   }
-  exposure.add(t[frame], least, seen, frame + 1 < t.size() ? t[frame + 1] - t[frame] : 0.0);
-  add(row, exposure, recording);
 }
 
 std::vector<ExposureRow> phasesOf(const std::vector<TunedRecording>& recordings, double length, double near) {
@@ -88,9 +88,22 @@ std::vector<ExposureRow> phasesOf(const std::vector<TunedRecording>& recordings,
     return rows[std::min(rows.size() - 1, static_cast<std::size_t>(std::max(0.0, index)))];
   };
   for (const TunedRecording& r : recordings) {
-    const PartFrames frames(r);
-    const std::vector<double>& t = frames.times();
-    for (std::size_t i = 0; i < t.size(); ++i) addFrame(at(t[i]), r, frames, i, near);
+    std::vector<BodyFrame> frames(r.frames);
+    std::vector<double> t;
+    PartByPart parts(r);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const PartClearance& part = parts.part(p);
+      if (p == 0) t = part.track.t;
+      addPart(part, p, near, frames);
+    }
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      Exposure exposure;
+      exposure.closing = frames[i].closing;
+      exposure.part = frames[i].part;
+      exposure.link = frames[i].link;
+      exposure.add(t[i], frames[i].least, frames[i].seen, i + 1 < t.size() ? t[i + 1] - t[i] : 0.0);
+      add(at(t[i]), exposure, r);
+    }
     for (const Approach& a : r.pass.approaches) ++at(a.t).approaches;
   }
   return rows;

@@ -124,16 +124,15 @@ std::vector<StrategyOutcome> strategyOutcomes(const std::vector<TunedRecording>&
   }
   if (sets.empty()) return outcomes;
   for (const TunedRecording& recording : recordings) {
-    const PartFrames frames(recording);
-    const std::size_t first = firstJudgedFrame(frames, options);
-    if (first >= recording.frames) continue;
+    const WholeBody body = wholeBody(recording, options);
+    if (body.first >= recording.frames) continue;
     std::vector<std::vector<margin::PairMargin>> margins;
     for (const MarginRules& rules : sets) margins.push_back(marginsOf(recording, rules));
     const bool grow = growWithSpeed(margins);
     margin::PairMarginSets judged(std::move(margins), options);
-    PairRows rows(recording, frames, grow);
+    PairRows rows(recording, body.track, grow);
     while (rows.next())
-      if (rows.index() >= first) judged.add(rows.frame());
+      if (rows.index() >= body.first) judged.add(rows.frame());
     const std::vector<margin::MarginOutcome> of_recording = judged.finish();
     for (std::size_t s = 0; s < sets.size(); ++s) outcomes[s].outcome.add(of_recording[s]);
   }

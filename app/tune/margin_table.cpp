@@ -72,13 +72,6 @@ class PartRows {
   std::map<std::string, double> judged_;
 };
 
-/// Frame-wise minimum over all parts, from the frame on from which each can be judged.
-margin::ClearanceTrack wholeBody(const PartFrames& frames, const margin::MarginOptions& options) {
-  std::vector<const margin::ClearanceTrack*> tracks;
-  for (const PartClearance& p : frames.parts()) tracks.push_back(&p.track);
-  return margin::from(margin::leastOf(tracks), firstJudgedFrame(frames, options));
-}
-
 }  // namespace
 
 double shortestJudgedTime(const MarginTable& table) {
@@ -95,13 +88,15 @@ MarginTable marginTable(const std::vector<TunedRecording>& recordings, const std
   for (const std::string& part : names) parts.emplace_back(part, margins, judged);
   PartRows body(kWholeBody, margins, judged);
   for (std::size_t i = 0; i < recordings.size(); ++i) {
-    const PartFrames frames(recordings[i]);
-    for (const PartClearance& p : frames.parts()) {
-      const auto index = std::distance(names.begin(), std::find(names.begin(), names.end(), p.part));
-      parts[static_cast<std::size_t>(index)].propose(recordings[i], i, p);
+    PartByPart of_recording(recordings[i]);
+    WholeBody whole;
+    for (std::size_t p = 0; p < of_recording.size(); ++p) {
+      const PartClearance& part = of_recording.part(p);
+      const auto index = std::distance(names.begin(), std::find(names.begin(), names.end(), part.part));
+      parts[static_cast<std::size_t>(index)].propose(recordings[i], i, part);
+      whole.take(part.track, judged);
     }
-    const margin::ClearanceTrack whole = wholeBody(frames, judged);
-    if (whole.frames() > 0) body.add(whole);
+    if (whole.first < whole.track.frames()) body.add(margin::from(whole.track, whole.first));
   }
   MarginTable table;
   for (PartRows& part : parts) {

@@ -10,8 +10,8 @@ constexpr std::size_t kBlockRows = 2048;
 
 }  // namespace
 
-PairRows::PairRows(const TunedRecording& recording, const PartFrames& frames, bool speeds)
-    : recording_(recording), frames_(frames), file_(recording.file), speeds_(speeds) {}
+PairRows::PairRows(const TunedRecording& recording, const margin::ClearanceTrack& body, bool speeds)
+    : recording_(recording), body_(body), file_(recording.file), speeds_(speeds) {}
 
 bool PairRows::next() {
   const std::size_t at = begun_ ? index_ + 1 : 0;
@@ -45,17 +45,12 @@ void PairRows::readBlock() {
 
 margin::PairFrame PairRows::frame() const {
   const std::size_t at = (index_ - first_) * pairs();
-  margin::PairFrame frame{frames_.times()[index_],
-                          {clearance_.data() + at, pairs()},
-                          {robot_speed_.data() + at, pairs()},
-                          {person_speed_.data() + at, pairs()},
-                          kInfinity,
-                          kInfinity};
-  for (const PartClearance& part : frames_.parts()) {
-    frame.between = std::min(frame.between, part.track.between[index_]);
-    frame.braking = std::min(frame.braking, part.track.braking[index_]);
-  }
-  return frame;
+  return {body_.t[index_],
+          {clearance_.data() + at, pairs()},
+          {robot_speed_.data() + at, pairs()},
+          {person_speed_.data() + at, pairs()},
+          body_.between[index_],
+          body_.braking[index_]};
 }
 
 }  // namespace abstand::tune

@@ -14,9 +14,9 @@ namespace abstand::tune {
 /// thread.
 class PairRows {
  public:
-  /// The recording has a result file (TunedRecording::file); both arguments outlive this object. `speeds`
-  /// false: the speeds of pairs are not read, and 0. Throws ParseError.
-  explicit PairRows(const TunedRecording& recording, const PartFrames& frames, bool speeds = true);
+  /// The recording has a result file (TunedRecording::file), and `body` is its WholeBody::track; both outlive
+  /// this object. `speeds` false: the speeds of pairs are not read, and 0. Throws ParseError.
+  explicit PairRows(const TunedRecording& recording, const margin::ClearanceTrack& body, bool speeds = true);
 
   std::size_t pairs() const { return recording_.pass.pairs.size(); }
   /// Advances to the next frame; false after the last one. Throws ParseError.
@@ -29,7 +29,7 @@ class PairRows {
   void readBlock();
 
   const TunedRecording& recording_;
-  const PartFrames& frames_;
+  const margin::ClearanceTrack& body_;
   hdf5::TableReader file_;
   std::size_t index_{0}, first_{0}, rows_{0};  ///< of the frame; of the block in memory
   bool begun_{false}, speeds_;

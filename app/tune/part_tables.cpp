@@ -70,7 +70,7 @@ FrameContact contactOf(const double* v, const PartTableNames& names, const std::
   return contact;
 }
 
-/// Fills the lists of all parts, block by block.
+/// Fills the lists of parts, block by block.
 class PartLists {
  public:
   PartLists(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file)
@@ -84,14 +84,24 @@ class PartLists {
       in.expect(table, names.frames, width * names.parts.size());
   }
 
-  void read(std::vector<PartClearance>& parts) const {
+  /// Of all parts, or of the only one at index `first_part`.
+  void read(std::span<PartClearance> parts, std::size_t first_part) const {
+    for (PartClearance& part : parts) {
+      reserveFrames(names_.frames, part);
+      part.track.t = in_.table("t", names_.frames, 1);
+    }
+    const std::size_t n = parts.size();
+    const bool all = n == names_.parts.size();
     for (std::size_t first = 0; first < names_.frames; first += kFramesInBlock) {
-      const std::size_t count = std::min(kFramesInBlock, names_.frames - first), n = parts.size();
-      const std::vector<double> values = in_.rows("part_values", first, count, n * kPartColumnCount),
-                                separation = in_.rows("part_separation", first, count, 2 * n),
-                                speeds = in_.rows("part_speeds", first, count, 2 * n),
-                                contact = in_.rows("part_contact", first, count, n),
-                                contacts = in_.rows("part_contacts", first, count, n * kContactColumns);
+      const std::size_t count = std::min(kFramesInBlock, names_.frames - first);
+      const auto rows = [&](const char* table, std::size_t width) {
+        return all ? in_.rows(table, first, count, n * width)
+                   : in_.rowsOf(table, first_part, first, count, width);
+      };
+      const std::vector<double> values = rows("part_values", kPartColumnCount),
+                                separation = rows("part_separation", 2), speeds = rows("part_speeds", 2),
+                                contact = rows("part_contact", 1),
+                                contacts = rows("part_contacts", kContactColumns);
       for (std::size_t p = 0; p < n; ++p)
         for (std::size_t i = 0; i < count; ++i) {
           const std::size_t at = i * n + p;
@@ -102,6 +112,13 @@ class PartLists {
           parts[p].contact_scale.push_back(share(contact[at]));
           parts[p].contact.push_back(contactOf(contacts.data() + at * kContactColumns, names_, file_));
         }
+    }
+    for (const PartClearance& part : parts) {
+      try {
+        margin::validate(part.track);
+      } catch (const UsageError& e) {
+        throw ParseError({file_}, e.what());
+      }
     }
   }
 
@@ -213,17 +230,13 @@ void writeWorstContacts(const std::vector<PartClearance>& all, hdf5::TableWriter
 
 std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const PartTableNames& names,
                                           const std::string& file) {
-  const std::vector<double> t = in.table("t", names.frames, 1);
   const std::vector<double> worst = in.table("worst_separation", names.parts.size(), kSeparationColumns);
   const std::vector<double> contacts = in.table("worst_contacts", names.parts.size(), 2 + kContactColumns);
   const std::vector<std::string> excluded = in.texts("contact_excluded");
-  const PartLists lists(in, names, file);
   std::vector<PartClearance> parts(names.parts.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
     PartClearance& part = parts[p];
-    reserveFrames(names.frames, part);
     part.part = names.parts[p];
-    part.track.t = t;
     part.contact_excluded = std::find(excluded.begin(), excluded.end(), part.part) != excluded.end();
     part.separation.worst = worstMoment(worst.data() + p * kSeparationColumns);
     part.separation.broken = worst[p * kSeparationColumns + kSeparationColumns - 1];
@@ -237,15 +250,17 @@ std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const Par
     if (part.separation.worst && part.separation.worst->link >= names.links)
       throw ParseError({file}, "found the number of a link that is not among the links");
   }
-  lists.read(parts);
-  for (const PartClearance& part : parts) {
-    try {
-      margin::validate(part.track);
-    } catch (const UsageError& e) {
-      throw ParseError({file}, e.what());
-    }
-  }
   return parts;
+}
+
+void readPartFrames(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file,
+                    std::vector<PartClearance>& parts) {
+  PartLists(in, names, file).read(parts, 0);
+}
+
+void readPartFrames(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file,
+                    std::size_t p, PartClearance& part) {
+  PartLists(in, names, file).read({&part, 1}, p);
 }
 
 }  // namespace abstand::tune

@@ -37,8 +37,15 @@ struct PartTableNames {
   std::size_t links{0}, tools{0}, regions{0}, frames{0};
 };
 
-/// Reads both, some thousand frames at a time. Throws ParseError for damaged or inconsistent tables.
+/// Reads what holds for the whole recording; the lists of frames are empty. Throws ParseError for damaged or
+/// inconsistent tables, as do the functions below.
 std::vector<PartClearance> readPartTables(const hdf5::TableReader& in, const PartTableNames& names,
                                           const std::string& file);
+/// Fills the empty lists of all parts, some thousand frames at a time.
+void readPartFrames(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file,
+                    std::vector<PartClearance>& parts);
+/// Fills the empty lists of the part at index `p`.
+void readPartFrames(const hdf5::TableReader& in, const PartTableNames& names, const std::string& file,
+                    std::size_t p, PartClearance& part);
 
 }  // namespace abstand::tune

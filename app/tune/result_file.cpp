@@ -328,20 +328,28 @@ bool isResult(const std::filesystem::path& file, const ContentKey& key) {
   }
 }
 
-std::vector<PartClearance> readFrames(const TunedRecording& recording) {
-  const PassResult& pass = recording.pass;
-  const std::string file = recording.file.string();
-  const hdf5::TableReader in(recording.file);
-  std::vector<std::string> parts;
-  for (const PartClearance& p : pass.parts) parts.push_back(p.part);
-  if (in.integer("abstand_result") != kResultFormat || in.text("recording") != recording.recording ||
-      in.texts("parts") != parts || in.extents("t").rows != recording.frames)
-    throw ParseError({file}, "found another result than before, expected that it stays while it is used");
-  return readPartTables(
-      in, {parts, pass.links.size(), pass.tools.size(), pass.regions.size(), recording.frames}, file);
+FrameReader::FrameReader(const TunedRecording& recording) : recording_{recording}, in_{recording.file} {
+  for (const PartClearance& p : recording.pass.parts) parts_.push_back(p.part);
+  if (in_.integer("abstand_result") != kResultFormat || in_.text("recording") != recording.recording ||
+      in_.texts("parts") != parts_ || in_.extents("t").rows != recording.frames)
+    throw ParseError({recording.file.string()},
+                     "found another result than before, expected that it stays while it is used");
 }
 
-StoredResult readResult(const std::filesystem::path& file) {
+PartTableNames FrameReader::names() const {
+  const PassResult& pass = recording_.pass;
+  return {parts_, pass.links.size(), pass.tools.size(), pass.regions.size(), recording_.frames};
+}
+
+void FrameReader::read(std::vector<PartClearance>& parts) const {
+  readPartFrames(in_, names(), recording_.file.string(), parts);
+}
+
+void FrameReader::read(std::size_t p, PartClearance& part) const {
+  readPartFrames(in_, names(), recording_.file.string(), p, part);
+}
+
+StoredResult readResult(const std::filesystem::path& file, std::size_t max_frames) {
   const hdf5::TableReader in(file);
   const auto fail = [&](const std::string& what) { throw ParseError({file.string()}, what); };
   if (const long long format = in.integer("abstand_result"); format != kResultFormat)
@@ -395,9 +403,10 @@ StoredResult readResult(const std::filesystem::path& file) {
   readPairs(in, parts.size(), tuned.pass, file.string());
   tuned.file = file;
   tuned.frames = in.extents("t").rows;
-  tuned.pass.parts = readPartTables(
-      in, {parts, tuned.pass.links.size(), tuned.pass.tools.size(), tuned.pass.regions.size(), tuned.frames},
-      file.string());
+  const PartTableNames names{parts, tuned.pass.links.size(), tuned.pass.tools.size(),
+                             tuned.pass.regions.size(), tuned.frames};
+  tuned.pass.parts = readPartTables(in, names, file.string());
+  if (tuned.frames <= max_frames / parts.size()) readPartFrames(in, names, file.string(), tuned.pass.parts);
   tuned.pass.approaches = approachesOf(in, parts.size(), tuned.pass, file.string());
   tuned.enclosed = enclosedOf(in, parts.size(), file.string());
   tuned.pass.exposure = readExposure(in, {parts.size(), tuned.pass.links.size()}, file.string());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 
 #include "app/hdf5/table_writer.hpp"
 #include "app/tune/part_tables.hpp"
@@ -49,10 +50,27 @@ struct StoredResult {
 /// True if the file is a complete result with this key. Verifies its checksum, not its content.
 bool isResult(const std::filesystem::path& file, const ContentKey& key);
 
-/// Throws ParseError if it is not such a file, or damaged.
-StoredResult readResult(const std::filesystem::path& file);
-/// The parts of a recording that was read from a result file, with the lists of their frames. Throws
-/// ParseError if the file is damaged or holds another result by now.
-std::vector<PartClearance> readFrames(const TunedRecording& recording);
+/// `max_frames`: of single parts; of a file with more, the lists of frames are left empty. Throws ParseError
+/// if it is not such a file, or damaged.
+StoredResult readResult(const std::filesystem::path& file,
+                        std::size_t max_frames = std::numeric_limits<std::size_t>::max());
+
+/// Reads the frames of a recording whose other data were read from a result file. One thread.
+class FrameReader {
+ public:
+  /// Throws ParseError if the file is damaged or contains another result by now, as do the functions.
+  explicit FrameReader(const TunedRecording& recording);
+  /// Fills the empty lists of all parts.
+  void read(std::vector<PartClearance>& parts) const;
+  /// Fills the empty lists of the part at index `p`.
+  void read(std::size_t p, PartClearance& part) const;
+
+ private:
+  PartTableNames names() const;
+
+  const TunedRecording& recording_;
+  hdf5::TableReader in_;
+  std::vector<std::string> parts_;
+};
 
 }  // namespace abstand::tune

@@ -112,10 +112,11 @@ std::vector<MarginEvent> setEvents(const TunedRecording& recording, const Margin
                                    const margin::MarginOptions& options) {
   const PartFrames frames(recording);
   SetWatch watch(recording, frames, rules, options);
-  const std::size_t first = firstJudgedFrame(frames, options);
-  PairRows rows(recording, frames);
+  WholeBody body;
+  for (const PartClearance& part : frames.parts()) body.take(part.track, options);
+  PairRows rows(recording, body.track);
   while (rows.next())
-    if (rows.index() >= first) watch.add(rows.index(), rows.frame());
+    if (rows.index() >= body.first) watch.add(rows.index(), rows.frame());
   return watch.finish();
 }
 

@@ -27,8 +27,9 @@ std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordin
                         1.0,
                         1.0});
   for (std::size_t r = 0; r < recordings.size(); ++r) {
-    const PartFrames frames(recordings[r]);
-    for (const PartClearance& part : frames.parts())
+    PartByPart parts(recordings[r]);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      const PartClearance& part = parts.part(p);
       for (std::size_t i = 0; i < part.track.frames(); ++i) {
         const double t = part.track.t[i];
         const auto at = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, (t - begin) / length)));
@@ -45,6 +46,7 @@ std::vector<SpeedSegment> speedTable(const std::vector<TunedRecording>& recordin
             r, t, part.part,
             by_contact && !part.contact_excluded ? SpeedLimit::kContact : SpeedLimit::kSeparation};
       }
+    }
   }
   return segments;
 }

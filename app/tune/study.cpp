@@ -129,7 +129,7 @@ MergedResults mergeResults(const std::vector<fs::path>& folders, std::size_t hel
   std::vector<Kept> kept;
   HeldFrames held(held_frames);
   for (const fs::path& file : files) {
-    StoredResult stored = readResult(file);
+    StoredResult stored = readResult(file, held.left());
     // The same result of two shards counts once.
     if (std::any_of(kept.begin(), kept.end(), [&](const Kept& k) { return k.stored.key == stored.key; }))
       continue;

@@ -41,10 +41,13 @@ std::vector<VariantBand> variantBands(const std::vector<TunedRecording>& recordi
     std::vector<VariantBand> bands;
     for (const PartClearance& part : recordings[first].pass.parts) bands.push_back({part.part, {}, {}, {}});
     for (const std::size_t r : runs) {
-      const PartFrames frames(recordings[r]);
-      for (VariantBand& band : bands)
-        for (const PartClearance& part : frames.parts())
-          if (part.part == band.part) takeRun(part, r, options, band);
+      PartByPart parts(recordings[r]);
+      for (std::size_t p = 0; p < parts.size(); ++p) {
+        const auto band = std::find_if(bands.begin(), bands.end(), [&](const VariantBand& b) {
+          return b.part == recordings[r].pass.parts[p].part;
+        });
+        if (band != bands.end()) takeRun(parts.part(p), r, options, *band);
+      }
     }
     std::move(bands.begin(), bands.end(), std::back_inserter(all));
   }

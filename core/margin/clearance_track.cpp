@@ -23,19 +23,20 @@ void validate(const ClearanceTrack& track) {
   }
 }
 
-ClearanceTrack leastOf(std::span<const ClearanceTrack* const> tracks) {
-  if (tracks.empty()) throw UsageError("found no clearance track, expected one or more");
-  ClearanceTrack least = *tracks.front();
+void takeLeast(const ClearanceTrack& track, ClearanceTrack& least) {
+  if (track.t != least.t) throw UsageError("found clearance tracks with different times, expected the same");
   const auto take = [](std::vector<double>& into, const std::vector<double>& from) {
     for (std::size_t i = 0; i < into.size(); ++i) into[i] = std::min(into[i], from[i]);
   };
-  for (const ClearanceTrack* track : tracks.subspan(1)) {
-    if (track->t != least.t)
-      throw UsageError("found clearance tracks with different times, expected the same");
-    take(least.clearance, track->clearance);
-    take(least.between, track->between);
-    take(least.braking, track->braking);
-  }
+  take(least.clearance, track.clearance);
+  take(least.between, track.between);
+  take(least.braking, track.braking);
+}
+
+ClearanceTrack leastOf(std::span<const ClearanceTrack* const> tracks) {
+  if (tracks.empty()) throw UsageError("found no clearance track, expected one or more");
+  ClearanceTrack least = *tracks.front();
+  for (const ClearanceTrack* track : tracks.subspan(1)) takeLeast(*track, least);
   return least;
 }
 

@@ -28,6 +28,10 @@ struct ClearanceTrack {
 /// Throws UsageError for lists of different lengths, times that do not increase, and NaN.
 void validate(const ClearanceTrack& track);
 
+/// Replaces the values of `least` by those of `track` where these are smaller. Throws UsageError for
+/// different times.
+void takeLeast(const ClearanceTrack& track, ClearanceTrack& least);
+
 /// Frame-wise minimum of several tracks of one recording. Throws UsageError for no tracks and for tracks with
 /// different times.
 ClearanceTrack leastOf(std::span<const ClearanceTrack* const> tracks);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/block_list.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/math/quantile.hpp"
@@ -161,12 +162,14 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
       raw.match.mapped >= markers->found())
     markers.reset();
+  BlockList<humanmodel::SkeletonFrame> frames;
   const auto add = [&](const PointFrame& frame) {
-    raw.frames.push_back(pickJoints(frame, raw.match));
+    frames.push_back(pickJoints(frame, raw.match));
     if (markers && markers->hasSet()) markers->add(frame);
   };
   for (const PointFrame& frame : first) add(frame);
   for (PointFrame frame; reader.next(frame);) add(frame);
+  raw.frames = frames.take();
   if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
   raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
   raw.rate_reason = facts.rate_reason;

@@ -80,12 +80,37 @@ TEST_F(MergedFrames, GiveTheSameAnswerFromFiles) {
   }
 }
 
+TEST_F(MergedFrames, AreReadPartAfterPart) {
+  const TuneAnswer files = answerOf(folder_, 0);
+  for (const TunedRecording& r : files.recordings) {
+    const PartFrames all(r);
+    PartByPart parts(r);
+    ASSERT_EQ(parts.size(), all.parts().size());
+    // Backwards, so that no part can be what is left of the one before.
+    for (std::size_t p = parts.size(); p-- > 0;) {
+      const PartClearance &one = parts.part(p), &expected = all.parts()[p];
+      EXPECT_EQ(one.part, expected.part);
+      EXPECT_EQ(one.track.t, expected.track.t);
+      EXPECT_EQ(one.track.clearance, expected.track.clearance);
+      EXPECT_EQ(one.track.between, expected.track.between);
+      EXPECT_EQ(one.track.braking, expected.track.braking);
+      EXPECT_EQ(one.distance, expected.distance);
+      EXPECT_EQ(one.link, expected.link);
+      EXPECT_EQ(one.robot_speed, expected.robot_speed);
+      EXPECT_EQ(one.separation.speed_scale, expected.separation.speed_scale);
+      EXPECT_EQ(one.contact_scale, expected.contact_scale);
+      EXPECT_EQ(one.contact.size(), expected.contact.size());
+    }
+  }
+}
+
 TEST_F(MergedFrames, RefuseAFileThatWasReplaced) {
   const TuneAnswer files = answerOf(folder_, 0);
   std::filesystem::rename(folder_.path() / "results" / "stands.h5", folder_.path() / "results" / "comes.h5");
   const TunedRecording& comes = files.recordings.front();
   ASSERT_EQ(comes.recording, "comes");
   EXPECT_THROW(PartFrames{comes}, ParseError);
+  EXPECT_THROW(PartByPart{comes}, ParseError);
 }
 
 }  // namespace part_frames_test
