@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studio/probe_figures.hpp"
 #include "app/studio/process_usage.hpp"
+#include "app/studio/response_probe.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
@@ -18,24 +20,6 @@ namespace {
 constexpr int kWarmUpMs = 1000;
 constexpr int kLookMs = 200;
 constexpr int kLongestWaitMs = 120000;
-
-/// NaN of nothing.
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return std::nan("");
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-double rounded(double value, int decimals = 2) {
-  const double scale = std::pow(10.0, decimals);
-  return std::round(value * scale) / scale;
-}
-
-QJsonObject spread(const std::vector<double>& values, double factor) {
-  return {{"median", rounded(factor * quantile(values, 0.5))},
-          {"p99", rounded(factor * quantile(values, 0.99))}};
-}
 
 QJsonObject stallsOf(const std::vector<StallWatch::Gap>& gaps) {
   int above_50 = 0, above_100 = 0;
@@ -59,6 +43,7 @@ QJsonArray sizeOf(const QWidget& widget) { return {widget.width(), widget.height
 Probe::Probe(ui::MainWindow& window, double seconds, QObject* parent)
     : QObject(parent), window_(window), seconds_(seconds) {
   connect(&window_.viewport(), &ui::Viewport::drawn, this, [this](double took) {
+    if (done_ && first_picture_ == 0.0) first_picture_ = processAge();
     if (!measuring_) return;
     const double now = 1e-9 * static_cast<double>(wall_.nsecsElapsed());
     if (pictures_++ > 0) intervals_.push_back(now - last_picture_);
@@ -68,11 +53,22 @@ Probe::Probe(ui::MainWindow& window, double seconds, QObject* parent)
   connect(&window_, &ui::MainWindow::momentShown, this, [this] {
     if (measuring_) count();
   });
+  connect(&window_.review(), &ui::RecordingReview::changed, this, &Probe::watchAnalysis);
 }
 
 void Probe::start(std::function<void(const QJsonObject&)> done) {
   done_ = std::move(done);
+  watchAnalysis();
+  window_.playback().setPlaying(true);
   waitForAnalysis(0);
+}
+
+void Probe::watchAnalysis() {
+  using State = view::AnalysisNews::State;
+  const State state = window_.review().state();
+  if (state == State::kRunning && !analysis_.isValid()) analysis_.start();
+  if (state == State::kDone && analysis_.isValid() && analysis_s_ == 0.0)
+    analysis_s_ = 1e-9 * static_cast<double>(analysis_.nsecsElapsed());
 }
 
 void Probe::waitForAnalysis(int waited_ms) {
@@ -84,7 +80,6 @@ void Probe::waitForAnalysis(int waited_ms) {
     return;
   }
   opening_ = stalls_.gaps();
-  window_.playback().setPlaying(true);
   QTimer::singleShot(kWarmUpMs, this, [this] { begin(); });
 }
 
@@ -134,11 +129,26 @@ QJsonObject Probe::result() const {
            QJsonObject{{"start", rounded(resident_, 1)}, {"end", rounded(residentMegabytes(), 1)}}}};
 }
 
+/// Of the whole recording, while it plays; null where it was complete before the first picture.
+QJsonObject Probe::analysisFigures() const {
+  const double length = window_.playback().end() - window_.playback().start();
+  const bool known = analysis_s_ > 0.0;
+  return {{"seconds", known ? QJsonValue(rounded(analysis_s_)) : QJsonValue()},
+          {"real_time_factor", known ? QJsonValue(rounded(length / analysis_s_, 1)) : QJsonValue()}};
+}
+
 void Probe::finish() {
   measuring_ = false;
-  const QJsonObject figures = result();
+  QJsonObject figures = result();
+  figures["first_picture_s"] = rounded(first_picture_);
+  figures["analysis"] = analysisFigures();
   window_.playback().setPlaying(false);
-  done_(figures);
+  auto* responses = new ResponseProbe(window_, this);
+  responses->start([this, figures](const QJsonObject& response) {
+    QJsonObject all = figures;
+    all["response"] = response;
+    done_(all);
+  });
 }
 
 }  // namespace abstand::studio

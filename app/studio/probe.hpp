@@ -23,15 +23,17 @@ class Probe : public QObject {
   /// Stalls count from here on as those of opening.
   Probe(ui::MainWindow& window, double seconds, QObject* parent = nullptr);
 
-  /// When the scene is open: waits for its analysis, plays for a second unmeasured and then for the given
-  /// time, and hands over the figures.
+  /// When the scene is open: plays until its analysis is complete, a second longer, and then for the given
+  /// time, which is measured; then measures responses (ResponseProbe), and hands over the figures.
   void start(std::function<void(const QJsonObject&)> done);
 
  private:
+  void watchAnalysis();
   void waitForAnalysis(int waited_ms);
   void begin();
   void count();
   QJsonObject result() const;
+  QJsonObject analysisFigures() const;
   void finish();
 
   ui::MainWindow& window_;
@@ -40,7 +42,9 @@ class Probe : public QObject {
   StallWatch stalls_;
   std::vector<StallWatch::Gap> opening_;
   bool measuring_{false};
-  QElapsedTimer wall_;
+  QElapsedTimer wall_, analysis_;  ///< the second since the analysis began
+  double first_picture_{0.0};      ///< s since the program was started
+  double analysis_s_{0.0};         ///< s, of the whole analysis; 0: not known
   double scene_s_{0.0}, last_t_{0.0};
   double resident_{0.0};
   std::map<std::string, double> processor_;

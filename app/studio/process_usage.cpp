@@ -3,8 +3,10 @@
 #include <unistd.h>
 #include <ctime>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace abstand::studio {
 
@@ -27,6 +29,19 @@ double ownProcessorTime() {
   timespec t{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double processAge() {
+  // Field 22 of /proc/self/stat, proc(5); the second field is in brackets and may contain blanks.
+  constexpr int kFieldsBeforeStart = 19;
+  std::string line;
+  std::getline(std::ifstream("/proc/self/stat"), line);
+  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+  std::string field;
+  for (int i = 0; i < kFieldsBeforeStart; ++i) fields >> field;
+  double start_ticks = 0.0, uptime = 0.0;
+  if (!(fields >> start_ticks) || !(std::ifstream("/proc/uptime") >> uptime)) return 0.0;
+  return uptime - start_ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 double residentMegabytes() {

@@ -11,6 +11,8 @@ namespace abstand::studio {
 std::map<std::string, double> processorTimes();
 /// Processor time (s) of the calling thread.
 double ownProcessorTime();
+/// Time since the process was started, s, in steps of the kernel's clock ticks (10 ms).
+double processAge();
 /// Resident memory, MB.
 double residentMegabytes();
 

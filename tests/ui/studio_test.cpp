@@ -8,6 +8,7 @@
 #include <QString>
 
 #include "core/base/text_file.hpp"
+#include "tests/app/tune/slide_scene.hpp"
 #include "tests/support/paths.hpp"
 
 namespace abstand::ui {
@@ -50,7 +51,27 @@ TEST_F(StudioProgram, ProbePrintsFigures) {
   EXPECT_TRUE(figures.contains("cycle_us"));
   EXPECT_TRUE(figures["stalls_playing"].toObject().contains("above_50_ms"));
   EXPECT_GT(figures["resident_mb"].toObject()["end"].toDouble(), 0.0);
+  EXPECT_GT(figures["first_picture_s"].toDouble(), 0.0);
+  const QJsonObject response = figures["response"].toObject();
+  EXPECT_EQ(response["not_shown"].toInt(-1), 0);
+  EXPECT_FALSE(response.contains("seek_ms")) << "nothing moves in this scene";
   EXPECT_EQ(run("--probe 1").code, 2);
+}
+
+TEST_F(StudioProgram, ProbeAsksForMomentsAndMargins) {
+  testing::writeSlide(folder, {.seconds = 1.0});
+  const Answer good = run("slide.yaml --size 1000x800 --probe 0.2 >probe.json");
+  ASSERT_EQ(good.code, 0) << good.err;
+  const QJsonObject figures =
+      QJsonDocument::fromJson(QByteArray::fromStdString(readFile(in("probe.json")))).object();
+  const QJsonObject response = figures["response"].toObject();
+  EXPECT_EQ(response["not_shown"].toInt(-1), 0);
+  for (const char* what : {"seek_ms", "margin_ms"}) {
+    const QJsonObject times = response[what].toObject();
+    EXPECT_GT(times["median"].toDouble(), 0.0) << what;
+    EXPECT_LE(times["median"].toDouble(), times["p99"].toDouble()) << what;
+    EXPECT_LE(times["p99"].toDouble(), times["max"].toDouble()) << what;
+  }
 }
 
 TEST_F(StudioProgram, UsesRequestedLanguage) {
