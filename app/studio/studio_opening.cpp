@@ -293,10 +293,10 @@ void Studio::take(Loaded& loaded) {
 /// What nobody asked for is said, too.
 void Studio::sayOpened(const Request& request, const Loaded& loaded) {
   for (const DefaultPlacement& robot : loaded.beside)
-    window_.say(tr("%1 was placed beside %2 (Inspector, Place): the files do not say where they stand")
+    window_.say(tr("%1 was placed beside %2: see Inspector, Place")
                     .arg(QString::fromStdString(robot.person), QString::fromStdString(robot.robot)));
   if (loaded.placed)
-    window_.say(tr("%1 was placed in front of %2 (Inspector, Place): the files do not say where they stand")
+    window_.say(tr("%1 was placed in front of %2: see Inspector, Place")
                     .arg(QString::fromStdString(loaded.placed->person),
                          QString::fromStdString(loaded.placed->robot)));
   else if (!request.changed.isEmpty())

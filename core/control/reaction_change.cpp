@@ -88,6 +88,32 @@ void addLawNumbers(const Options& scene, const ReactionChange& change, std::vect
                                  const config::NumberRule& rule) { add(name, value, rule, true); });
 }
 
+std::optional<safety::StopReason> reasonOf(const std::string& key) {
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i)
+    if (safety::reasonKey(static_cast<safety::StopReason>(i)) == key)
+      return static_cast<safety::StopReason>(i);
+  return std::nullopt;
+}
+
+void applyResponses(const ReactionChange& change, safety::StopPolicy& policy) {
+  for (const auto& [key, response] : change.responses) {
+    const auto reason = reasonOf(key);
+    if (!reason) throw UsageError("found '" + key + "', expected a reason of a stop");
+    policy.response[static_cast<std::size_t>(*reason)] = response;
+  }
+}
+
+std::vector<StopChoice> stopChoices(const safety::StopPolicy& scene, const ReactionChange& change) {
+  std::vector<StopChoice> choices;
+  for (std::size_t i = 0; i < safety::kStopReasons; ++i) {
+    const auto reason = static_cast<safety::StopReason>(i);
+    const auto wanted = change.responses.find(std::string(safety::reasonKey(reason)));
+    choices.push_back(
+        {reason, wanted == change.responses.end() ? scene.of(reason) : wanted->second, scene.of(reason)});
+  }
+  return choices;
+}
+
 }  // namespace
 
 ReactionDescription changedReaction(const ReactionDescription& scene, const ReactionChange& change, int dof) {
@@ -114,6 +140,7 @@ ReactionDescription changedReaction(const ReactionDescription& scene, const Reac
   numbers.apply(reaction.watch);
   numbers.apply(reaction.stop);
   numbers.requireAllKnown();
+  applyResponses(change, reaction.stop.policy);
   if (reaction.repulsion) reaction.repulsion->validate();
   return reaction;
 }
@@ -138,6 +165,7 @@ std::vector<LawState> lawStates(const ReactionDescription& scene, const Reaction
   stop.name = WatchOptions::kName;
   addLawNumbers(scene.watch, change, stop.numbers);
   addLawNumbers(scene.stop, change, stop.numbers);
+  stop.responses = stopChoices(scene.stop.policy, change);
   return laws;
 }
 

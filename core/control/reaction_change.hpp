@@ -13,9 +13,10 @@ namespace abstand::control {
 struct ReactionChange {
   std::map<std::string, bool> laws;                     ///< "repulsion": active or not
   std::map<std::string, config::JointNumbers> numbers;  ///< "repulsion.force", SI; one, or one for each joint
+  std::map<std::string, safety::StopResponse> responses;  ///< by safety::reasonKey(): "lost_person"
 
   bool operator==(const ReactionChange&) const = default;
-  bool empty() const { return laws.empty() && numbers.empty(); }
+  bool empty() const { return laws.empty() && numbers.empty() && responses.empty(); }
 };
 
 /// The scene's reaction with a change of a robot with `dof` joints; a law that is switched on and that the
@@ -33,11 +34,19 @@ struct LawNumber {
   bool each_joint{false};  ///< may be a list with a number for each joint
 };
 
+/// Response of the stop machine to a reason.
+struct StopChoice {
+  safety::StopReason reason{safety::StopReason::kUser};
+  safety::StopResponse value{safety::StopResponse::kNone};  ///< with the change
+  safety::StopResponse scene{safety::StopResponse::kNone};  ///< without it
+};
+
 struct LawState {
   std::string name;  ///< "repulsion"; also "hold" and "stop", which are always active
   bool on{true}, scene_on{true};
   bool switchable{false};  ///< may be switched while the robot runs
   std::vector<LawNumber> numbers;
+  std::vector<StopChoice> responses;  ///< of "stop": every reason
 };
 
 /// All laws with all their numbers, in the order of scene files, also of laws that are off. The change is not

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QWheelEvent>
 #include <algorithm>
 
 #include "tests/ui/shown_window.hpp"
@@ -67,6 +70,33 @@ TEST_F(ReactionPanelTest, TypedGainReachesSessionAndIsUndone) {
   EXPECT_EQ(session.reactions.back().torque->gain, 2.5);
   // The scene's number typed is no difference.
   type("torque.gain", "1");
+  EXPECT_TRUE(work().reactions.isEmpty());
+}
+
+TEST_F(ReactionPanelTest, ChosenResponseReachesSessionAndIsUndone) {
+  auto* box = panel->findChild<QComboBox*>("response lost_person");
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->currentText(), "protective stop");
+  const auto sent = [this] {
+    return session.reactions.back().stop.policy.of(safety::StopReason::kLostPerson);
+  };
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Down);
+  EXPECT_EQ(box->currentText(), "emergency stop");
+  ASSERT_EQ(session.reactions.size(), 1u);
+  EXPECT_EQ(sent(), safety::StopResponse::kEmergency);
+  EXPECT_EQ(head(), "1 difference from the scene file");
+  EXPECT_EQ(steps().undoText(), "laws of arm: lost person: emergency stop");
+  QWheelEvent notch(box->rect().center(), box->mapToGlobal(box->rect().center()), {}, {0, 120}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(box, &notch);
+  EXPECT_EQ(box->currentText(), "emergency stop") << "the wheel scrolls the panel";
+  steps().undo();
+  EXPECT_EQ(sent(), safety::StopResponse::kProtective);
+  EXPECT_EQ(box->currentText(), "protective stop");
+  steps().redo();
+  QTest::mouseClick(panel->findChild<QToolButton*>("back response lost_person"), Qt::LeftButton);
+  EXPECT_EQ(sent(), safety::StopResponse::kProtective);
   EXPECT_TRUE(work().reactions.isEmpty());
 }
 

@@ -153,7 +153,7 @@ double lawNumber(const YamlNode& node, const YamlFields& in, const std::string& 
 void readReactions(const YamlFields& in, Work& work) {
   const YamlNode* node = namesOf(in, "reactions");
   for (std::size_t i = 0; node && i < node->keys.size(); ++i) {
-    const YamlFields fields(node->items[i], in.file(), "a reaction", {"laws", "numbers"});
+    const YamlFields fields(node->items[i], in.file(), "a reaction", {"laws", "numbers", "responses"});
     control::ReactionChange change;
     const YamlNode* laws = namesOf(fields, "laws");
     for (std::size_t k = 0; laws && k < laws->keys.size(); ++k)
@@ -172,6 +172,11 @@ void readReactions(const YamlFields& in, Work& work) {
       if (value.items.empty()) fail(in, value, "a number, or one for each joint");
       for (const YamlNode& item : value.items) list.push_back(lawNumber(item, fields, label));
     }
+    const YamlNode* responses = namesOf(fields, "responses");
+    for (std::size_t k = 0; responses && k < responses->keys.size(); ++k)
+      change.responses[responses->keys[k].text] = *safety::parseResponse(
+          config::yamlChoice(responses->items[k], in.file(), "`" + responses->keys[k].text + "`",
+                             {"none", "slow", "protective", "emergency"}));
     if (!change.empty()) work.reactions[QString::fromStdString(node->keys[i].text)] = change;
   }
 }

@@ -141,6 +141,12 @@ void addReactions(JsonText& json, const QMap<QString, control::ReactionChange>& 
       json.close();
     }
     json.close();
+    if (!it->responses.empty()) {
+      json.open("responses", '{');
+      for (const auto& [reason, response] : it->responses)
+        json.addText(reason, std::string(safety::responseName(response)));
+      json.close();
+    }
     json.close();
   }
   json.close();

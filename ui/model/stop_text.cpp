@@ -8,8 +8,6 @@
 
 namespace abstand::ui {
 
-namespace {
-
 QString reasonText(safety::StopReason reason) {
   switch (reason) {
     case safety::StopReason::kDistance:
@@ -37,6 +35,50 @@ QString reasonText(safety::StopReason reason) {
   }
   return {};
 }
+
+QString reasonMeaning(safety::StopReason reason) {
+  switch (reason) {
+    case safety::StopReason::kDistance:
+      return tr("A certified distance is below its limit.");
+    case safety::StopReason::kSeparation:
+      return tr("The robot is faster than the separation permits.");
+    case safety::StopReason::kEnergy:
+      return tr("A link has more kinetic energy than the repulsion can absorb.");
+    case safety::StopReason::kStaleInput:
+      return tr("The joint values are older than allowed.");
+    case safety::StopReason::kLostPerson:
+      return tr("The pose of a person is older than allowed, or unreliable.");
+    case safety::StopReason::kLostLink:
+      return tr("The connection to the robot is lost.");
+    case safety::StopReason::kTorque:
+      return tr("A joint torque was limited.");
+    case safety::StopReason::kJointSpeed:
+      return tr("A joint is faster than allowed.");
+    case safety::StopReason::kSpeedBound:
+      return tr("A body was faster than the bound that certified distances rely on.");
+    case safety::StopReason::kUser:
+      return tr("Somebody asks for a stop.");
+    case safety::StopReason::kBraking:
+      return tr("While it brakes, a person could come nearer than allowed.");
+  }
+  return {};
+}
+
+QString responseText(safety::StopResponse response) {
+  switch (response) {
+    case safety::StopResponse::kNone:
+      return tr("no stop");
+    case safety::StopResponse::kSlow:
+      return tr("slow down");
+    case safety::StopResponse::kProtective:
+      return tr("protective stop");
+    case safety::StopResponse::kEmergency:
+      return tr("emergency stop");
+  }
+  return {};
+}
+
+namespace {
 
 /// The `index`th joint of a mechanism; null where there is none.
 const view::SceneOutline::JointInfo* jointOf(const view::SceneOutline& outline, const std::string& mechanism,

@@ -8,6 +8,11 @@
 
 namespace abstand::ui {
 
+QString reasonText(safety::StopReason reason);
+/// When a stop has this reason, in a sentence.
+QString reasonMeaning(safety::StopReason reason);
+/// What the robot does: "slows down".
+QString responseText(safety::StopResponse response);
 QString stateText(safety::StopState state);
 /// Why a reset was refused.
 QString refusalText(safety::ResetRefusal refusal);

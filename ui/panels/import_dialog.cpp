@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "ui/panels/ghost_view.hpp"
+#include "ui/style/calm_inputs.hpp"
 #include "ui/style/format.hpp"
 
 namespace abstand::ui {
@@ -126,7 +127,7 @@ void ImportDialog::showJoints() {
       auto* name = new QTableWidgetItem(found_.canonical[row]);
       name->setFlags(Qt::ItemIsEnabled);
       joints_->setItem(row, 0, name);
-      box = new QComboBox(joints_);
+      box = new CalmComboBox(joints_);
       box->setObjectName(found_.canonical[row]);
       box->setAccessibleName(tr("Joint %1 in the file").arg(found_.canonical[row]));
       box->addItem(tr("none"), QString());

@@ -23,7 +23,7 @@ constexpr double kUsualPercentile = 50;
 
 PersonEditor::PersonEditor(QWidget* parent)
     : QWidget(parent),
-      sex_{new QComboBox(this)},
+      sex_{new CalmComboBox(this)},
       apply_{new QPushButton(tr("Rebuild the person"), this)},
       body_{new BodyView(this)} {
   auto* form = new QFormLayout(this);

@@ -11,7 +11,9 @@
 
 #include "core/base/error.hpp"
 #include "ui/model/law_text.hpp"
+#include "ui/model/stop_text.hpp"
 #include "ui/panels/law_row.hpp"
+#include "ui/panels/response_row.hpp"
 
 namespace abstand::ui {
 
@@ -105,6 +107,7 @@ void ReactionPanel::build() {
   }
   laws_.clear();
   rows_.clear();
+  responses_.clear();
   robots_->setVisible(robots_->count() > 1);
   back_->setVisible(scene() != nullptr);
   if (scene())
@@ -146,6 +149,14 @@ void ReactionPanel::addLaw(const control::LawState& law, int joints) {
     });
     connect(row, &LawRow::left, this, &ReactionPanel::released);
   }
+  if (!law.responses.empty()) column->addWidget(new QLabel(tr("What it does for each reason"), this));
+  for (const control::StopChoice& choice : law.responses) {
+    auto* row = new ResponseRow(choice, added.numbers);
+    column->addWidget(row);
+    responses_.push_back(row);
+    connect(row, &ResponseRow::edited, this,
+            [this, row](safety::StopResponse response) { choose(row->reason(), response); });
+  }
   list_->addWidget(added.numbers);
 }
 
@@ -156,7 +167,7 @@ void ReactionPanel::refresh() {
     return;
   }
   int differing = 0;
-  std::size_t next = 0;
+  std::size_t next = 0, next_response = 0;
   const std::vector<control::LawState> laws = control::lawStates(*scene(), change());
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const control::LawState& law = laws[i];
@@ -171,6 +182,10 @@ void ReactionPanel::refresh() {
     for (const control::LawNumber& number : law.numbers) {
       differing += number.value != number.scene ? 1 : 0;
       rows_[next++]->show(number);
+    }
+    for (const control::StopChoice& choice : law.responses) {
+      differing += choice.value != choice.scene ? 1 : 0;
+      responses_[next_response++]->show(choice);
     }
   }
   head_->setText(differing == 0 ? tr("As in the scene file")
@@ -191,6 +206,17 @@ void ReactionPanel::take(LawRow& row, const config::JointNumbers& numbers) {
       if (number.key == row.key() && number.scene == numbers) wanted.numbers.erase(row.key());
   Q_EMIT edited(robot(), wanted, numberName(row.key()),
                 QStringLiteral("reaction/%1/%2").arg(robot(), QString::fromStdString(row.key())));
+}
+
+void ReactionPanel::choose(safety::StopReason reason, safety::StopResponse response) {
+  control::ReactionChange wanted = change();
+  const std::string key(safety::reasonKey(reason));
+  if (scene()->stop.policy.of(reason) == response)
+    wanted.responses.erase(key);
+  else
+    wanted.responses[key] = response;
+  Q_EMIT edited(robot(), wanted, tr("%1: %2").arg(reasonText(reason), responseText(response)), {});
+  refresh();
 }
 
 void ReactionPanel::switchLaw(const std::string& name, bool on) {

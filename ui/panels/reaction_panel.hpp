@@ -17,6 +17,7 @@ class QVBoxLayout;
 namespace abstand::ui {
 
 class LawRow;
+class ResponseRow;
 
 /// Shows one robot at a time. What does not fit the robot is refused with a sentence below its field, and is
 /// no edit. GUI thread only.
@@ -52,6 +53,7 @@ class ReactionPanel : public QWidget {
   void refresh();
   void take(LawRow& row, const config::JointNumbers& numbers);
   void switchLaw(const std::string& name, bool on);
+  void choose(safety::StopReason reason, safety::StopResponse response);
   QString robot() const;
   int joints() const;
   const control::ReactionDescription* scene() const;
@@ -65,6 +67,7 @@ class ReactionPanel : public QWidget {
   QVBoxLayout* list_;
   std::vector<Law> laws_;
   std::vector<LawRow*> rows_;
+  std::vector<ResponseRow*> responses_;
 };
 
 }  // namespace abstand::ui

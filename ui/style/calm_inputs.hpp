@@ -1,6 +1,8 @@
-// Sliders and number fields for a scroll area: the wheel scrolls past them and does not change their values.
+// Sliders, number fields and choices for a scroll area: the wheel scrolls past them and does not change their
+// values.
 #pragma once
 
+#include <QComboBox>
 #include <QSlider>
 #include <QWheelEvent>
 
@@ -11,6 +13,14 @@ namespace abstand::ui {
 class CalmSlider : public QSlider {
  public:
   using QSlider::QSlider;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+class CalmComboBox : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
 
  protected:
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }

@@ -268,12 +268,12 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <translation>%1 hat sich geändert und ist nicht lesbar; das Gezeigte bleibt. %2</translation>
     </message>
     <message>
-        <source>%1 was placed in front of %2 (Inspector, Place): the files do not say where they stand</source>
-        <translation>%1 wurde vor %2 gestellt (Inspektor, Ort): Die Dateien sagen nicht, wo sie stehen</translation>
+        <source>%1 was placed beside %2: see Inspector, Place</source>
+        <translation>%1 steht jetzt neben %2: siehe Inspektor, Ort</translation>
     </message>
     <message>
-        <source>%1 was placed beside %2 (Inspector, Place): the files do not say where they stand</source>
-        <translation>%1 wurde neben %2 gestellt (Inspektor, Ort): Die Dateien sagen nicht, wo sie stehen</translation>
+        <source>%1 was placed in front of %2: see Inspector, Place</source>
+        <translation>%1 steht jetzt vor %2: siehe Inspektor, Ort</translation>
     </message>
 </context>
 <context>
@@ -3141,6 +3141,58 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Lanes, events, margin curve, proposed margins and report are judged with these numbers of your cell; they are those of &quot;abstand tune&quot;. Another reaction time, deceleration, limit, calibration error or age of poses runs the analysis of the recording again.</source>
         <translation>Spuren, Ereignisse, Abstandskurve, vorgeschlagene Sicherheitsabstände und Bericht werden mit diesen Zahlen Ihrer Zelle beurteilt; es sind die von „abstand tune“. Mit anderer Reaktionszeit, Verzögerung, anderem einzuhaltenden Abstand, Kalibrierfehler oder Alter der Posen beginnt die Auswertung der Aufnahme neu.</translation>
     </message>
+    <message>
+        <source>A certified distance is below its limit.</source>
+        <translation>Ein zertifizierter Abstand liegt unter seiner Grenze.</translation>
+    </message>
+    <message>
+        <source>The robot is faster than the separation permits.</source>
+        <translation>Der Roboter ist schneller, als es der Abstand erlaubt.</translation>
+    </message>
+    <message>
+        <source>A link has more kinetic energy than the repulsion can absorb.</source>
+        <translation>Ein Glied hat mehr Bewegungsenergie, als die Abstoßung aufnehmen kann.</translation>
+    </message>
+    <message>
+        <source>The joint values are older than allowed.</source>
+        <translation>Die Gelenkwerte sind älter als erlaubt.</translation>
+    </message>
+    <message>
+        <source>The pose of a person is older than allowed, or unreliable.</source>
+        <translation>Die Pose einer Person ist älter als erlaubt oder unzuverlässig.</translation>
+    </message>
+    <message>
+        <source>The connection to the robot is lost.</source>
+        <translation>Die Verbindung zum Roboter ist verloren.</translation>
+    </message>
+    <message>
+        <source>A joint torque was limited.</source>
+        <translation>Ein Gelenkmoment wurde begrenzt.</translation>
+    </message>
+    <message>
+        <source>A joint is faster than allowed.</source>
+        <translation>Ein Gelenk ist schneller als erlaubt.</translation>
+    </message>
+    <message>
+        <source>A body was faster than the bound that certified distances rely on.</source>
+        <translation>Ein Körper war schneller als die Schranke, auf der zertifizierte Abstände beruhen.</translation>
+    </message>
+    <message>
+        <source>Somebody asks for a stop.</source>
+        <translation>Jemand verlangt einen Halt.</translation>
+    </message>
+    <message>
+        <source>While it brakes, a person could come nearer than allowed.</source>
+        <translation>Während er bremst, könnte eine Person näher kommen als erlaubt.</translation>
+    </message>
+    <message>
+        <source>no stop</source>
+        <translation>kein Halt</translation>
+    </message>
+    <message>
+        <source>slow down</source>
+        <translation>verlangsamen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -5202,6 +5254,14 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
         <source>%1 off</source>
         <translation>%1 aus</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>What it does for each reason</source>
+        <translation>Was er bei welchem Grund tut</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::RecordingPanel</name>
@@ -5429,6 +5489,25 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
     <message>
         <source>Web pages (*.html)</source>
         <translation>Webseiten (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::ResponseRow</name>
+    <message>
+        <source>Response to: %1</source>
+        <translation>Antwort auf: %1</translation>
+    </message>
+    <message>
+        <source>%1: back to the scene file</source>
+        <translation>%1: zurück zur Szenendatei</translation>
+    </message>
+    <message>
+        <source>In scene files: stop.on.%1; in this one: %2.</source>
+        <translation>In Szenendateien: stop.on.%1; in dieser: %2.</translation>
+    </message>
+    <message>
+        <source>Back to the scene file: %1</source>
+        <translation>Zurück zur Szenendatei: %1</translation>
     </message>
 </context>
 <context>

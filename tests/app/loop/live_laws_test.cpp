@@ -100,6 +100,20 @@ TEST(LiveLaws, StopConditionTakesEffectAtOnce) {
   EXPECT_EQ(l.seen.robots[0].log.entry(0).to, safety::StopState::kProtectiveStop);
 }
 
+TEST(LiveLaws, ResponseTakesEffectAtOnce) {
+  Laws l("{stop: {distance: 0.2, on: {distance: none}}}", 0.15);
+  ASSERT_TRUE(l.stepTo(1.5));
+  ASSERT_EQ(l.seen.robots[0].state, safety::StopState::kRunning) << "the scene does not stop for distances";
+  control::ReactionChange emergency;
+  emergency.responses["distance"] = safety::StopResponse::kEmergency;
+  l.change(emergency);
+  ASSERT_TRUE(l.stepTo(1.501));
+  EXPECT_EQ(l.seen.robots[0].state, safety::StopState::kEmergencyStop);
+  l.change({});
+  ASSERT_TRUE(l.stepTo(2.0));
+  EXPECT_EQ(l.seen.robots[0].state, safety::StopState::kWaitingForReset) << "it ends only by a reset";
+}
+
 TEST(LiveLaws, LawsOutliveSeekAndSwitchingReactionOff) {
   Laws l(kGain, 0.09);
   l.setNumber("torque.gain", 3.0);

@@ -88,6 +88,25 @@ TEST(ReactionChange, InvalidChangesAreRefusedWithSentence) {
   EXPECT_NE(number("speed.release", {0.0}).find("speed.release 0"), std::string::npos);
 }
 
+TEST(ReactionChange, ResponsesReplaceOnlyTheirOwn) {
+  const ReactionDescription scene = sceneReaction();
+  ReactionChange change;
+  change.responses["lost_person"] = safety::StopResponse::kEmergency;
+  ReactionDescription expected = scene;
+  expected.stop.policy.response[static_cast<std::size_t>(safety::StopReason::kLostPerson)] =
+      safety::StopResponse::kEmergency;
+  EXPECT_EQ(describeReaction(changedReaction(scene, change, kDof)), describeReaction(expected));
+  EXPECT_NE(describeReaction(scene), describeReaction(expected));
+  const std::vector<StopChoice> choices = lawStates(scene, change).back().responses;
+  ASSERT_EQ(choices.size(), safety::kStopReasons);
+  for (const StopChoice& choice : choices) {
+    EXPECT_EQ(choice.scene, scene.stop.policy.of(choice.reason));
+    EXPECT_EQ(choice.value, expected.stop.policy.of(choice.reason));
+  }
+  change.responses = {{"rain", safety::StopResponse::kNone}};
+  EXPECT_EQ(problemOf(change), "found 'rain', expected a reason of a stop");
+}
+
 TEST(ReactionChange, StatesListEveryNumberOnceWithBothValues) {
   ReactionChange change;
   change.numbers["torque.gain"] = {5.0};

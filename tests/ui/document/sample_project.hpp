@@ -32,6 +32,8 @@ inline Project sampleProject() {
                     {"torque.limit", {20.0, kInfinity, 0.1}},
                     {"stop.distance", {-kInfinity}},
                     {"stop.resume_after", {kInfinity}}};
+  change.responses = {{"lost_person", safety::StopResponse::kEmergency},
+                      {"torque", safety::StopResponse::kSlow}};
   work.reactions = {{"arm", change}};
   work.margins = {{"operator/hand_left", 0.1}, {"arm/link1", 1.0 / 3.0}};
   work.classes = {{"robot_robot", {0.01, true}}, {"person_robot", {1.0 / 3.0, false}}};
