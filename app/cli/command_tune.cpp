@@ -14,7 +14,7 @@
 #include "app/cli/worn_arguments.hpp"
 #include "app/depth/open_session.hpp"
 #include "app/report/moment_picture.hpp"
-#include "app/report/tune_report.hpp"
+#include "app/report/report_file.hpp"
 #include "app/results/result_index.hpp"
 #include "app/tune/result_file.hpp"
 #include "core/base/error.hpp"
@@ -243,7 +243,7 @@ int finish(const CommandLine& line, tune::TuneAnswer& answer, const Asked& asked
   bool proven = true;
   if (asked.study_speeds && !answer.interrupted) proven = asked.study_speeds(answer);
   const std::string& report = asked.arguments.report;
-  if (!report.empty()) report::writeTuneReport(answer, {kVersion, asked.command, asked.picture}, report);
+  if (!report.empty()) report::writeReportFile(answer, {kVersion, asked.command, asked.picture}, report);
   asked.arguments.writeMargins(answer);
   line.print(tuneJson(answer), tuneText(answer));
   if (answer.interrupted) return kInterrupted;

@@ -4,6 +4,8 @@
 
 #include "app/cli/tune_arguments.hpp"
 #include "app/cli/tune_speeds.hpp"
+#include "app/report/pdf.hpp"
+#include "app/report/report_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/output_file.hpp"
 
@@ -20,11 +22,15 @@ void QuestionArguments::add(CLI::App& command, CommandLine& line) {
   command.add_option("--segment", segment,
                      "length in s of the program segments that get one speed each (default: 1)");
   addSpeedRule(command, speed_rule);
-  line.output(command.add_option("--report", report, "HTML report for signature"));
+  line.output(command.add_option(
+      "--report", report,
+      "report for signature: HTML, or PDF if the name ends with .pdf (needs the package weasyprint or "
+      "wkhtmltopdf)"));
 }
 
 tune::TuneQuestions QuestionArguments::questions() const {
   tune::TuneQuestions questions{marginList(margins), segmentLength(segment), {}, speedRule(speed_rule)};
+  if (abstand::report::isPdf(report)) abstand::report::needPdfConverter("--report");
   for (const std::string& file : margin_sets) questions.margin_sets.push_back(tune::loadMarginRules(file));
   return questions;
 }

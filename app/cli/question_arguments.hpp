@@ -14,7 +14,8 @@ struct QuestionArguments {
   std::vector<std::string> margin_sets;
 
   void add(CLI::App& command, CommandLine& line);
-  /// Reads the files of margin sets. Throws UsageError and ParseError.
+  /// Reads the files of margin sets. Throws UsageError, also for a report as PDF without a converter, and
+  /// ParseError.
   tune::TuneQuestions questions() const;
   /// Writes the proposed margins as a set, if requested. Throws UsageError if no margin suffices.
   void writeMargins(const tune::TuneAnswer& answer) const;

@@ -34,19 +34,21 @@ struct FoundConverter {
   std::filesystem::path program;
 };
 
-FoundConverter foundConverter() {
+FoundConverter foundConverter(const std::string& option) {
   for (const Converter& converter : converters())
     if (const auto program = findProgram(converter.name)) return {&converter, *program};
   throw UsageError(
-      "--pdf: found neither weasyprint nor wkhtmltopdf, expected one of them: apt-get install weasyprint");
+      option +
+      ": found neither weasyprint nor wkhtmltopdf, expected one of them for a PDF: apt-get install "
+      "weasyprint");
 }
 
 }  // namespace
 
-void needPdfConverter() { foundConverter(); }
+void needPdfConverter(const std::string& option) { foundConverter(option); }
 
 void writePdf(const std::filesystem::path& html, const std::filesystem::path& file) {
-  const FoundConverter found = foundConverter();
+  const FoundConverter found = foundConverter("--pdf");
   OutputFile out(file);
   const TemporaryFolder folder;
   const std::filesystem::path made = folder.path() / "page.pdf";

@@ -79,10 +79,14 @@ ReportDialog::ReportDialog(const ReportRequest& request, QWidget* parent)
 }
 
 void ReportDialog::chooseFile() {
-  QFileDialog dialog(this, tr("File of the report"), recentFolder(), tr("Web pages (*.html)"));
+  QFileDialog dialog(this, tr("File of the report"), recentFolder(),
+                     tr("Web pages (*.html);;PDF documents (*.pdf)"));
   dialog.setObjectName(QStringLiteral("report_file"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setDefaultSuffix(QStringLiteral("html"));
+  connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    dialog.setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
+  });
   dialog.selectFile(QFileInfo(file_->text()).fileName());
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   file_->setText(dialog.selectedFiles().constFirst());

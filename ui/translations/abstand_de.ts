@@ -5487,8 +5487,8 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
         <translation>Datei des Berichts</translation>
     </message>
     <message>
-        <source>Web pages (*.html)</source>
-        <translation>Webseiten (*.html)</translation>
+        <source>Web pages (*.html);;PDF documents (*.pdf)</source>
+        <translation>Webseiten (*.html);;PDF-Dokumente (*.pdf)</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,23 @@ TEST_F(Pdf, HoldsConverterOutput) {
   EXPECT_NE(pdf.find("fill=\"none\" stroke=\"#0072b2\""), std::string::npos);
 }
 
+TEST_F(Pdf, TuneMakesOneWhereTheNameSaysSo) {
+  const auto tune = [&](const std::string& name) {
+    ::setenv("PATH", file("bin").c_str(), 1);
+    const Answer a = run("tune " + file("slide.yaml") + " --report " + file(name));
+    ::setenv("PATH", path_.c_str(), 1);
+    return a;
+  };
+  expectNothing(tune("page.pdf"), 2, "--report: found neither weasyprint nor wkhtmltopdf");
+  standIn("weasyprint",
+          "for page; do last=$page; [ -f \"$page\" ] && html=$page; done\n"
+          "{ printf '%%PDF-'; /bin/cat \"$html\"; } >\"$last\"");
+  ASSERT_EQ(tune("page.PDF").code, 0);
+  EXPECT_EQ(readFile(file("page.PDF")).compare(0, 5, "%PDF-"), 0);
+  ASSERT_EQ(tune("page.html").code, 0);
+  EXPECT_EQ(readFile(file("page.html")), readFile(file("page.PDF")).substr(5));
+}
+
 TEST_F(Pdf, IsNotWrittenIfConverterFails) {
   standIn("weasyprint", "echo some words; echo 'no memory for fonts' >&2; exit 3");
   expectNothing(report(true), 4, "no memory for fonts");

@@ -1,0 +1,18 @@
+// The margin report as a file of the kind that its name says.
+#pragma once
+
+#include <filesystem>
+
+#include "app/report/tune_report.hpp"
+
+namespace abstand::report {
+
+/// The name ends with `.pdf`, in any case.
+bool isPdf(const std::filesystem::path& file);
+
+/// An HTML page, or for isPdf() the same page as PDF (writePdf). The file is written completely or not at
+/// all. Throws as writeTuneReport() and writePdf().
+void writeReportFile(const tune::TuneAnswer& answer, const TuneReportOptions& options,
+                     const std::filesystem::path& file);
+
+}  // namespace abstand::report
