@@ -83,11 +83,15 @@ void LinkDrag::release() {
 
 void LinkDrag::move(const Vector3d& on_screen) {
   const std::vector<int>& objects = my_.selection.objects();
-  if (!session_ || objects.size() != 1) return Q_EMIT said(tr("Select one link of a robot first"));
+  if (!session_ || objects.size() != 1)
+    return Q_EMIT said(tr("Select one link of a robot, or one thing, first"));
+  const Vector3d direction_W = my_.viewport.fromScreen(on_screen);
+  if (isThing(session_->outline().objects[static_cast<std::size_t>(objects[0])]))
+    return Q_EMIT thingWanted(objects[0], direction_W);
   const Vector3d p_W = my_.moment.objects[static_cast<std::size_t>(objects[0])].p_WCom;
   std::optional<Held> held = hold(objects[0], p_W);
   if (!held) return;
-  pose(*held, p_W + kStep * my_.viewport.fromScreen(on_screen), QString());
+  pose(*held, p_W + kStep * direction_W, QString());
   my_.viewport.hidePull();
 }
 

@@ -40,6 +40,8 @@ class LinkDrag : public QObject {
   void open(const SessionPort* session);
 
  Q_SIGNALS:
+  /// A thing is selected, and the user wants it to move in this direction (world).
+  void thingWanted(int object, const abstand::Vector3d& direction_W);
   /// For the status bar.
   void said(const QString& text);
 

@@ -190,6 +190,7 @@ void MainWindow::buildCommands() {
   commands_.things = new ThingDrag({*document_, *selection_, *viewport_, feed_->moment()}, this);
   commands_.live = new LiveCommands(*actions_, panels_, this);
   connect(commands_.live, &LiveCommands::said, this, &MainWindow::say);
+  connect(commands_.drag, &LinkDrag::thingWanted, commands_.things, &ThingDrag::step);
   connect(commands_.drag, &LinkDrag::said, this, &MainWindow::say);
   commands_.poke = new LinkPoke({*document_, follower_, *selection_, *viewport_, feed_->moment()},
                                 (*actions_)[Id::kPoke], this);

@@ -52,6 +52,16 @@ void ThingDrag::pull(const Vector3d& shift, double turn) {
       QStringLiteral("handle/%1").arg(held_->name));
 }
 
+void ThingDrag::step(int object, const Vector3d& direction_W) {
+  Eigen::Index axis = 0;
+  direction_W.cwiseAbs().maxCoeff(&axis);
+  Vector3d shift = Vector3d::Zero();
+  shift[axis] = std::copysign(kStep, direction_W[axis]);
+  grab(object, my_.moment.objects[static_cast<std::size_t>(object)].X_WB.translation());
+  pull(shift, 0.0);
+  release();
+}
+
 void ThingDrag::release() {
   held_.reset();
   my_.document.endStep();

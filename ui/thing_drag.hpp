@@ -21,6 +21,8 @@ class ThingDrag : public QObject {
   Q_OBJECT
 
  public:
+  static constexpr double kStep = 0.01;  ///< m, of a key
+
   struct Sources {
     Document& document;
     const Selection& selection;
@@ -33,6 +35,9 @@ class ThingDrag : public QObject {
 
   /// Null: none.
   void open(const SessionPort* session);
+  /// Moves a thing by kStep along the axis of the world that is nearest to a direction (world): a step of its
+  /// own.
+  void step(int object, const Vector3d& direction_W);
 
  private:
   struct Held {

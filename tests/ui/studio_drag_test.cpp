@@ -156,7 +156,7 @@ TEST_F(StudioDrag, OnlyMovedLinksAreHeld) {
   EXPECT_EQ(window.statusBar()->currentMessage(), "No joint moves this link");
   window.selection().clear();
   window.actions()[ActionId::kLinkUp]->trigger();
-  EXPECT_EQ(window.statusBar()->currentMessage(), "Select one link of a robot first");
+  EXPECT_EQ(window.statusBar()->currentMessage(), "Select one link of a robot, or one thing, first");
 }
 
 TEST_F(StudioDrag, KeysMoveLinkInView) {

@@ -18,6 +18,7 @@
 #include "ui/panels/note_panel.hpp"
 #include "ui/panels/placement_editor.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/thing_drag.hpp"
 #include "ui/viewport/opengl.hpp"
 #include "ui/viewport/overlay.hpp"
 
@@ -287,6 +288,28 @@ TEST_F(StudioHandles, ArrowMovesThingAlongItsAxisInOneStep) {
   action(ActionId::kUndo)->trigger();
   EXPECT_TRUE(work().things.isEmpty());
   ASSERT_TRUE(showsWallAt({-1.0, 0.0, 1.0}));
+}
+
+TEST_F(StudioHandles, KeysMoveThingAlongTheNearestAxis) {
+  constexpr double kStep = ui::ThingDrag::kStep;
+  const int steps = window.document().steps().index();
+  action(ActionId::kFront)->trigger();
+  QTest::qWait(50);
+  const Vector3d right = window.viewport().fromScreen(Vector3d::UnitX());
+  action(ActionId::kLinkRight)->trigger();
+  Eigen::Index axis = 0;
+  EXPECT_NEAR(right.cwiseAbs().maxCoeff(&axis), 1.0, 1e-6) << "the front view looks along an axis";
+  Vector3d expected(-1.0, 0.0, 1.0);
+  expected[axis] += std::copysign(kStep, right[axis]);
+  EXPECT_LT((wall().xyz - expected).norm(), kSame);
+  ASSERT_TRUE(showsWallAt(expected));
+  action(ActionId::kLinkUp)->trigger();
+  expected.z() += kStep;
+  EXPECT_LT((wall().xyz - expected).norm(), kSame);
+  EXPECT_EQ(window.document().steps().index(), steps + 2) << "each is a step of its own";
+  action(ActionId::kUndo)->trigger();
+  action(ActionId::kUndo)->trigger();
+  EXPECT_TRUE(work().things.isEmpty());
 }
 
 TEST_F(StudioHandles, RingTurnsThingAboutTheVertical) {

@@ -2182,48 +2182,24 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <translation>Glied nach links</translation>
     </message>
     <message>
-        <source>Pose the robot so that the selected link moves 10 mm to the left of the view</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach links rückt</translation>
-    </message>
-    <message>
         <source>Move link right</source>
         <translation>Glied nach rechts</translation>
-    </message>
-    <message>
-        <source>Pose the robot so that the selected link moves 10 mm to the right of the view</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach rechts rückt</translation>
     </message>
     <message>
         <source>Move link up</source>
         <translation>Glied nach oben</translation>
     </message>
     <message>
-        <source>Pose the robot so that the selected link moves 10 mm up in the view</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach oben rückt</translation>
-    </message>
-    <message>
         <source>Move link down</source>
         <translation>Glied nach unten</translation>
-    </message>
-    <message>
-        <source>Pose the robot so that the selected link moves 10 mm down in the view</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach unten rückt</translation>
     </message>
     <message>
         <source>Move link nearer</source>
         <translation>Glied näher</translation>
     </message>
     <message>
-        <source>Pose the robot so that the selected link moves 10 mm towards the camera</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm zur Kamera hin rückt</translation>
-    </message>
-    <message>
         <source>Move link farther</source>
         <translation>Glied weiter weg</translation>
-    </message>
-    <message>
-        <source>Pose the robot so that the selected link moves 10 mm away from the camera</source>
-        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm von der Kamera weg rückt</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -3192,6 +3168,30 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     <message>
         <source>slow down</source>
         <translation>verlangsamen</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm to the left of the view; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach links rückt; oder einen Gegenstand verschieben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm to the right of the view; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach rechts rückt; oder einen Gegenstand verschieben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm up in the view; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach oben rückt; oder einen Gegenstand verschieben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm down in the view; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied in der Ansicht 10 mm nach unten rückt; oder einen Gegenstand verschieben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm towards the camera; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm zur Kamera hin rückt; oder einen Gegenstand verschieben</translation>
+    </message>
+    <message>
+        <source>Pose the robot so that the selected link moves 10 mm away from the camera; or move a thing</source>
+        <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm von der Kamera weg rückt; oder einen Gegenstand verschieben</translation>
     </message>
 </context>
 <context>
@@ -4206,10 +4206,6 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <translation>Kein Gelenk bewegt dieses Glied</translation>
     </message>
     <message>
-        <source>Select one link of a robot first</source>
-        <translation>Zuerst ein Glied eines Roboters auswählen</translation>
-    </message>
-    <message>
         <source>move a link of %1</source>
         <translation>Ein Glied von %1 bewegen</translation>
     </message>
@@ -4220,6 +4216,10 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>A thing is moved by its handles, once it is selected</source>
         <translation>Ein Gegenstand wird an seinen Griffen bewegt, sobald er ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Select one link of a robot, or one thing, first</source>
+        <translation>Zuerst ein Glied eines Roboters oder einen Gegenstand wählen</translation>
     </message>
 </context>
 <context>
