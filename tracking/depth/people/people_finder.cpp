@@ -4,27 +4,12 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/depth/people/body_area.hpp"
+#include "tracking/depth/people/cell_owners.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-// Dimensions of a head above its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m
-// long, and shoulders begin a third of a metre below the vertex (ANSUR II).
-constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
-constexpr double kHeadRadius = 0.16;  // points as high as the head are within this distance ...
-constexpr double kBesideHead = 0.32;  // ... and hardly any between that and this one
-constexpr double kHeadDrop = 0.22;    // as high: at most this much lower
-constexpr double kMaxBeside = 0.5;    // cells beside a head, relative to those of the head
-constexpr int kMinHeadCells = 3;
-constexpr double kHeadsApart = 0.28;
-constexpr double kBodyRadius = 0.35;              // of a trunk around its head
-constexpr double kMinBody = 0.05;                 // m^2 of visible surface
-constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
-constexpr double kArmReach = 1.0;                 // from the middle of a body to the end of an arm
-// Parts disconnected from their trunk in this view: those that do not stand on the floor (share of their
-// surface below half a metre), such as arms and head of someone bowing towards the camera, or small ones
-// (m^2), such as a foot.
-constexpr double kMaxStanding = 0.1, kSmallPiece = 0.12, kPieceReach = 0.7;
 constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: search radius around the last
                                                                    // position
 constexpr double kJump = 0.3;   // m: limit of a person's motion between two images
@@ -36,22 +21,18 @@ constexpr float kLowestOfNew = 1.2f;  // m
 constexpr double kLyingReach = 0.7;   // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
 
-constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
-
-/// m; largest variation of a Kinect's depth of a static surface (steps of 2.9 mm z^2, twice).
-float depthNoise(float z) { return 0.03f + 0.006f * z * z; }
+std::size_t pixelsOf(const DepthCamera& camera) {
+  return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+}
 
 }  // namespace
 
 PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options)
-    : camera_(camera), options_(options) {
-  const auto pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+    : camera_(camera), options_(options), background_(pixelsOf(camera), options.learn_after) {
   floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
-  cell_of_.assign(pixels, -1);
-  background_.resize(pixels);
-  unassigned_.resize(pixels);
-  people_.label.assign(pixels, 0);
+  cell_of_.assign(pixelsOf(camera), -1);
+  people_.label.assign(pixelsOf(camera), 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
   heads_.reserve(kMaxPeople);
@@ -64,26 +45,6 @@ void PeopleFinder::findFloor(double t, const DepthImage& image) {
   people_.floor = floor_finder_.find(image, camera_, options_.seed);
   if (people_.floor) plane_ = *people_.floor;
   next_floor_ = t + 0.5;
-}
-
-/// True within four mean deviations (somewhat more than three standard deviations), or within the camera's
-/// own variation.
-bool PeopleFinder::isStable(const StablePixel& surface, float z) {
-  return surface.z > 0.0f &&
-         std::abs(z - surface.z) < std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
-}
-
-void PeopleFinder::learn(std::size_t pixel, float z, float dt) {
-  constexpr float kNew = 0.1f;  // weight of the newest depth in the means
-  StablePixel& surface = unassigned_[pixel];
-  if (!isStable(surface, z)) {
-    surface = {z, 0.5f * depthNoise(z), 0.0f};
-    return;
-  }
-  surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
-  surface.z += kNew * (z - surface.z);
-  surface.duration += dt;
-  if (surface.duration >= static_cast<float>(options_.learn_after)) background_[pixel] = surface;
 }
 
 /// Without a floor: a level plane through the lowest one percent of the points.
@@ -132,7 +93,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
       cell_of_[i] = -1;
       const float z = image.z[i];
       if (!(z > nearest && z < farthest)) continue;
-      const bool is_background = isStable(background_[i], z);
+      const bool is_background = background_.has(i, z);
       if (is_background && !(notes_background && u % kEvery == 0)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
       const float x = x_[static_cast<std::size_t>(u)];
@@ -153,86 +114,6 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
     }
   }
   plan_.join();
-}
-
-bool PeopleFinder::isHead(int cell) const {
-  const float top = plan_.cell(cell).top;
-  int head = 0, beside = 0;
-  bool is_highest = true;
-  plan_.around(PlanView::placeOf(cell), kBesideHead, [&](int i, double distance) {
-    const float other = plan_.cell(i).top;
-    if (other < top - static_cast<float>(kHeadDrop)) return;
-    if (distance > kHeadRadius) {
-      ++beside;
-      return;
-    }
-    ++head;
-    if (other > top || (other == top && i < cell)) is_highest = false;
-  });
-  return is_highest && head >= kMinHeadCells && beside <= kMaxBeside * head;
-}
-
-double PeopleFinder::bodyArea(const Place& place, double radius) const {
-  double area = 0.0;
-  plan_.around(place, radius, [&](int i, double) { area += static_cast<double>(plan_.cell(i).whole); });
-  return area;
-}
-
-PeopleFinder::Place PeopleFinder::middleOfBody(Place place) const {
-  for (int round = 0; round < 2; ++round) {
-    Place sum = Place::Zero();
-    double area = 0.0;
-    plan_.around(place, kBodyRadius, [&](int i, double) {
-      const auto a = static_cast<double>(plan_.cell(i).whole);
-      sum += a * PlanView::placeOf(i);
-      area += a;
-    });
-    if (area > 0.0) place = sum / area;
-  }
-  return place;
-}
-
-void PeopleFinder::findHeads() {
-  heads_.clear();
-  for (const int i : plan_.used()) {
-    const float top = plan_.cell(i).top;
-    if (top < static_cast<float>(kLowestHead) || top > static_cast<float>(kHighestHead) ||
-        !plan_.occupied(i) || !isHead(i))
-      continue;
-    if (heads_.size() == static_cast<std::size_t>(kMaxPeople)) break;
-    heads_.push_back({i, PlanView::placeOf(i)});
-  }
-  // Keeps the higher of two heads that are too near.
-  for (std::size_t a = 0; a < heads_.size(); ++a)
-    for (std::size_t b = heads_.size(); b-- > a + 1;)
-      if ((heads_[a].place - heads_[b].place).norm() < kHeadsApart) {
-        if (plan_.cell(heads_[b].cell).top > plan_.cell(heads_[a].cell).top) heads_[a] = heads_[b];
-        heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(b));
-      }
-  dropHeadsWithoutBody();
-}
-
-/// A raised fist has no trunk of its own below. The head with the smallest body is dropped first; its surface
-/// goes to the others.
-void PeopleFinder::dropHeadsWithoutBody() {
-  while (!heads_.empty()) {
-    for (Head& head : heads_) {
-      head.body = 0.0;
-      const auto height = static_cast<double>(plan_.cell(head.cell).top);
-      const auto first = static_cast<std::size_t>(kBodyFrom * height / PlanView::kSlab);
-      const auto last = static_cast<std::size_t>(kBodyTo * height / PlanView::kSlab);
-      plan_.around(head.place, kBodyRadius, [&](int i, double distance) {
-        for (const Head& other : heads_)
-          if ((other.place - PlanView::placeOf(i)).norm() < distance) return;
-        for (std::size_t slab = first; slab <= last; ++slab)
-          head.body += static_cast<double>(plan_.cell(i).area[slab]);
-      });
-    }
-    const auto smallest = std::min_element(heads_.begin(), heads_.end(),
-                                           [](const Head& a, const Head& b) { return a.body < b.body; });
-    if (smallest->body >= kMinBody) return;
-    heads_.erase(smallest);
-  }
 }
 
 void PeopleFinder::follow(double t) {
@@ -265,23 +146,23 @@ void PeopleFinder::follow(double t) {
       }
     }
     if (!best_track) break;
-    meet(*best_track, middleOfBody(heads_[best_head].place), true);
+    meet(*best_track, middleOfBody(plan_, heads_[best_head].place), true);
     heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
   }
   // Persons without a visible head stay with the surface at their last position.
   for (Track& track : tracks_) {
     if (track.matched || t - track.head_seen > options_.without_head) continue;
-    const Place place = middleOfBody(predicted(track));
+    const Place place = middleOfBody(plan_, predicted(track));
     bool is_free = true;
     for (const Track& other : tracks_)
       is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);
-    if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(place, kBodyRadius) >= kMinBody)
+    if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(plan_, place, kBodyRadius) >= kMinBody)
       meet(track, place, false);
   }
   std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
   const int first_new = next_id_;
   for (const Head& head : heads_) {
-    const Place place = middleOfBody(head.place);
+    const Place place = middleOfBody(plan_, head.place);
     bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
     const double apart = plan_.cell(head.cell).top < kLowestOfNew ? kSplitLow : kSplit;
     for (const Track& track : tracks_)
@@ -316,51 +197,6 @@ void PeopleFinder::followLying(double t) {
   }
 }
 
-/// Assigns each cell to the nearest person whose trunk is in the same component, or within whose reach a
-/// disconnected part lies.
-void PeopleFinder::assignCells() {
-  for (std::size_t k = 0; k < plan_.components(); ++k) {
-    const auto cells = plan_.component(k);
-    double whole = 0.0, standing = 0.0;
-    for (const int i : cells) {
-      const PlanView::Cell& c = plan_.cell(i);
-      whole += static_cast<double>(c.whole);
-      standing += static_cast<double>(c.area[0] + c.area[1]);
-    }
-    const double piece = standing < kMaxStanding * whole ? kArmReach
-                         : whole < kSmallPiece           ? kPieceReach
-                                                         : 0.0;
-    std::array<bool, kMaxPeople> has_trunk{};
-    for (std::size_t p = 0; p < tracks_.size(); ++p) {
-      if (!tracks_[p].here) continue;
-      double trunk = 0.0;
-      for (const int i : cells)
-        if ((PlanView::placeOf(i) - tracks_[p].place).norm() < kBodyRadius)
-          trunk += static_cast<double>(plan_.cell(i).whole);
-      has_trunk[p] = trunk >= 0.5 * kMinBody;
-    }
-    for (const int i : cells) {
-      double nearest = kInfinity;
-      for (std::size_t p = 0; p < tracks_.size(); ++p) {
-        if (!tracks_[p].here) continue;
-        const double distance = (PlanView::placeOf(i) - tracks_[p].place).norm();
-        const double reach = has_trunk[p] ? kArmReach : piece;
-        if (distance < std::min(nearest, reach)) {
-          nearest = distance;
-          plan_.cell(i).owner = static_cast<std::int16_t>(p);
-        }
-      }
-    }
-  }
-  // Cells with too little surface get the owner of a neighbour cell.
-  for (const int i : plan_.used()) {
-    if (plan_.occupied(i)) continue;
-    plan_.around(PlanView::placeOf(i), 1.5 * PlanView::kCell, [&](int beside, double) {
-      if (plan_.cell(beside).owner >= 0) plan_.cell(i).owner = plan_.cell(beside).owner;
-    });
-  }
-}
-
 void PeopleFinder::label(const DepthImage& image) {
   for (std::size_t i = 0; i < image.z.size(); ++i) {
     const int owner = cell_of_[i] < 0 ? -1 : plan_.cell(cell_of_[i]).owner;
@@ -368,34 +204,15 @@ void PeopleFinder::label(const DepthImage& image) {
   }
 }
 
-/// True if most of the background beside the surface has the same depth.
-bool PeopleFinder::isUncovered(std::size_t track, const DepthImage& image) const {
-  constexpr int kMinBorder = 20;  // pixels
-  const auto label = static_cast<std::uint8_t>(track + 1);
-  const auto width = static_cast<std::size_t>(image.width);
-  int even = 0, steps = 0;
-  const auto compare = [&](std::size_t inside, std::size_t outside) {
-    if (people_.label[inside] != label || people_.label[outside] != 0) return;
-    const float z = image.z[inside], behind = background_[outside].z;
-    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * depthNoise(z) ? even : steps);
-  };
-  for (std::size_t i = 0; i + width < image.z.size(); ++i) {
-    compare(i, i + 1);
-    compare(i + 1, i);
-    compare(i, i + width);
-    compare(i + width, i);
-  }
-  return even + steps >= kMinBorder && even > steps;
-}
-
 void PeopleFinder::dropUncovered(const DepthImage& image) {
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
-    if (!tracks_[k].here || !tracks_[k].suspect || !isUncovered(k, image)) continue;
     const auto label = static_cast<std::uint8_t>(k + 1);
+    if (!tracks_[k].here || !tracks_[k].suspect || !background_.continues(people_.label, label, image))
+      continue;
     for (std::size_t i = 0; i < image.z.size(); ++i) {
       if (people_.label[i] != label) continue;
       people_.label[i] = 0;
-      background_[i] = {image.z[i], 0.5f * depthNoise(image.z[i]), 0.0f};
+      background_.set(i, image.z[i]);
     }
     tracks_[k].here = false;
     tracks_[k].seen = -kInfinity;  // removed with the next image
@@ -419,10 +236,10 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
     for (int u = 0; u < image.width; ++u, ++i) {
       const float z = image.z[i];
       if (people_.label[i] == 0) {
-        if (z > 0.0f) learn(i, z, dt);
+        if (z > 0.0f) background_.learn(i, z, dt);
         continue;
       }
-      unassigned_[i] = {};
+      background_.cover(i);
       Sum& sum = sums[people_.label[i] - std::size_t{1}];
       const Vector3d p_C(static_cast<double>(z * x_[static_cast<std::size_t>(u)]),
                          static_cast<double>(z * y_[static_cast<std::size_t>(v)]), static_cast<double>(z));
@@ -458,10 +275,13 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   findFloor(t, image);
   if (!people_.floor) estimateFloorFromScene(image);
   projectToPlan(image, known);
-  findHeads();
+  findHeads(plan_, kMaxPeople, heads_);
   follow(t);
   followLying(t);
-  assignCells();
+  std::array<std::optional<Place>, kMaxPeople> places;
+  for (std::size_t p = 0; p < tracks_.size(); ++p)
+    if (tracks_[p].here) places[p] = tracks_[p].place;
+  assignCells(std::span(places).first(tracks_.size()), plan_);
   label(image);
   dropUncovered(image);
   describe(t, image);

@@ -3,6 +3,8 @@
 
 #include "tracking/depth/people/floor_plane.hpp"
 #include "tracking/depth/people/furniture.hpp"
+#include "tracking/depth/people/heads.hpp"
+#include "tracking/depth/people/learned_background.hpp"
 #include "tracking/depth/people/lying_people.hpp"
 #include "tracking/depth/people/plan_view.hpp"
 
@@ -72,35 +74,16 @@ class PeopleFinder {
     bool suspect{false};  ///< younger than a second, or at a place where it was not
                           ///< before
   };
-  struct Head {
-    int cell{-1};
-    Place place{Place::Zero()};  ///< m
-    double body{0.0};            ///< m^2 of surface below it, nearer to it than to other heads
-  };
-
-  /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), and duration (s).
-  struct StablePixel {
-    float z{0.0f}, deviation{0.0f}, duration{0.0f};
-  };
 
   void findFloor(double t, const DepthImage& image);
   void estimateFloorFromScene(const DepthImage& image);
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
-  void findHeads();
-  bool isHead(int cell) const;
-  void dropHeadsWithoutBody();
-  Place middleOfBody(Place place) const;
-  double bodyArea(const Place& place, double radius) const;
   void follow(double t);
   void followLying(double t);
-  void assignCells();
   void label(const DepthImage& image);
-  bool isUncovered(std::size_t track, const DepthImage& image) const;
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
-  static bool isStable(const StablePixel& surface, float z);
-  void learn(std::size_t pixel, float z, float dt);
 
   DepthCamera camera_;
   PeopleFinderOptions options_;
@@ -111,10 +94,9 @@ class PeopleFinder {
   PlanView plan_;
   Furniture furniture_;
   LyingPeople lying_;
-  std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
-  std::vector<StablePixel> unassigned_;  ///< current unassigned surface
-  std::vector<StablePixel> background_;  ///< learned; z 0: not learned
-  std::vector<float> x_, y_;             ///< of the rays with z = 1
+  std::vector<int> cell_of_;  ///< of each pixel; -1: ignored
+  LearnedBackground background_;
+  std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;
   std::vector<Track> tracks_;
   PeopleImage people_;

@@ -1,0 +1,81 @@
+// Peaks of a head's breadth, and the bodies below them.
+#include "tracking/depth/people/heads.hpp"
+
+#include "tracking/depth/people/body_area.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+// Dimensions of a head above its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m
+// long, and shoulders begin a third of a metre below the vertex (ANSUR II).
+constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
+constexpr double kHeadRadius = 0.16;  // points as high as the head are within this distance ...
+constexpr double kBesideHead = 0.32;  // ... and hardly any between that and this one
+constexpr double kHeadDrop = 0.22;    // as high: at most this much lower
+constexpr double kMaxBeside = 0.5;    // cells beside a head, relative to those of the head
+constexpr int kMinHeadCells = 3;
+constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
+
+bool isHead(const PlanView& plan, int cell) {
+  const float top = plan.cell(cell).top;
+  int head = 0, beside = 0;
+  bool is_highest = true;
+  plan.around(PlanView::placeOf(cell), kBesideHead, [&](int i, double distance) {
+    const float other = plan.cell(i).top;
+    if (other < top - static_cast<float>(kHeadDrop)) return;
+    if (distance > kHeadRadius) {
+      ++beside;
+      return;
+    }
+    ++head;
+    if (other > top || (other == top && i < cell)) is_highest = false;
+  });
+  return is_highest && head >= kMinHeadCells && beside <= kMaxBeside * head;
+}
+
+/// A raised fist has no trunk of its own below. The head with the smallest body is dropped first; its surface
+/// goes to the others.
+void dropHeadsWithoutBody(const PlanView& plan, std::vector<Head>& heads) {
+  while (!heads.empty()) {
+    for (Head& head : heads) {
+      head.body = 0.0;
+      const auto height = static_cast<double>(plan.cell(head.cell).top);
+      const auto first = static_cast<std::size_t>(kBodyFrom * height / PlanView::kSlab);
+      const auto last = static_cast<std::size_t>(kBodyTo * height / PlanView::kSlab);
+      plan.around(head.place, kBodyRadius, [&](int i, double distance) {
+        for (const Head& other : heads)
+          if ((other.place - PlanView::placeOf(i)).norm() < distance) return;
+        for (std::size_t slab = first; slab <= last; ++slab)
+          head.body += static_cast<double>(plan.cell(i).area[slab]);
+      });
+    }
+    const auto smallest = std::min_element(heads.begin(), heads.end(),
+                                           [](const Head& a, const Head& b) { return a.body < b.body; });
+    if (smallest->body >= kMinBody) return;
+    heads.erase(smallest);
+  }
+}
+
+}  // namespace
+
+void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads) {
+  heads.clear();
+  for (const int i : plan.used()) {
+    const float top = plan.cell(i).top;
+    if (top < static_cast<float>(kLowestHead) || top > static_cast<float>(kHighestHead) ||
+        !plan.occupied(i) || !isHead(plan, i))
+      continue;
+    if (heads.size() == max) break;
+    heads.push_back({i, PlanView::placeOf(i)});
+  }
+  // Keeps the higher of two heads that are too near.
+  for (std::size_t a = 0; a < heads.size(); ++a)
+    for (std::size_t b = heads.size(); b-- > a + 1;)
+      if ((heads[a].place - heads[b].place).norm() < kHeadsApart) {
+        if (plan.cell(heads[b].cell).top > plan.cell(heads[a].cell).top) heads[a] = heads[b];
+        heads.erase(heads.begin() + static_cast<std::ptrdiff_t>(b));
+      }
+  dropHeadsWithoutBody(plan, heads);
+}
+
+}  // namespace abstand::tracking

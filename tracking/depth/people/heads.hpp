@@ -1,0 +1,23 @@
+// Heads in plan view.
+#pragma once
+
+#include <vector>
+
+#include "tracking/depth/people/plan_view.hpp"
+
+namespace abstand::tracking {
+
+inline constexpr double kHeadsApart = 0.28;  ///< m; of two heads that are nearer, the higher one counts
+
+/// A head is a peak of a head's breadth with free space beside it, above enough of a body.
+struct Head {
+  int cell{-1};
+  PlanView::Place place{PlanView::Place::Zero()};  ///< m
+  double body{0.0};  ///< m^2 of surface below it, nearer to it than to other heads
+};
+
+/// Sets `heads` to those of a plan, at most `max`. After plan.join(). Does not throw; allocates only if
+/// `heads` has a smaller capacity than `max`.
+void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads);
+
+}  // namespace abstand::tracking

@@ -1,0 +1,58 @@
+// Running means of depths.
+#include "tracking/depth/people/learned_background.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::tracking {
+namespace {
+
+constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
+constexpr int kMinBorder = 20;         // pixels; fewer do not tell whether a surface continues
+
+}  // namespace
+
+LearnedBackground::LearnedBackground(std::size_t pixels, double learn_after)
+    : learn_after_{static_cast<float>(learn_after)}, unassigned_(pixels), background_(pixels) {}
+
+bool LearnedBackground::isStable(const StablePixel& surface, float z) {
+  return surface.z > 0.0f &&
+         std::abs(z - surface.z) < std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
+}
+
+void LearnedBackground::learn(std::size_t pixel, float z, float dt) {
+  constexpr float kNew = 0.1f;  // weight of the newest depth in the means
+  StablePixel& surface = unassigned_[pixel];
+  if (!isStable(surface, z)) {
+    surface = {z, 0.5f * depthNoise(z), 0.0f};
+    return;
+  }
+  surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
+  surface.z += kNew * (z - surface.z);
+  surface.duration += dt;
+  if (surface.duration >= learn_after_) background_[pixel] = surface;
+}
+
+void LearnedBackground::set(std::size_t pixel, float z) {
+  background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f};
+}
+
+bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uint8_t label,
+                                  const DepthImage& image) const {
+  const auto width = static_cast<std::size_t>(image.width);
+  int even = 0, steps = 0;
+  const auto compare = [&](std::size_t inside, std::size_t outside) {
+    if (labels[inside] != label || labels[outside] != 0) return;
+    const float z = image.z[inside], behind = background_[outside].z;
+    if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * depthNoise(z) ? even : steps);
+  };
+  for (std::size_t i = 0; i + width < image.z.size(); ++i) {
+    compare(i, i + 1);
+    compare(i + 1, i);
+    compare(i, i + width);
+    compare(i + width, i);
+  }
+  return even + steps >= kMinBorder && even > steps;
+}
+
+}  // namespace abstand::tracking

@@ -1,0 +1,47 @@
+// Background that is learned for each pixel.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracking/depth/camera/depth_image.hpp"
+
+namespace abstand::tracking {
+
+/// m; largest variation of a Kinect's depth of a static surface at depth `z` (m): steps of 2.9 mm z^2, twice.
+inline float depthNoise(float z) { return 0.03f + 0.006f * z * z; }
+
+/// For each pixel the farthest depth of an unassigned surface that was stable for a time. Not shared between
+/// threads. Only the constructor allocates; nothing throws.
+class LearnedBackground {
+ public:
+  /// `learn_after`: s, after which a static surface is background.
+  LearnedBackground(std::size_t pixels, double learn_after);
+
+  /// Whether a depth `z` (m) is that of the background: within four mean deviations (somewhat more than three
+  /// standard deviations), or within the camera's own variation.
+  bool has(std::size_t pixel, float z) const { return isStable(background_[pixel], z); }
+  /// An unassigned surface at depth `z` (m), `dt` (s) after the last image.
+  void learn(std::size_t pixel, float z, float dt);
+  /// A surface of a person: what was seen of an unassigned one is discarded.
+  void cover(std::size_t pixel) { unassigned_[pixel] = {}; }
+  /// Sets the background at once.
+  void set(std::size_t pixel, float z);
+  /// Whether most of the background beside the pixels with this label continues their depth: the surface was
+  /// uncovered, it is nobody. `labels`: of all pixels, 0: of nobody.
+  bool continues(std::span<const std::uint8_t> labels, std::uint8_t label, const DepthImage& image) const;
+
+ private:
+  /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), and duration (s).
+  struct StablePixel {
+    float z{0.0f}, deviation{0.0f}, duration{0.0f};
+  };
+  static bool isStable(const StablePixel& surface, float z);
+
+  float learn_after_;
+  std::vector<StablePixel> unassigned_;  ///< current unassigned surface
+  std::vector<StablePixel> background_;  ///< learned; z 0: not learned
+};
+
+}  // namespace abstand::tracking
