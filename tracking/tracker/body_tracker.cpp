@@ -17,8 +17,9 @@ constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
-// Share of a stature error by which a joint moves: the body is still fitted to the observed points.
-constexpr double kOfStature = 0.30;
+// Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, the
+// places of hidden ones follow from the lengths of the bones.
+constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30;
 constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
@@ -292,6 +293,7 @@ void BodyTracker::finish(double t) {
   body_.frame.t = t;
   body_.visible.fill(0.0);
   if (!body_.found) {
+    motion_.forget();
     if (t - found_t_ > kTurns) {
       front_.reset();
       facing_known_ = false;
@@ -307,8 +309,8 @@ void BodyTracker::finish(double t) {
   stateSpreads(t);
 }
 
-/// Of joints that are seen: trackedSpreads(). Of others: HiddenSpread, and what the last joint of the limb
-/// that is seen is off by, as all places are counted from there.
+/// Of joints that are seen: trackedSpreads() and JointMotion. Of others: HiddenSpread, and what the last
+/// joint of the limb that is seen is off by, as all places are counted from there.
 void BodyTracker::stateSpreads(double t) {
   humanmodel::SkeletonFrame& frame = body_.frame;
   SeenSegments seen = 0;
@@ -319,10 +321,12 @@ void BodyTracker::stateSpreads(double t) {
   }
   space_.update(seen_, body_.X_WS, seen);
   hidden_.see(t, seen, space_.extent());
+  motion_.see(t, frame);
   const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, visible, body_.gap);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
-    frame.spread[j] = std::hypot(tracked[j], kOfStature * stature_deviation_, hidden_.spread()[j]);
+    const double stature = (is_seen ? kOfStatureSeen : kOfStatureHidden) * stature_deviation_;
+    frame.spread[j] = std::hypot(tracked[j], stature, is_seen ? motion_.spread()[j] : hidden_.spread()[j]);
     if (!is_seen) frame.state[j] = humanmodel::JointState::kInferred;
   }
   for (const std::array<humanmodel::Joint, 4>& limb : kLimbJoints) {

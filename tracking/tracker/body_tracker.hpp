@@ -6,6 +6,7 @@
 
 #include "tracking/tracker/hidden_space.hpp"
 #include "tracking/tracker/hidden_spread.hpp"
+#include "tracking/tracker/joint_motion.hpp"
 #include "tracking/tracker/limb_search.hpp"
 
 namespace abstand::tracking {
@@ -75,6 +76,7 @@ class BodyTracker {
   BodyObservation seen_;
   HiddenSpread hidden_;
   HiddenSpace space_;
+  JointMotion motion_;
   std::mt19937_64 random_;
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s

@@ -86,6 +86,35 @@ Posture seatedOnTheFloor(double t) {
           .apart = 0.14};
 }
 
+/// On the front, the head towards +x.
+Posture prone(double t) {
+  return {.t = t,
+          .hips = {-0.2, 0.0, 0.12},
+          .loins = 0.5 * kPi,
+          .back = 0.5 * kPi,
+          .head = 0.5 * kPi,
+          .reach = 0.40,
+          .aside = 0.38,
+          .low = 0.06,
+          .foot = -1.04,
+          .apart = 0.12,
+          .ankle = 0.09,
+          .toes = -2.8};
+}
+/// On the feet, the head between the knees.
+Posture curledUp(double t) {
+  return {.t = t,
+          .hips = {-0.15, 0.0, 0.30},
+          .loins = 1.0,
+          .back = 1.9,
+          .head = 2.5,
+          .reach = 0.20,
+          .aside = 0.25,
+          .low = 0.15,
+          .foot = 0.05,
+          .apart = 0.14};
+}
+
 const std::vector<FurnitureBox> kChair{{{-0.22, -0.22, 0.37}, {0.22, 0.22, 0.41}},
                                        {{-0.26, -0.22, 0.0}, {-0.22, 0.22, 0.95}},
                                        {{0.18, -0.22, 0.0}, {0.22, -0.18, 0.37}},
@@ -156,6 +185,32 @@ std::vector<PosedScene> posedScenes() {
   };
 }
 
+std::vector<PosedScene> heldOutScenes() {
+  constexpr double kSmall = 1.58, kTall = 1.92;
+  const std::vector<Posture> stand{standing(0.0), handsAhead(1.2), armsAside(2.2), standing(3.2)};
+  const std::vector<Posture> sit{seated(0.0), seated(3.0)}, kneel{kneeling(0.0), kneeling(3.0)};
+  const std::vector<Posture> bend{standing(0.0), standing(0.8), bent(1.6), bent(2.2), standing(3.0)};
+  const std::vector<Posture> curl{standing(0.0), standing(0.8), curledUp(2.0), curledUp(3.0), standing(4.2)};
+  const Vector3d aside{2.5, 0.9, 1.5}, above{2.2, -0.8, 2.4}, look{0.0, 0.0, 0.9};
+  std::vector<PosedScene> scenes{{"other_seated", sit, aside, look, kChair, 7},
+                                 {"other_seated_seen_from_above", sit, above, look, kChair, 8},
+                                 {"other_kneeling", kneel, aside, look, {}, 9},
+                                 {"other_behind_a_bench", stand, {2.6, 0.4, 1.5}, look, kBench, 10},
+                                 {"other_near_1_3_m", stand, {1.3, 0.2, 1.4}, {0.0, 0.0, 1.2}, {}, 11},
+                                 {"other_bending", bend, aside, look, {}, 12},
+                                 {"other_at_3_m", stand, {2.9, -0.8, 1.7}, look, {}, 13},
+                                 {"other_curled_up", curl, above, look, {}, 14}};
+  std::vector<PosedScene> both;
+  for (const double stature : {kSmall, kTall})
+    for (PosedScene scene : scenes) {
+      scene.name += stature == kSmall ? "_small" : "_tall";
+      scene.stature = stature;
+      both.push_back(scene);
+    }
+  both.push_back({"other_lying_on_the_front", {prone(0.0), prone(3.0)}, {0.5, -2.6, 1.4}, look, {}, 15});
+  return both;
+}
+
 std::vector<PosedScene> heldScenes() {
   using enum HeldBox::Grip;
   const std::vector<Posture> stand{standing(0.0), handsAhead(1.5), standing(3.0)};
@@ -179,13 +234,23 @@ std::vector<PosedScene> heldScenes() {
 }
 
 SimulatedClip simulate(const PosedScene& scene) {
+  const double scale = scene.stature / kPosedStature;
+  std::vector<humanmodel::SkeletonFrame> frames = posedFrames(scene.postures);
+  for (humanmodel::SkeletonFrame& frame : frames)
+    for (Vector3d& p : frame.p) p *= scale;
+  std::vector<FurnitureBox> furniture = scene.furniture;
+  for (FurnitureBox& box : furniture) {
+    box.low *= scale;
+    box.high *= scale;
+    box.swing *= scale;
+  }
   return simulate({.recording = {},
                    .eye = scene.eye,
                    .look = scene.look,
                    .body_seed = scene.body_seed,
                    .room = true,
                    .held = scene.held},
-                  posedFrames(scene.postures), scene.furniture);
+                  std::move(frames), std::move(furniture));
 }
 
 }  // namespace abstand::testing

@@ -15,11 +15,15 @@ struct PosedScene {
   std::vector<FurnitureBox> furniture{};
   std::uint64_t body_seed{0};
   std::vector<HeldBox> held{};
+  double stature{kPosedStature};  ///< m; postures and furniture are scaled to it
 };
 
 inline void PrintTo(const PosedScene& scene, std::ostream* out) { *out << scene.name; }
 
 std::vector<PosedScene> posedScenes();
+
+/// People of other statures and shapes, postures, and views; no constant of the tracker was chosen with them.
+std::vector<PosedScene> heldOutScenes();
 
 /// People who hold bars and boxes.
 std::vector<PosedScene> heldScenes();

@@ -3,6 +3,7 @@
 
 #include "humanmodel/part_uncertainty.hpp"
 #include "tests/tracking/tracker/captured_scenes.hpp"
+#include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::tracking {
@@ -10,8 +11,14 @@ namespace stated_reach_test {
 
 using testing::JointErrors;
 
-// Shares of the raw errors within reach. Measured over the clips below: 0.991 and 1.000; the aim is 0.99.
-constexpr double kTracked = 0.985, kInferred = 0.985;
+// Shares of the raw errors within reach. Measured over the clips below: 0.999 and 1.000 (tracked without
+// JointMotion: 0.996).
+constexpr double kTracked = 0.9975, kInferred = 0.985;
+// The aim, for every clip. Measured: 0.995; without JointMotion 0.983.
+constexpr double kTrackedOfClip = 0.99;
+// Median of reach / error of a seated person of unknown stature. Measured: 7.2; 10.2 when visible joints were
+// given the same share of the stature's deviation as hidden ones.
+constexpr double kMaxRatioSeated = 8.0;
 // A reach that is much larger than the errors stops robots needlessly: median of reach / error.
 constexpr double kMaxRatio = 8.0;
 constexpr std::size_t kEnoughHidden = 50;  // joints
@@ -24,6 +31,7 @@ TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
     const ClipTrack track = trackClip(*clip.stream, {});
     ASSERT_EQ(track.people.size(), 1u) << name;
     const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
+    EXPECT_GE(errors.tracked.within(), kTrackedOfClip) << name;
     tracked.add(errors.tracked);
     inferred.add(errors.inferred);
     for (const humanmodel::SkeletonFrame& frame : track.people[0].frames)
@@ -39,6 +47,21 @@ TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
   EXPECT_LE(tracked.medianRatio(), kMaxRatio);
   ASSERT_GE(inferred.error.size(), kEnoughHidden);
   EXPECT_GE(inferred.within(), kInferred);
+}
+
+TEST(StatedUncertainty, OfUnknownStatureIsSmallForVisibleJoints) {
+  for (const testing::PosedScene& scene : testing::posedScenes()) {
+    if (scene.name != "seated") continue;
+    auto clip = testing::simulate(scene);
+    const ClipTrack track = trackClip(*clip.stream, {});
+    ASSERT_EQ(track.people.size(), 1u);
+    EXPECT_FALSE(track.people[0].stature.known());
+    const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
+    EXPECT_GE(errors.tracked.within(), kTrackedOfClip);
+    EXPECT_LE(errors.tracked.medianRatio(), kMaxRatioSeated);
+    return;
+  }
+  FAIL() << "no seated person";
 }
 
 }  // namespace stated_reach_test

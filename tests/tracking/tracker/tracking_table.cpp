@@ -63,6 +63,7 @@ constexpr double kSlice = 0.5;  // s
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
 int printJoints(const std::vector<std::string>& chosen) {
   std::vector<TableClip> clips = clipsOf(posedScenes());
+  for (TableClip& clip : clipsOf(heldOutScenes())) clips.push_back(std::move(clip));
   for (const auto& scenes : {hardScenes(), capturedScenes()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
   for (const TableClip& named : clips) {
@@ -99,7 +100,8 @@ int printTable(const std::vector<std::string>& chosen) {
   const std::vector<std::pair<const char*, std::vector<TableClip>>> groups{
       {"hard captures", clipsOf(hardScenes())},
       {"captures", clipsOf(capturedScenes())},
-      {"postures", clipsOf(posedScenes())}};
+      {"postures", clipsOf(posedScenes())},
+      {"held-out postures", clipsOf(heldOutScenes())}};
   std::printf(
       "| clip | tracked joints, raw mean; 95 in 100, mm | tracked within reach, median of reach / error "
       "(joints) | inferred |\n|---|---|---|---|\n");
