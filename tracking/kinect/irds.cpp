@@ -44,6 +44,7 @@ IrdsReader::IrdsReader(std::string_view text, std::string file)
   facts_.format = is_text_ ? "kinect-v2-txt" : "kinect-v2-csv";
   facts_.rate_reason = "the third integer of the time stamps, in ms";
   facts_.from_first_frame = true;
+  facts_.sensor = kKinectError;
   facts_.unit = UnitChoice{"m", "Kinect v2 gives metres", 1.0, ""};
   facts_.up = UpChoice{"y", "the camera's up axis; a tilted camera is not corrected", ""};
   if (!lines_.next(line_)) throw ParseError({file_}, "the file is empty");

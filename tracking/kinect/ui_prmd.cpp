@@ -78,6 +78,7 @@ UiPrmdReader::UiPrmdReader(std::string_view positions, std::string positions_fil
       positions_(positions),
       angles_(angles) {
   facts_.format = "ui-prmd";
+  facts_.sensor = kKinectError;
   facts_.rate = kRate;
   facts_.rate_reason = "no time in the file; the set was recorded at 30 Hz";
 }

@@ -27,6 +27,7 @@ UtdMhadReader::UtdMhadReader(std::string_view bytes, const std::string& file) {
   facts_.format = "utd-mhad";
   facts_.rate = kUtdMhadRate;
   facts_.rate_reason = "no time in the file; the set was recorded at 30 Hz";
+  facts_.sensor = kKinectError;
   facts_.unit = UnitChoice{"m", "Kinect v1 gives metres", 1.0, ""};
   facts_.up = UpChoice{"y", "the camera's up axis; a tilted camera is not corrected", ""};
 }

@@ -153,6 +153,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.unit = facts.unit;
   raw.up = facts.up;
   raw.subject = facts.subject;
+  raw.sensor = facts.sensor;
 
   std::optional<MarkerTrack> markers;
   const bool may_be_markers = facts.of_markers || raw.match.of_markers;
@@ -182,7 +183,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.notes = facts.notes;
   // In a file of canonical joints inferred ones may have been derived earlier: they are not a tracker's
   // guesses.
-  if (!facts.is_canonical) markGuesses(raw.frames);
+  if (!facts.is_canonical && !facts.sensor) markGuesses(raw.frames);
   MarkerReport solved;
   if (markers && markers->hasSet()) solved = markers->solveInto(raw, options);
   if (markers && solved.reason.empty()) solved.reason = markers->reason();

@@ -28,6 +28,22 @@ void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d
       }
 }
 
+/// Raises the spreads (m) to the errors of the sensor; the file states none.
+void stateSensorError(const SensorError& sensor, std::vector<humanmodel::SkeletonFrame>& frames,
+                      RecordingReport& report) {
+  for (humanmodel::SkeletonFrame& f : frames)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      if (f.state[j] == humanmodel::JointState::kMissing) continue;
+      const bool is_tracked = f.state[j] == humanmodel::JointState::kTracked;
+      f.spread[j] = std::max(f.spread[j], is_tracked ? sensor.tracked : sensor.inferred);
+    }
+  report.notes.push_back(
+      "the file states no errors: joints have the published ones of the sensor, standard "
+      "deviation of an axis " +
+      text::rounded(sensor.tracked, 3) + " m if tracked, " + text::rounded(sensor.inferred, 3) +
+      " m if inferred or derived (" + sensor.source + ")");
+}
+
 /// The points of the file that define a joint.
 std::vector<std::size_t> pointsOf(const JointMatch& match, humanmodel::Joint j, std::size_t points) {
   const int joint = match.joint[static_cast<std::size_t>(j)];
@@ -250,6 +266,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   Matrix3d R_WF = rotationToZUp(up.axis);
   if (options.mirror == "axes") R_WF.row(1) *= -1.0;
   turnAndScale(raw.frames, R_WF, unit.scale);
+  if (raw.sensor) stateSensorError(*raw.sensor, raw.frames, report);
   reportParts(raw, raw.frames, report);
   report.gaps = countGaps(raw.frames);
   reportSides(raw, report);

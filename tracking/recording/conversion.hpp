@@ -9,6 +9,7 @@
 #include "tracking/recording/file_warning.hpp"
 #include "tracking/recording/joint_map.hpp"
 #include "tracking/recording/recording.hpp"
+#include "tracking/recording/sensor_error.hpp"
 #include "tracking/recording/up_axis.hpp"
 
 namespace abstand::tracking {
@@ -28,7 +29,8 @@ struct RawRecording {
   std::vector<FileWarning> warnings;
   std::vector<std::string> notes;
   SubjectFacts subject;
-  bool is_canonical{false};  ///< already canonical: no joints are derived
+  std::optional<SensorError> sensor;  ///< of joints without a spread, derived ones included
+  bool is_canonical{false};           ///< already canonical: no joints are derived
 };
 
 /// Derives missing joints, selects up axis and units, rotates and scales, and writes the report. Throws

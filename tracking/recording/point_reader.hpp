@@ -9,6 +9,7 @@
 #include "humanmodel/joints.hpp"
 #include "tracking/recording/body_size.hpp"
 #include "tracking/recording/file_warning.hpp"
+#include "tracking/recording/sensor_error.hpp"
 #include "tracking/recording/subject_facts.hpp"
 #include "tracking/recording/up_axis.hpp"
 
@@ -47,7 +48,8 @@ struct PointFacts {
   std::optional<UnitChoice> unit;
   std::optional<UpChoice> up;
   SubjectFacts subject;
-  std::vector<std::string> notes;  ///< further remarks for the user
+  std::optional<SensorError> sensor;  ///< of joints for which the file states no spread
+  std::vector<std::string> notes;     ///< further remarks for the user
 };
 
 /// Limit of coordinates in units of the file; keeps sums finite.

@@ -195,6 +195,29 @@ INSTANTIATE_TEST_SUITE_P(Files, RealKinect, ::testing::ValuesIn(kCaptures), [](c
   return name;
 });
 
+// 99 % of an isotropic error whose mean length is that published for the sensor.
+TEST(RealKinect, JointsHaveThePublishedErrorOfTheSensor) {
+  for (const char* file :
+       {"kinect/irds_kinect_v2/217_18_2_3_1_wheelchair.csv", "depth/utd_mhad/a18_s1_t1_skeleton.mat",
+        "kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"}) {
+    const auto path = testing::sharedData(file);
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
+    std::size_t tracked = 0, inferred = 0;
+    for (const humanmodel::SkeletonFrame& frame : openRecording(path).frames)
+      for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+        if (frame.state[j] == humanmodel::JointState::kTracked) {
+          ++tracked;
+          EXPECT_NEAR(frame.spread[j], 0.10 / std::sqrt(8.0 / kPi), 1e-9);
+        } else if (frame.state[j] == humanmodel::JointState::kInferred) {
+          ++inferred;
+          EXPECT_NEAR(frame.spread[j], std::hypot(0.10, 0.10) / std::sqrt(8.0 / kPi), 1e-9);
+        }
+      }
+    EXPECT_GT(tracked, 0u) << file;
+    EXPECT_GT(inferred, 0u) << file << ": at least the vertex is derived";
+  }
+}
+
 // Two files of the same take, written by different hands.
 TEST(RealKinect, TakesAgree) {
   const auto csv = testing::sharedData("kinect/irds_kinect_v2/215_18_0_1_1_stand.csv"),
