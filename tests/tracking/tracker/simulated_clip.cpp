@@ -203,11 +203,14 @@ double JointErrors::quantile(const std::vector<double>& errors, double share) {
 void JointErrors::Stated::add(const Stated& other) {
   error.insert(error.end(), other.error.begin(), other.error.end());
   reach.insert(reach.end(), other.reach.begin(), other.reach.end());
+  joint.insert(joint.end(), other.joint.begin(), other.joint.end());
 }
 
-double JointErrors::Stated::within() const {
+double JointErrors::Stated::within() const { return withinPlus({}); }
+
+double JointErrors::Stated::withinPlus(const std::array<double, humanmodel::kJointCount>& term) const {
   std::size_t within = 0;
-  for (std::size_t i = 0; i < error.size(); ++i) within += error[i] <= reach[i];
+  for (std::size_t i = 0; i < error.size(); ++i) within += error[i] <= reach[i] + term[joint[i]];
   return error.empty() ? 1.0 : static_cast<double>(within) / static_cast<double>(error.size());
 }
 
@@ -221,7 +224,7 @@ double JointErrors::Stated::medianRatio() const {
 JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
                     const std::vector<humanmodel::SkeletonFrame>& truth) {
   JointErrors errors;
-  std::array<Vector3d, humanmodel::kJointCount> offset;
+  std::array<Vector3d, humanmodel::kJointCount>& offset = errors.offset;
   std::array<int, humanmodel::kJointCount> count{};
   offset.fill(Vector3d::Zero());
   const auto each = [&](const auto& visit) {
@@ -238,13 +241,16 @@ JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
     offset[j] += R_WH.transpose() * error;
     ++count[j];
   });
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (count[j] > 0) offset[j] /= count[j];
   each([&](const humanmodel::SkeletonFrame& frame, std::size_t j, const Vector3d& error,
            const Matrix3d& R_WH) {
     errors.raw.push_back(error.norm());
-    errors.aligned.push_back((error - R_WH * offset[j] / count[j]).norm());
+    errors.aligned.push_back((error - R_WH * offset[j]).norm());
     JointErrors::Stated& stated =
         frame.state[j] == humanmodel::JointState::kInferred ? errors.inferred : errors.tracked;
     stated.error.push_back(error.norm());
+    stated.joint.push_back(j);
     stated.reach.push_back(humanmodel::partUncertainty(0.0, frame.spread[j]));
   });
   std::sort(errors.raw.begin(), errors.raw.end());

@@ -69,11 +69,16 @@ struct JointErrors {
   /// the spread that is stated.
   struct Stated {
     std::vector<double> error, reach;  ///< m, of the same joints
+    std::vector<std::size_t> joint;    ///< of each
     void add(const Stated& other);
-    double within() const;       ///< share of the errors that are no larger than the reach; 1 without joints
+    double within() const;  ///< share of the errors that are no larger than the reach; 1 without joints
+    /// Likewise, of a reach that is larger by a term (m) for each joint.
+    double withinPlus(const std::array<double, humanmodel::kJointCount>& term) const;
     double medianRatio() const;  ///< median of reach / error; NaN without joints
   };
   Stated tracked, inferred;
+  /// m, mean of tracked minus true position in axes that turn with the hips, z up; zero without a value.
+  std::array<Vector3d, humanmodel::kJointCount> offset;
 
   static double mean(const std::vector<double>& errors);
   static double quantile(const std::vector<double>& errors, double share);
