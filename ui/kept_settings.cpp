@@ -32,7 +32,10 @@ constexpr Remembered kRemembered[] = {{Id::kForces, "view/forces"},
                                       {Id::kAutoScale, "view/auto_scale"},
                                       {Id::kMetres, "view/metres"},
                                       {Id::kRadians, "view/radians"},
-                                      {Id::kDepthBody, "view/depth_body"}};
+                                      {Id::kDepthBody, "view/depth_body"},
+                                      {Id::kCloud, "view/cloud"},
+                                      {Id::kCloudConfidence, "view/cloud_confidence"},
+                                      {Id::kCloudAll, "view/cloud_all"}};
 
 }  // namespace
 

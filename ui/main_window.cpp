@@ -13,6 +13,7 @@
 
 #include "core/base/data_folder.hpp"
 #include "ui/camera_commands.hpp"
+#include "ui/cloud_commands.hpp"
 #include "ui/dock_set.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
@@ -188,6 +189,9 @@ void MainWindow::buildCommands() {
   commands_.drag =
       new LinkDrag({*document_, follower_, *selection_, *viewport_, feed_->moment()}, *actions_, this);
   commands_.things = new ThingDrag({*document_, *selection_, *viewport_, feed_->moment()}, this);
+  commands_.clouds = new CloudCommands({*actions_, *panels_.depth, *viewport_, feed_->moment()}, this);
+  connect(commands_.clouds, &CloudCommands::said, this, &MainWindow::say);
+  connect(feed_, &MomentFeed::shown, commands_.clouds, &CloudCommands::refresh);
   commands_.live = new LiveCommands(*actions_, panels_, this);
   connect(commands_.live, &LiveCommands::said, this, &MainWindow::say);
   connect(commands_.drag, &LinkDrag::thingWanted, commands_.things, &ThingDrag::step);
@@ -222,6 +226,7 @@ void MainWindow::setSession(SessionPort* session) {
   openPanels(outline);
   commands_.drag->open(session_ && !session_->live() ? session_ : nullptr);
   commands_.poke->open(session_ && !session_->live() ? session_ : nullptr);
+  commands_.clouds->open(session_ ? session_->clouds() : nullptr);
   commands_.things->open(session_ && !session_->live() ? session_ : nullptr);
   playback_->setPort(session_);
   if (session_) playback_->onSnapshot(feed_->moment());

@@ -19,6 +19,7 @@ namespace abstand::ui {
 class Actions;
 class Autosave;
 class CameraCommands;
+class CloudCommands;
 class DockSet;
 class ExchangeCommands;
 class Document;
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
   ExchangeCommands& exchange() const { return *commands_.exchange; }
   LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
+  CloudCommands& clouds() const { return *commands_.clouds; }
   SpeedCommands& speeds() const { return *commands_.speeds; }
   ReportCommands& reports() const { return *commands_.reports; }
   const Actions& actions() const { return *actions_; }
@@ -174,6 +176,7 @@ class MainWindow : public QMainWindow {
     LinkPoke* poke;
     ThingDrag* things;
     SpeedCommands* speeds;
+    CloudCommands* clouds;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

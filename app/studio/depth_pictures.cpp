@@ -16,18 +16,6 @@ QImage imageOf(const tracking::ColourImage& picture) {
   return QImage(bytes, picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888).copy();
 }
 
-ui::JointLook lookOf(JointState state) {
-  switch (state) {
-    case JointState::kTracked:
-      return ui::JointLook::kTracked;
-    case JointState::kInferred:
-      return ui::JointLook::kInferred;
-    case JointState::kMissing:
-      break;
-  }
-  return ui::JointLook::kUnknown;
-}
-
 std::vector<ui::DepthJoint> jointsOf(const humanmodel::SkeletonFrame& frame,
                                      const tracking::DepthCamera& camera) {
   const Transform X_CW = camera.X_WC.inverse();
@@ -39,7 +27,7 @@ std::vector<ui::DepthJoint> jointsOf(const humanmodel::SkeletonFrame& frame,
     const Vector3d p_C = X_CW * frame.p[j];
     if (frame.state[j] != JointState::kMissing && p_C.z() > 0.0) {
       const Eigen::Vector2d pixel = camera.pixelOf(p_C);
-      joint.look = lookOf(frame.state[j]);
+      joint.look = jointLook(frame.state[j]);
       // The centre of pixel (0, 0) is half a pixel from the image's corner.
       joint.at = {pixel.x() + 0.5, pixel.y() + 0.5};
       joint.spread = frame.spread[j];
@@ -71,12 +59,33 @@ double recordingTime(const DepthPerson& person, double t) {
 
 }  // namespace
 
+ui::JointLook jointLook(JointState state) {
+  switch (state) {
+    case JointState::kTracked:
+      return ui::JointLook::kTracked;
+    case JointState::kInferred:
+      return ui::JointLook::kInferred;
+    case JointState::kMissing:
+      break;
+  }
+  return ui::JointLook::kUnknown;
+}
+
+std::size_t imageOfMoment(const DepthPerson& person, double t) {
+  // The time of an image survives both conversions only to rounding.
+  constexpr double kRounding = 1e-9;  // s
+  return person.clip->imageAt(recordingTime(person, t) + kRounding);
+}
+
 std::vector<DepthPerson> depthPeople(const session::Session& session) {
   std::vector<DepthPerson> people;
   for (std::size_t i = 0; i < session.humans().size(); ++i) {
     const auto& clip = session.humans()[i]->fitted();
     const scene_file::HumanDescription& description = session.description().humans[i];
-    if (clip) people.push_back({description.name, clip, description.recording.speed});
+    const auto& place = description.recording;
+    if (clip)
+      people.push_back({description.name, clip, place.speed,
+                        fromXyzRpy(place.place_xyz, Vector3d(0, 0, place.place_yaw))});
   }
   return people;
 }
@@ -112,10 +121,7 @@ DepthPictures::DepthPictures(std::vector<DepthPerson> people) : people_(std::mov
 DepthPictures::~DepthPictures() = default;
 
 std::size_t DepthPictures::imageAt(int person, double t) const {
-  const DepthPerson& shown = people_.at(static_cast<std::size_t>(person));
-  // The time of an image survives both conversions only to rounding.
-  constexpr double kRounding = 1e-9;  // s
-  return shown.clip->imageAt(recordingTime(shown, t) + kRounding);
+  return imageOfMoment(people_.at(static_cast<std::size_t>(person)), t);
 }
 
 void DepthPictures::ask(int person, std::size_t image) {

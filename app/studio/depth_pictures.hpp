@@ -17,11 +17,16 @@ namespace abstand::studio {
 struct DepthPerson {
   std::string name;
   std::shared_ptr<const tracking::FittedClip> clip;
-  double speed{1.0};  ///< factor of the recorded speed
+  double speed{1.0};                      ///< factor of the recorded speed
+  Transform X_WR{Transform::Identity()};  ///< world of the clip's camera in that of the scene
 };
 
 /// The people of a session whose fits were kept (SessionOptions::keep_fits).
 std::vector<DepthPerson> depthPeople(const session::Session& session);
+
+/// Index of the image that a person's pose at `t` (s, of the session) comes from.
+std::size_t imageOfMoment(const DepthPerson& person, double t);
+ui::JointLook jointLook(humanmodel::JointState state);
 
 /// Image `image` of a person. `stream` is that of the clip. Throws ParseError.
 ui::DepthPicture depthPicture(const DepthPerson& person, tracking::DepthStream& stream, std::size_t image);

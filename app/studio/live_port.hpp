@@ -6,7 +6,7 @@
 
 #include "app/analysis/analysis_feed.hpp"
 #include "app/loop/live_session.hpp"
-#include "app/studio/depth_pictures.hpp"
+#include "app/studio/depth_clouds.hpp"
 #include "app/studio/inside_of_body.hpp"
 #include "app/studio/robot_reach.hpp"
 #include "ui/model/session_port.hpp"
@@ -51,13 +51,16 @@ class LivePort final : public ui::SessionPort {
         meshes_(std::move(parts.meshes)),
         structures_(std::move(parts.structures)),
         reach_(std::move(parts.reach)) {
-    if (!parts.depth.empty()) depth_ = std::make_unique<DepthPictures>(std::move(parts.depth));
+    if (parts.depth.empty()) return;
+    clouds_ = std::make_unique<DepthClouds>(parts.depth, live_->outline());
+    depth_ = std::make_unique<DepthPictures>(std::move(parts.depth));
   }
 
   const view::SceneOutline& outline() const override { return live_->outline(); }
   const std::vector<scene::SceneNote>& notes() const override { return notes_; }
   ui::AnalysisPort* analysis() override { return analysis_.get(); }
   ui::DepthPort* depth() override { return depth_.get(); }
+  ui::CloudPort* clouds() override { return clouds_.get(); }
   std::shared_ptr<const ui::PreparedMeshes> meshes() const override { return meshes_; }
   std::optional<ui::BodyInside> inside(int object) const override {
     const auto i = static_cast<std::size_t>(object);
@@ -113,6 +116,7 @@ class LivePort final : public ui::SessionPort {
   std::shared_ptr<const ui::PreparedMeshes> meshes_;
   Structures structures_;
   std::unique_ptr<DepthPictures> depth_;
+  std::unique_ptr<DepthClouds> clouds_;
   RobotReach reach_;
   std::deque<loop::Command> waiting_;
 };

@@ -9,6 +9,7 @@
 #include "core/view/snapshot.hpp"
 #include "ui/model/analysis_port.hpp"
 #include "ui/model/body_inside.hpp"
+#include "ui/model/depth_cloud.hpp"
 #include "ui/model/depth_port.hpp"
 #include "ui/model/live_status.hpp"
 #include "ui/model/time_range.hpp"
@@ -67,6 +68,8 @@ class SessionPort {
   virtual AnalysisPort* analysis() { return nullptr; }
   /// Of people whose recording is one of depth images; null: there are none. Lives as long as the session.
   virtual DepthPort* depth() { return nullptr; }
+  /// Points of these images; null as depth().
+  virtual CloudPort* clouds() { return nullptr; }
 
   virtual void play(bool on) = 0;
   /// Moves by this many frame periods (negative: back) and stays paused.

@@ -5,6 +5,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "ui/model/depth_cloud.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/style/tr.hpp"
@@ -18,17 +19,7 @@ constexpr QRgb kDark = 0xff10141a;
 
 }  // namespace
 
-QRgb DepthView::colourOf(JointLook look) {
-  switch (look) {
-    case JointLook::kTracked:
-      return 0xffffffff;
-    case JointLook::kInferred:
-      return 0xfff0e442;  // yellow of Okabe and Ito; amber is that of a left arm
-    case JointLook::kUnknown:
-      break;
-  }
-  return kVermillion;
-}
+QRgb DepthView::colourOf(JointLook look) { return ui::colourOf(look); }
 
 QString jointText(const DepthJoint& joint) {
   if (joint.look == JointLook::kUnknown) return tr("%1: not known").arg(joint.name);

@@ -3193,6 +3193,30 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Pose the robot so that the selected link moves 10 mm away from the camera; or move a thing</source>
         <translation>Den Roboter so stellen, dass das gewählte Glied 10 mm von der Kamera weg rückt; oder einen Gegenstand verschieben</translation>
     </message>
+    <message>
+        <source>Depth points</source>
+        <translation>Tiefenpunkte</translation>
+    </message>
+    <message>
+        <source>Draw the measured points of the depth images beside the fitted body and the robot</source>
+        <translation>Die gemessenen Punkte der Tiefenbilder neben dem angepassten Körper und dem Roboter zeichnen</translation>
+    </message>
+    <message>
+        <source>Depth points by confidence</source>
+        <translation>Tiefenpunkte nach Sicherheit</translation>
+    </message>
+    <message>
+        <source>Colour the points of a person by the state of the nearest joint instead of by person and robot</source>
+        <translation>Die Punkte einer Person nach dem Zustand des nächsten Gelenks färben statt nach Person und Roboter</translation>
+    </message>
+    <message>
+        <source>Depth points of all cameras</source>
+        <translation>Tiefenpunkte aller Kameras</translation>
+    </message>
+    <message>
+        <source>Draw the points of all cameras instead of those of the person in the panel Depth image</source>
+        <translation>Die Punkte aller Kameras zeichnen statt derer der Person im Fenster Tiefenbild</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3354,6 +3378,17 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     <message>
         <source>One margin for all pairs %1, instead of the sums of two bodies&apos; margins</source>
         <translation>Ein Sicherheitsabstand für alle Paare %1 statt der Summen zweier Körper</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CloudCommands</name>
+    <message>
+        <source>No depth points: %1</source>
+        <translation>Keine Tiefenpunkte: %1</translation>
+    </message>
+    <message>
+        <source>The recordings of this scene have no depth images</source>
+        <translation>Die Aufnahmen dieser Szene haben keine Tiefenbilder</translation>
     </message>
 </context>
 <context>
@@ -6415,6 +6450,30 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     <message>
         <source>Joint force of contacts and margins: %1 ≙ %2 N</source>
         <translation>Gelenkkraft von Kontakten und Sicherheitsabständen: %1 ≙ %2 N</translation>
+    </message>
+    <message>
+        <source>Depth point of a person</source>
+        <translation>Tiefenpunkt einer Person</translation>
+    </message>
+    <message>
+        <source>Depth point of a robot</source>
+        <translation>Tiefenpunkt eines Roboters</translation>
+    </message>
+    <message>
+        <source>Other depth point</source>
+        <translation>Anderer Tiefenpunkt</translation>
+    </message>
+    <message>
+        <source>Depth point, nearest joint tracked</source>
+        <translation>Tiefenpunkt, nächstes Gelenk verfolgt</translation>
+    </message>
+    <message>
+        <source>Depth point, nearest joint inferred</source>
+        <translation>Tiefenpunkt, nächstes Gelenk erschlossen</translation>
+    </message>
+    <message>
+        <source>Depth point, no joint is known</source>
+        <translation>Tiefenpunkt, kein Gelenk bekannt</translation>
     </message>
 </context>
 <context>

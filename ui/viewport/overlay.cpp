@@ -79,6 +79,12 @@ void legendMark(QPainter& p, const LegendLine& line, const QRectF& box) {
       arrow(p, tip - QPointF(0.2, 0), tip + QPointF(1.2, 0.5), 8.0);
       break;
     }
+    case LegendLine::Mark::kDot:
+      p.setPen(Qt::NoPen);
+      p.setBrush(line.colour);
+      p.drawEllipse(QPointF(box.center().x(), y), 3.5, 3.5);
+      p.setBrush(Qt::NoBrush);
+      break;
     case LegendLine::Mark::kDashes:
       p.setPen(QPen(line.colour, 2.0, Qt::DashLine));
       p.drawLine(left, right);

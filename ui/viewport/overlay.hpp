@@ -32,7 +32,7 @@ struct OverlaySegment {
 };
 
 struct LegendLine {
-  enum class Mark { kArrow, kCurvedArrow, kThinArrow, kDashes };
+  enum class Mark { kArrow, kCurvedArrow, kThinArrow, kDashes, kDot };
   Mark mark{Mark::kArrow};
   QColor colour;
   QString text;

@@ -39,6 +39,7 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
       objects{renderer, back},
       arrows{front},
       inside{front},
+      cloud{renderer},
       camera{renderer},
       overlay{new Overlay(&viewport)} {
   auto* layout = new QVBoxLayout(&owner);
@@ -160,7 +161,7 @@ void Viewport::Impl::drawFrame(bool one_of_many) {
   fillOverlay();
   gl->render();
   overlay->update();
-  ++frames;
+  ++shown.frames;
   Q_EMIT owner.drawn(1e-9 * static_cast<double>(since_frame.nsecsElapsed()));
 }
 
@@ -219,6 +220,7 @@ void Viewport::close() {
   my.snapshot = {};
   my.shown.bodies.clear();
   my.inside.setSource({});
+  my.cloud.show({}, CloudColours::kParts);
   my.mouse.held.reset();
   my.mouse.pull.reset();
   my.mouse.handled = -1;
@@ -290,6 +292,15 @@ InsideView Viewport::insideView() const { return impl_->inside.view(); }
 int Viewport::insideLevel() const { return impl_->inside.level(); }
 
 std::size_t Viewport::insideShown() const { return impl_->inside.shown(); }
+
+void Viewport::showCloud(const std::vector<CloudPoint>& points, CloudColours colours) {
+  Impl& my = *impl_;
+  if (points.empty() && my.cloud.shown() == 0) return;
+  my.cloud.show(points, colours);
+  my.askForFrame();
+}
+
+std::size_t Viewport::cloudShown() const { return impl_->cloud.shown(); }
 
 void Viewport::look(CameraPreset preset) {
   impl_->camera.look(preset, impl_->objects.bounds());
@@ -431,7 +442,7 @@ void Viewport::releaseMouse(const QMouseEvent& mouse) {
     my.selection.setObjects({object});
 }
 
-long Viewport::framesDrawn() const { return impl_->frames; }
+long Viewport::framesDrawn() const { return impl_->shown.frames; }
 
 void Viewport::resizeEvent(QResizeEvent*) { impl_->resize(); }
 

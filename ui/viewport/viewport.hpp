@@ -10,6 +10,7 @@
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/model/body_inside.hpp"
+#include "ui/model/depth_cloud.hpp"
 #include "ui/viewport/prepared_meshes.hpp"
 
 namespace abstand::ui {
@@ -53,6 +54,10 @@ class Viewport : public QWidget {
   int insideLevel() const;
   /// Bodies of which it is drawn.
   std::size_t insideShown() const;
+  /// Measured points in place of those before; none: an empty list.
+  void showCloud(const std::vector<CloudPoint>& points, CloudColours colours);
+  /// Number of points that are drawn.
+  std::size_t cloudShown() const;
   void look(CameraPreset preset);
   void fit();
   void fitSelection();

@@ -15,6 +15,7 @@
 #include "ui/viewport/arrows.hpp"
 #include "ui/viewport/camera.hpp"
 #include "ui/viewport/canvas.hpp"
+#include "ui/viewport/cloud_actor.hpp"
 #include "ui/viewport/handles.hpp"
 #include "ui/viewport/inside_actors.hpp"
 #include "ui/viewport/object_actors.hpp"
@@ -62,6 +63,7 @@ struct Viewport::Impl {
   ObjectActors objects;
   Arrows arrows;
   InsideActors inside;
+  CloudActor cloud;
   Camera camera;
   Overlay* overlay;
 
@@ -73,8 +75,8 @@ struct Viewport::Impl {
     CameraView backdrop;  ///< of the canvas's backdrop
     CameraView last;      ///< of the last picture
   } cameras;
-  long frames{0};
   struct {
+    long frames{0};                 ///< number of pictures so far
     long step{-1};                  ///< SceneSnapshot::step
     std::vector<BodyState> bodies;  ///< states of the objects
   } shown;

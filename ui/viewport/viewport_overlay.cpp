@@ -227,6 +227,20 @@ void Viewport::Impl::addLegend() {
   add(LegendLine::Mark::kArrow, kViolet, arrows.jointForceScale(),
       Viewport::tr("Joint force of contacts and margins: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
+  if (cloud.shown() == 0) return;
+  const auto dot = [&](const CloudPoint& point, const QString& text) {
+    if (cloud.has(point))
+      legend.push_back({LegendLine::Mark::kDot, QColor(colourOf(point, cloud.colours())), text});
+  };
+  if (cloud.colours() == CloudColours::kParts) {
+    dot({{}, CloudPart::kPerson, {}}, Viewport::tr("Depth point of a person"));
+    dot({{}, CloudPart::kRobot, {}}, Viewport::tr("Depth point of a robot"));
+    return dot({}, Viewport::tr("Other depth point"));
+  }
+  dot({{}, CloudPart::kPerson, JointLook::kTracked}, Viewport::tr("Depth point, nearest joint tracked"));
+  dot({{}, CloudPart::kPerson, JointLook::kInferred}, Viewport::tr("Depth point, nearest joint inferred"));
+  dot({{}, CloudPart::kPerson, JointLook::kUnknown}, Viewport::tr("Depth point, no joint is known"));
+  dot({}, Viewport::tr("Other depth point"));
 }
 
 }  // namespace abstand::ui
