@@ -22,7 +22,7 @@ class BlockList {
   std::size_t size() const {
     return blocks_.empty() ? 0 : (blocks_.size() - 1) * block_size_ + blocks_.back().size();
   }
-  void push_back(T element) {
+  void add(T element) {
     if (blocks_.empty() || blocks_.back().size() == block_size_) {
       blocks_.emplace_back();
       // The first block grows like any vector: most lists are short.

@@ -165,7 +165,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
     markers.reset();
   BlockList<humanmodel::SkeletonFrame> frames;
   const auto add = [&](const PointFrame& frame) {
-    frames.push_back(pickJoints(frame, raw.match));
+    frames.add(pickJoints(frame, raw.match));
     if (markers && markers->hasSet()) markers->add(frame);
   };
   for (const PointFrame& frame : first) add(frame);

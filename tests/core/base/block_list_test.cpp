@@ -12,7 +12,7 @@ TEST(BlockList, GivesBackEveryElementInOrder) {
   constexpr std::size_t kBlock = 8;  // elements
   for (const std::size_t count : {0u, 1u, 7u, 8u, 9u, 16u, 17u, 100u}) {
     BlockList<int> list(kBlock * sizeof(int));
-    for (std::size_t i = 0; i < count; ++i) list.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < count; ++i) list.add(static_cast<int>(i));
     EXPECT_EQ(list.size(), count);
     std::vector<int> expected(count);
     std::iota(expected.begin(), expected.end(), 0);
@@ -23,10 +23,10 @@ TEST(BlockList, GivesBackEveryElementInOrder) {
 
 TEST(BlockList, IsUsableAfterwards) {
   BlockList<int> list(sizeof(int));
-  list.push_back(1);
+  list.add(1);
   list.take();
-  list.push_back(2);
-  list.push_back(3);
+  list.add(2);
+  list.add(3);
   EXPECT_EQ(list.take(), (std::vector<int>{2, 3}));
 }
 
