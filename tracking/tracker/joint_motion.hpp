@@ -10,9 +10,9 @@ namespace abstand::tracking {
 /// A joint of a visible segment is the less certain the more its velocity changes in the fit: between two
 /// images a limb moves farther than its thickness and may be fitted to something else, and a fit that is
 /// wrong jumps. Even motion is predicted and counts nothing. The standard deviation is kTime times the change
-/// of velocity from one image to the next (m/s), the largest of the past, each decayed with kDecay. With kTime
-/// at least 0.994 of the raw errors of each clip that it was chosen with are within reach, without the term
-/// 0.983 (docs/tracking.md). Does not allocate or throw.
+/// of velocity from one image to the next (m/s), the largest of the past, each decayed with kDecay. With
+/// kTime at least 0.994 of the raw errors of each clip that it was chosen with are within reach, without the
+/// term 0.983 (docs/tracking.md). Does not allocate or throw.
 class JointMotion {
  public:
   using Spreads = std::array<double, humanmodel::kJointCount>;
