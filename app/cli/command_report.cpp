@@ -3,13 +3,13 @@
 #include "app/cli/tune_arguments.hpp"
 #include "app/cli/version.hpp"
 #include "app/report/pdf.hpp"
+#include "app/report/report_file.hpp"
 #include "app/report/tune_report.hpp"
 #include "app/run/junit.hpp"
 #include "app/tune/margin_events.hpp"
 #include "app/tune/speed_table.hpp"
 #include "app/tune/tune_answer.hpp"
 #include "core/base/error.hpp"
-#include "core/base/temporary_folder.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -58,11 +58,7 @@ int runReport(const CommandLine& line, const ReportArguments& args) {
     tune::answerQuestions({marginList(args.margins), segmentLength(args.segment), {}}, answer);
     const report::TuneReportOptions page{kVersion, "results of tune", {}};
     if (!args.html.empty()) report::writeTuneReport(answer, page, args.html);
-    if (!args.pdf.empty()) {
-      const TemporaryFolder folder;
-      report::writeTuneReport(answer, page, folder.path() / "page.html");
-      report::writePdf(folder.path() / "page.html", args.pdf);
-    }
+    if (!args.pdf.empty()) report::writePdfReport(answer, page, args.pdf);
   }
   if (!args.junit.empty()) {
     const double margin = numberWithin(args.margin, "--margin", 0.0, 10.0, "m");

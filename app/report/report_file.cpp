@@ -8,13 +8,17 @@ namespace abstand::report {
 
 bool isPdf(const std::filesystem::path& file) { return text::lowerCase(file.extension().string()) == ".pdf"; }
 
-void writeReportFile(const tune::TuneAnswer& answer, const TuneReportOptions& options,
-                     const std::filesystem::path& file) {
-  if (!isPdf(file)) return writeTuneReport(answer, options, file);
+void writePdfReport(const tune::TuneAnswer& answer, const TuneReportOptions& options,
+                    const std::filesystem::path& file) {
   const TemporaryFolder folder;
   const std::filesystem::path page = folder.path() / "page.html";
   writeTuneReport(answer, options, page);
   writePdf(page, file);
+}
+
+void writeReportFile(const tune::TuneAnswer& answer, const TuneReportOptions& options,
+                     const std::filesystem::path& file) {
+  isPdf(file) ? writePdfReport(answer, options, file) : writeTuneReport(answer, options, file);
 }
 
 }  // namespace abstand::report

@@ -10,8 +10,12 @@ namespace abstand::report {
 /// The name ends with `.pdf`, in any case.
 bool isPdf(const std::filesystem::path& file);
 
-/// An HTML page, or for isPdf() the same page as PDF (writePdf). The file is written completely or not at
-/// all. Throws as writeTuneReport() and writePdf().
+/// The page of writeTuneReport() as PDF, whatever the name is. The file is written completely or not at all.
+/// Throws as writeTuneReport() and writePdf().
+void writePdfReport(const tune::TuneAnswer& answer, const TuneReportOptions& options,
+                    const std::filesystem::path& file);
+
+/// An HTML page, or for isPdf() a PDF; likewise.
 void writeReportFile(const tune::TuneAnswer& answer, const TuneReportOptions& options,
                      const std::filesystem::path& file);
 

@@ -86,9 +86,10 @@ class PartLists {
 
   /// Of all parts, or of the only one at index `first_part`.
   void read(std::span<PartClearance> parts, std::size_t first_part) const {
+    const std::vector<double> t = in_.table("t", names_.frames, 1);
     for (PartClearance& part : parts) {
       reserveFrames(names_.frames, part);
-      part.track.t = in_.table("t", names_.frames, 1);
+      part.track.t = t;
     }
     const std::size_t n = parts.size();
     const bool all = n == names_.parts.size();

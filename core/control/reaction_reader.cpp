@@ -92,14 +92,12 @@ std::optional<BrakingLawOptions> braking(const config::YamlFields& parent) {
 void policy(const config::YamlFields& fields, safety::StopPolicy& policy) {
   const config::YamlNode* const node = fields.find("on");
   if (!node) return;
-  std::vector<std::string> reasons, responses;
+  std::vector<std::string> reasons;
   for (std::size_t i = 0; i < safety::kStopReasons; ++i)
     reasons.emplace_back(safety::reasonKey(static_cast<safety::StopReason>(i)));
-  for (std::size_t i = 0; i < safety::kStopResponses; ++i)
-    responses.emplace_back(safety::responseName(static_cast<safety::StopResponse>(i)));
   const config::YamlFields on(*node, fields.file(), "`on`", reasons);
   for (std::size_t i = 0; i < safety::kStopReasons; ++i)
-    if (const auto text = on.choice(reasons[i], responses))
+    if (const auto text = on.choice(reasons[i], safety::responseNames()))
       policy.response[i] = *safety::parseResponse(*text);
 }
 

@@ -34,4 +34,6 @@ std::optional<StopResponse> parseResponse(std::string_view text) {
   return std::nullopt;
 }
 
+std::vector<std::string> responseNames() { return {kResponseNames.begin(), kResponseNames.end()}; }
+
 }  // namespace abstand::safety

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/math/transform.hpp"
 
@@ -35,6 +37,8 @@ std::string_view reasonName(StopReason reason);
 std::string_view reasonKey(StopReason reason);
 std::string_view responseName(StopResponse response);
 std::optional<StopResponse> parseResponse(std::string_view text);
+/// Names of all responses, in ascending order.
+std::vector<std::string> responseNames();
 
 /// A present cause, and the pair or joint it refers to (-1: none).
 struct StopCause {

@@ -174,9 +174,8 @@ void readReactions(const YamlFields& in, Work& work) {
     }
     const YamlNode* responses = namesOf(fields, "responses");
     for (std::size_t k = 0; responses && k < responses->keys.size(); ++k)
-      change.responses[responses->keys[k].text] = *safety::parseResponse(
-          config::yamlChoice(responses->items[k], in.file(), "`" + responses->keys[k].text + "`",
-                             {"none", "slow", "protective", "emergency"}));
+      change.responses[responses->keys[k].text] = *safety::parseResponse(config::yamlChoice(
+          responses->items[k], in.file(), "`" + responses->keys[k].text + "`", safety::responseNames()));
     if (!change.empty()) work.reactions[QString::fromStdString(node->keys[i].text)] = change;
   }
 }

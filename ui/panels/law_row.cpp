@@ -4,9 +4,9 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
-#include <QToolButton>
 
 #include "ui/model/law_text.hpp"
+#include "ui/panels/back_button.hpp"
 #include "ui/style/elided_label.hpp"
 #include "ui/style/theme.hpp"
 
@@ -25,7 +25,7 @@ LawRow::LawRow(const control::LawNumber& number, int joints, QWidget* parent)
       joints_{number.each_joint ? joints : 1},
       name_{new QLabel(numberName(number.key), this)},
       field_{new QLineEdit(this)},
-      back_{new QToolButton(this)},
+      back_{nullptr},
       refusal_{new QLabel(this)} {
   field_->setObjectName(QString::fromStdString(number.key));
   field_->setMinimumWidth(56);
@@ -36,12 +36,7 @@ LawRow::LawRow(const control::LawNumber& number, int joints, QWidget* parent)
   auto* unit = new ElidedLabel(unitText(number.rule.unit), this);
   unit->setFixedWidth(kUnitWidth);
   unit->setToolTip(unit->text());
-  back_->setObjectName(QStringLiteral("back ") + field_->objectName());
-  back_->setText(QStringLiteral("↺"));
-  back_->setAutoRaise(true);
-  back_->setFixedSize(20, 22);
-  back_->setFocusPolicy(Qt::TabFocus);
-  back_->setAccessibleName(tr("%1: back to the scene file").arg(name_->text()));
+  back_ = new BackButton(field_, name_->text(), this);
   refusal_->setObjectName(QStringLiteral("refusal ") + field_->objectName());
   refusal_->setWordWrap(true);
   QPalette alarm = refusal_->palette();
@@ -58,9 +53,6 @@ LawRow::LawRow(const control::LawNumber& number, int joints, QWidget* parent)
   grid->addWidget(back_, 0, 3);
   grid->addWidget(refusal_, 1, 0, 1, 4);
   grid->setColumnStretch(1, 1);
-  QSizePolicy kept = back_->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);
-  back_->setSizePolicy(kept);
   connect(field_, &QLineEdit::editingFinished, this, [this] {
     take();
     Q_EMIT left();
@@ -81,9 +73,8 @@ void LawRow::show(const control::LawNumber& number, bool overwrite) {
   QFont font = name_->font();
   font.setBold(differs);
   name_->setFont(font);
-  back_->setVisible(differs);
   const QString scene = numbersText(number.scene);
-  back_->setToolTip(tr("Back to the scene file: %1").arg(scene));
+  back_->show(differs, scene);
   const QString unit = unitText(number.rule.unit);
   const QString tip =
       QStringList{numberMeaning(number.key), unit.isEmpty() ? tr("No unit.") : tr("Unit: %1.").arg(unit),

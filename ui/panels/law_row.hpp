@@ -7,9 +7,10 @@
 
 class QLabel;
 class QLineEdit;
-class QToolButton;
 
 namespace abstand::ui {
+
+class BackButton;
 
 /// The owner decides whether typed numbers are valid, and answers with show() or refuse(). GUI thread only.
 class LawRow : public QWidget {
@@ -48,7 +49,7 @@ class LawRow : public QWidget {
   int joints_;
   QLabel* name_;
   QLineEdit* field_;
-  QToolButton* back_;
+  BackButton* back_;
   QLabel* refusal_;
 };
 

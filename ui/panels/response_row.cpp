@@ -2,9 +2,9 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 
 #include "ui/model/stop_text.hpp"
+#include "ui/panels/back_button.hpp"
 #include "ui/style/calm_inputs.hpp"
 
 namespace abstand::ui {
@@ -20,7 +20,7 @@ ResponseRow::ResponseRow(const control::StopChoice& choice, QWidget* parent)
       choice_{choice},
       name_{new QLabel(this)},
       box_{new CalmComboBox(this)},
-      back_{new QToolButton(this)} {
+      back_{nullptr} {
   QString reason = reasonText(choice.reason);
   reason[0] = reason[0].toUpper();
   const QString key = QString::fromLatin1(safety::reasonKey(choice.reason).data());
@@ -34,15 +34,7 @@ ResponseRow::ResponseRow(const control::StopChoice& choice, QWidget* parent)
   box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   for (std::size_t i = 0; i < safety::kStopResponses; ++i)
     box_->addItem(responseText(static_cast<safety::StopResponse>(i)));
-  back_->setObjectName(QStringLiteral("back ") + box_->objectName());
-  back_->setText(QStringLiteral("↺"));
-  back_->setAutoRaise(true);
-  back_->setFixedSize(20, 22);
-  back_->setFocusPolicy(Qt::TabFocus);
-  back_->setAccessibleName(tr("%1: back to the scene file").arg(reason));
-  QSizePolicy kept = back_->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);
-  back_->setSizePolicy(kept);
+  back_ = new BackButton(box_, reason, this);
   const QString tip =
       QStringList{reasonMeaning(choice.reason),
                   tr("In scene files: stop.on.%1; in this one: %2.").arg(key, responseText(choice.scene))}
@@ -68,8 +60,7 @@ void ResponseRow::show(const control::StopChoice& choice) {
   QFont font = name_->font();
   font.setBold(differs);
   name_->setFont(font);
-  back_->setVisible(differs);
-  back_->setToolTip(tr("Back to the scene file: %1").arg(responseText(choice.scene)));
+  back_->show(differs, responseText(choice.scene));
 }
 
 }  // namespace abstand::ui

@@ -7,9 +7,10 @@
 
 class QComboBox;
 class QLabel;
-class QToolButton;
 
 namespace abstand::ui {
+
+class BackButton;
 
 /// GUI thread only.
 class ResponseRow : public QWidget {
@@ -32,7 +33,7 @@ class ResponseRow : public QWidget {
   control::StopChoice choice_;
   QLabel* name_;
   QComboBox* box_;
-  QToolButton* back_;
+  BackButton* back_;
 };
 
 }  // namespace abstand::ui

@@ -3282,6 +3282,17 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     </message>
 </context>
 <context>
+    <name>abstand::ui::BackButton</name>
+    <message>
+        <source>%1: back to the scene file</source>
+        <translation>%1: zur체ck zur Szenendatei</translation>
+    </message>
+    <message>
+        <source>Back to the scene file: %1</source>
+        <translation>Zur체ck zur Szenendatei: %1</translation>
+    </message>
+</context>
+<context>
     <name>abstand::ui::BodyView</name>
     <message>
         <source>%1: %2 m, %3 kg</source>
@@ -4209,14 +4220,6 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
 </context>
 <context>
     <name>abstand::ui::LawRow</name>
-    <message>
-        <source>%1: back to the scene file</source>
-        <translation>%1: zur체ck zur Szenendatei</translation>
-    </message>
-    <message>
-        <source>Back to the scene file: %1</source>
-        <translation>Zur체ck zur Szenendatei: %1</translation>
-    </message>
     <message>
         <source>No unit.</source>
         <translation>Keine Einheit.</translation>
@@ -5533,16 +5536,8 @@ und nichts ber체hrt sich. Fr체herer Sicherheitsabst채nde: abgespielt vor einer �
         <translation>Antwort auf: %1</translation>
     </message>
     <message>
-        <source>%1: back to the scene file</source>
-        <translation>%1: zur체ck zur Szenendatei</translation>
-    </message>
-    <message>
         <source>In scene files: stop.on.%1; in this one: %2.</source>
         <translation>In Szenendateien: stop.on.%1; in dieser: %2.</translation>
-    </message>
-    <message>
-        <source>Back to the scene file: %1</source>
-        <translation>Zur체ck zur Szenendatei: %1</translation>
     </message>
 </context>
 <context>
