@@ -301,7 +301,11 @@ void MainWindow::enableActions(const view::SceneOutline& outline) {
   (*actions_)[Id::kReactionTorques]->setEnabled(can && !outline.reacting.empty());
 }
 
-void MainWindow::pull() { feed_->pull(); }
+void MainWindow::pull() {
+  // From the start of this frame: after a late one, the next must not follow without events in between.
+  if (timers_.pull->isActive()) timers_.pull->start();
+  feed_->pull();
+}
 
 const view::SceneSnapshot& MainWindow::moment() const { return feed_->moment(); }
 
