@@ -38,7 +38,14 @@ namespace {
 
 // Sizes of the first layout, px.
 constexpr int kLeftWidth = 284, kRightWidth = 370, kTimelineHeight = 236, kTableHeight = 110,
-              kPlotHeight = 560, kMarginHeight = 300, kLowWindow = 760, kLowTimelineHeight = 216;
+              kPlotHeight = 560, kMarginHeight = 300, kLowWindow = 760, kLowTimelineHeight = 216,
+              kTallWindow = 900, kWideWindow = 1920;
+// Shares of what a larger window has beyond the two sizes above, and where they end (px): all lanes of a
+// person are visible, tables show ten rows, and curves are as wide as they can be read.
+constexpr double kTimelineShare = 0.3, kTableShare = 0.15, kPlotShare = 0.15;
+constexpr int kMaxTimelineGrowth = 110, kMaxTableGrowth = 170, kMaxPlotGrowth = 300;
+
+int growth(int beyond, double share, int max) { return std::clamp(static_cast<int>(share * beyond), 0, max); }
 
 /// Not where it is hidden or covered by another tab.
 bool isInFront(const QDockWidget* dock) { return dock->isVisible() && !dock->visibleRegion().isEmpty(); }
@@ -156,15 +163,23 @@ void DockSet::arrange() const {
   for (QDockWidget* dock : {scene, pairs, plots, margins}) dock->raise();
   for (QTabBar* tabs : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
     tabs->setAccessibleName(tr("Panels"));
-  window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  window_->resizeDocks({timeline, pairs}, {kTimelineHeight, kTableHeight}, Qt::Vertical);
   window_->resizeDocks({plots, margins}, {kPlotHeight, kMarginHeight}, Qt::Vertical);
   keepSize(size);
-  fitHeight();
+  fitSize();
 }
 
-void DockSet::fitHeight() const {
-  if (window_->height() >= kLowWindow) return;
+void DockSet::fitSize() const {
+  const int taller = window_->height() - kTallWindow, wider = window_->width() - kWideWindow;
+  window_->resizeDocks({scene, plots}, {kLeftWidth, kRightWidth + growth(wider, kPlotShare, kMaxPlotGrowth)},
+                       Qt::Horizontal);
+  window_->resizeDocks({timeline, pairs},
+                       {kTimelineHeight + growth(taller, kTimelineShare, kMaxTimelineGrowth),
+                        kTableHeight + growth(taller, kTableShare, kMaxTableGrowth)},
+                       Qt::Vertical);
+  if (window_->height() < kLowWindow) fitLowWindow();
+}
+
+void DockSet::fitLowWindow() const {
   QDockWidget* before = timeline;
   for (QDockWidget* dock : {pairs, separation, events, bookmarks, recordings, curve, cycles, log}) {
     window_->tabifyDockWidget(before, dock);

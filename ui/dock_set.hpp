@@ -29,8 +29,8 @@ class DockSet {
 
   /// Shows the docks at their first places, those that are seldom needed hidden.
   void arrange() const;
-  /// In a low window the 3D view would have no room above both timeline and tables: they share a place.
-  void fitHeight() const;
+  /// Gives the docks sizes that fit that of the window.
+  void fitSize() const;
   /// What a user is about to do.
   enum class Task { kReplay, kTuning, kReview };
   /// The first places, with only those docks that the task needs.
@@ -51,6 +51,8 @@ class DockSet {
       *recordings, *curve, *cycles, *inspector, *matrix, *separation, *log, *history, *depth, *reactions;
 
  private:
+  /// The 3D view would have no room above both timeline and tables: they share a place.
+  void fitLowWindow() const;
   /// Hides the docks that a task does not need.
   void keepOnly(Task task) const;
   void keepSize(const QSize& size) const;

@@ -320,7 +320,7 @@ void MainWindow::say(const QString& text) {
 
 /// The first layout is for the size that the window then has.
 void MainWindow::setVisible(bool visible) {
-  if (visible && std::exchange(arrange_at_first_show_, false)) docks_->fitHeight();
+  if (visible && std::exchange(arrange_at_first_show_, false)) docks_->fitSize();
   QMainWindow::setVisible(visible);
 }
 

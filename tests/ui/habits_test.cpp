@@ -6,6 +6,7 @@
 #include <QSlider>
 #include <QStatusBar>
 #include <QToolButton>
+#include <array>
 #include <cstdio>
 
 #include "tests/ui/shown_window.hpp"
@@ -84,6 +85,21 @@ TEST_F(KeyboardTest, CameraMovesByKeys) {
 TEST_F(KeyboardTest, ShortcutPageListsMouseActions) {
   EXPECT_FALSE(window.windowIcon().isNull());
   EXPECT_TRUE(shortcutPage(window.actions()).contains("Double click"));
+}
+
+TEST_F(KeyboardTest, LargeWindowHasLargerPanels) {
+  const auto sizes = [this](const QSize& size) {
+    window.resize(size);
+    window.actions()[ActionId::kResetLayout]->trigger();
+    QCoreApplication::processEvents();
+    const auto dock = [this](const char* name) { return window.findChild<QDockWidget*>(name)->size(); };
+    return std::array{dock("timeline").height(), dock("pairs").height(), dock("plots").width()};
+  };
+  const auto usual = sizes({1280, 800}), large = sizes({2880, 1620});
+  for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_GT(large[i], usual[i] + 40) << i;
+  // The 3D view keeps most of the room.
+  EXPECT_GT(window.viewport().height(), 1620 / 2);
+  EXPECT_GT(window.viewport().width(), 2880 / 2);
 }
 
 TEST_F(KeyboardTest, FitsSmallScreen) {
