@@ -6,6 +6,14 @@ namespace abstand::scene_file {
 
 namespace fs = std::filesystem;
 
+fs::path existingRecording(const config::YamlNode& node, const NamedIn& in, const std::string& label) {
+  const fs::path path = (in.folder / config::yamlText(node, in.file, label)).lexically_normal();
+  std::error_code ec;
+  // What is in it is the business of the readers.
+  if (fs::is_directory(path, ec)) return path;
+  return existingFile(node, in, label, "a recording");
+}
+
 fs::path existingFile(const config::YamlNode& node, const NamedIn& in, const std::string& label,
                       const char* expected) {
   const std::string text = config::yamlText(node, in.file, label);

@@ -19,6 +19,9 @@ struct NamedIn {
 /// Absolute path of the regular file that a node names. Throws ParseError.
 std::filesystem::path existingFile(const config::YamlNode& node, const NamedIn& in, const std::string& label,
                                    const char* expected);
+/// Absolute path of the file, or the folder of depth images, that a node names. Throws ParseError.
+std::filesystem::path existingRecording(const config::YamlNode& node, const NamedIn& in,
+                                        const std::string& label);
 
 /// existingFile() with its NamedIn.
 using FindFile = std::function<std::filesystem::path(const config::YamlNode& node, const std::string& label,

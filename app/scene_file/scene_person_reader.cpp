@@ -31,7 +31,7 @@ RecordingDescription SceneBodyReader::recording(const config::YamlNode& node) {
   RecordingDescription r;
   tracking::RecordingOptions& o = r.options;
   r.pos = fields.pos();
-  r.file = existingFile(fields.need("file"), "`file`", "a recording");
+  r.file = existingRecording(fields.need("file"), {file_, folder_}, "`file`");
   o.format = fields.text("format").value_or(o.format);
   if (const auto* units = fields.find("units")) {
     if (units->kind == config::YamlNode::Kind::kScalar && parseDouble(units->text))

@@ -36,10 +36,15 @@ class PlanReader {
       throw ParseError(fields.pos(version), "found " + config::yamlFound(version) +
                                                 " for `abstand_plan`, expected format version 1");
     fields.need("scenes");
-    const std::vector<fs::path> scenes = files(fields, "scenes", "a scene file");
+    const std::vector<fs::path> scenes = files(fields, "scenes", [this](const auto& node, const auto& label) {
+      return scene_file::existingFile(node, in(), label, "a scene file");
+    });
     if (scenes.empty())
       throw ParseError(fields.keyPos("scenes"), "found no scene in `scenes`, expected one or more");
-    std::vector<fs::path> recordings = files(fields, "recordings", "a recording");
+    std::vector<fs::path> recordings =
+        files(fields, "recordings", [this](const auto& node, const auto& label) {
+          return scene_file::existingRecording(node, in(), label);
+        });
     if (recordings.empty()) recordings.emplace_back();
     std::vector<PersonVariant> people = peopleOf(fields);
     const std::vector<RecordingVariant> variants = variantsOf(fields);
@@ -94,7 +99,7 @@ class PlanReader {
         for (const config::YamlNode& tool : config::yamlList(node, file_, "an item of `tools`")) {
           w.worn.tools.push_back(
               scene_file::readTool(tool, file_, [&](const auto& n, const auto& label, const char* expected) {
-                return scene_file::existingFile(n, {file_, folder_, "plan"}, label, expected);
+                return scene_file::existingFile(n, in(), label, expected);
               }));
           w.name += ", tool " + w.worn.tools.back().bodyName("").substr(1);
         }
@@ -102,18 +107,11 @@ class PlanReader {
       }
     return all;
   }
-  fs::path fileOf(const config::YamlNode& node, const char* label, const char* expected) const {
-    const fs::path path = (folder_ / config::yamlText(node, file_, label)).lexically_normal();
-    std::error_code ec;
-    if (!fs::is_regular_file(path, ec))
-      throw ParseError({file_, node.line, node.column},
-                       "found no file " + path.string() + " for " + label + ", expected " + expected);
-    return path;
-  }
-  std::vector<fs::path> files(const config::YamlFields& fields, const char* key, const char* expected) const {
+  scene_file::NamedIn in() const { return {file_, folder_, "plan"}; }
+  template <typename Find>  // from a node and its label
+  static std::vector<fs::path> files(const config::YamlFields& fields, const std::string& key, Find find) {
     std::vector<fs::path> list;
-    for (const config::YamlNode& node : fields.list(key))
-      list.push_back(fileOf(node, ("`" + std::string(key) + "`").c_str(), expected));
+    for (const config::YamlNode& node : fields.list(key)) list.push_back(find(node, "`" + key + "`"));
     return list;
   }
   std::vector<PersonVariant> peopleOf(const config::YamlFields& fields) const {
@@ -176,7 +174,8 @@ class PlanReader {
             "found " + config::yamlFound(node) + " for a program, expected {MECHANISM: motion.csv}");
       std::map<std::string, fs::path> motions;
       for (std::size_t i = 0; i < node.keys.size(); ++i)
-        motions[node.keys[i].text] = fileOf(node.items[i], "a motion", "a CSV of joint values");
+        motions[node.keys[i].text] =
+            scene_file::existingFile(node.items[i], in(), "a motion", "a CSV of joint values");
       programs.push_back(std::move(motions));
     }
     if (programs.empty()) programs.emplace_back();

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/safety/clearance_verdict.hpp"
 #include "ui/model/pair_level.hpp"
+#include "ui/model/pair_sentence.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/tr.hpp"
 
@@ -23,8 +25,10 @@ PairLevel levelOf(const view::SceneOutline& outline, const view::SceneSnapshot& 
 }
 
 /// With the state: "12.3 mm, ⚠ inside margin".
-QString distanceText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
-  const QString distance = lengthText(snapshot.pairs[static_cast<std::size_t>(pair)].result.distance);
+QString stateText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair) {
+  const auto i = static_cast<std::size_t>(pair);
+  const QString distance =
+      distanceText(snapshot.pairs[i].result.distance, poseUncertainty(snapshot, outline.pairs[i]));
   const PairLevel level = levelOf(outline, snapshot, pair);
   return level == PairLevel::kUnknown ? distance : tr("%1, %2").arg(distance, levelText(level));
 }
@@ -35,7 +39,7 @@ QString pairText(const view::SceneOutline& outline, const view::SceneSnapshot& s
   return tr("%1 – %2, %3")
       .arg(QString::fromStdString(outline.objects[static_cast<std::size_t>(a)].name),
            QString::fromStdString(outline.objects[static_cast<std::size_t>(b)].name),
-           distanceText(outline, snapshot, pair));
+           stateText(outline, snapshot, pair));
 }
 
 }  // namespace
@@ -45,12 +49,19 @@ std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
   std::array<NearestOfClass, kClasses> nearest;
   for (int i = 0; i < kClasses; ++i)
     nearest[static_cast<std::size_t>(i)] = {static_cast<PairClass>(i), -1, kInfinity};
+  std::array<double, kClasses> clearances;
+  clearances.fill(kInfinity);
+  if (snapshot.objects.size() != outline.objects.size()) return {};
   for (std::size_t i = 0; i < outline.pairs.size() && i < snapshot.pairs.size(); ++i) {
-    const auto of = static_cast<int>(pairClassOf(outline, outline.pairs[i]));
-    const double d = snapshot.pairs[i].result.distance;
-    if (of >= kClasses || !(d < nearest[static_cast<std::size_t>(of)].distance)) continue;
-    nearest[static_cast<std::size_t>(of)].pair = static_cast<int>(i);
-    nearest[static_cast<std::size_t>(of)].distance = d;
+    const auto of = static_cast<std::size_t>(pairClassOf(outline, outline.pairs[i]));
+    const query::PairResult& result = snapshot.pairs[i].result;
+    if (of >= kClasses || !(result.distance < kInfinity)) continue;
+    const double clearance = safety::certifiedClearance(
+        {result.distance, result.bound, poseUncertainty(snapshot, outline.pairs[i])});
+    if (std::pair(clearance, result.distance) >= std::pair(clearances[of], nearest[of].distance)) continue;
+    clearances[of] = clearance;
+    nearest[of].pair = static_cast<int>(i);
+    nearest[of].distance = result.distance;
   }
   std::vector<NearestOfClass> found;
   for (const NearestOfClass& of : nearest)
@@ -82,7 +93,7 @@ QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot
                    pairText(outline, snapshot, classes.front().pair);
     for (std::size_t i = 1; i < classes.size(); ++i)
       text += QStringLiteral("; ") + pairClassInSentence(classes[i].of) + QStringLiteral(" ") +
-              distanceText(outline, snapshot, classes[i].pair);
+              stateText(outline, snapshot, classes[i].pair);
     return text;
   }
   return known(nearest) ? tr("Nearest: %1").arg(pairText(outline, snapshot, nearest)) : QString();

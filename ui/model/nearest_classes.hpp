@@ -10,7 +10,8 @@
 
 namespace abstand::ui {
 
-/// The nearest pair of one class, and how far its bodies are apart.
+/// The pair of one class with the smallest certified clearance (distance − bound − pose uncertainty), and how
+/// far its bodies are apart. What is known badly comes before what is known to be farther away.
 struct NearestOfClass {
   PairClass of;
   int pair;         ///< index into SceneOutline::pairs
@@ -25,7 +26,8 @@ std::vector<NearestOfClass> nearestOfClasses(const view::SceneOutline& outline,
 /// m, certified: of the pairs of a person and a robot, -infinity where one is not known, NaN without one.
 double clearancePersonRobot(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 
-/// "Person – robot: operator/hand_left – arm/link7, 12.3 mm, ⚠ inside margin; person – thing 40.1 mm, clear";
+/// "Person – robot: operator/hand_left – arm/link7, 12.3 mm ± 8 mm, ⚠ inside margin; person – thing 40.1 mm,
+/// clear";
 /// the nearest of all where no class has one; empty without pairs.
 QString nearestText(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
 /// The heaviest level of the pairs that nearestText() names.

@@ -53,6 +53,12 @@ QString closingText(double speed) {
 
 }  // namespace
 
+QString distanceText(double distance, double pose_uncertainty) {
+  if (!(pose_uncertainty > 0.0)) return lengthText(distance);
+  if (std::isinf(pose_uncertainty)) return tr("%1, pose unknown").arg(lengthText(distance, 0));
+  return tr("%1 ± %2").arg(lengthText(distance, 0), lengthText(pose_uncertainty, 0));
+}
+
 QString pairSentence(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot, int pair,
                      const LevelTimes::Since& since) {
   const auto p = static_cast<std::size_t>(pair);

@@ -3217,6 +3217,14 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Draw the points of all cameras instead of those of the person in the panel Depth image</source>
         <translation>Die Punkte aller Kameras zeichnen statt derer der Person im Fenster Tiefenbild</translation>
     </message>
+    <message>
+        <source>%1, pose unknown</source>
+        <translation>%1, Pose unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>

@@ -8,6 +8,7 @@
 #include "ui/model/inspected_subject.hpp"
 #include "ui/model/pair_class.hpp"
 #include "ui/model/pair_level.hpp"
+#include "ui/model/pair_sentence.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/model/stop_text.hpp"
 #include "ui/style/format.hpp"
@@ -126,7 +127,8 @@ void Viewport::Impl::addClosest() {
     const auto style = styleOf(level);
     content.segments.push_back({a, b, levelColour(level), style == OverlayLabel::Style::kNear});
     if (k > 0 && pair != selection.pair()) continue;
-    content.labels.push_back({0.5 * (a + b), lengthText(result.distance), style, true});
+    const double unknown = poseUncertainty(snapshot, outline->pairs[static_cast<std::size_t>(pair)]);
+    content.labels.push_back({0.5 * (a + b), distanceText(result.distance, unknown), style, true});
   }
 }
 

@@ -108,6 +108,23 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
   EXPECT_NEAR(ran["min_distance"]["value"].get<double>(),
               runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
 
+  // Named by the scene, and by a plan.
+  const std::string names_clip =
+      write("clip.yaml",
+            "abstand: 1\nhumans:\n  - {name: p, height: 1.75, recording: {file: clip}}\nobjects:\n"
+            "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [1, 0, 1]}}\n"
+            "pairs: {default: between_groups}\n");
+  EXPECT_EQ(runJson("run " + names_clip)["min_distance"], ran["min_distance"]);
+  const std::string arm =
+      "mechanisms:\n  - {name: arm, file: " + projectFile("data/robots/arm6/arm6.urdf").string() + "}\n";
+  write("arm.yaml", "abstand: 1\nhumans:\n  - {name: p, height: 1.75, recording: {file: clip}}\n" + arm);
+  write("plan.yaml", "abstand_plan: 1\nscenes: [arm.yaml]\nrecordings: [clip]\n");
+  EXPECT_EQ(runJson("tune " + (folder_.path() / "plan.yaml").string())["recordings"], 1);
+  write("plan.yaml", "abstand_plan: 1\nscenes: [arm.yaml]\nrecordings: [pictures, none]\n");
+  const Answer wrong = run("tune " + (folder_.path() / "plan.yaml").string());
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_NE(wrong.err.find("plan.yaml:3:24: error: found no file "), std::string::npos) << wrong.err;
+
   // Of a scene whose things stood there too.
   const std::string cut = (folder_.path() / "cut.csv").string();
   EXPECT_EQ(run("track " + clip + " --scene " + scene + " --out " + cut).code, 0);

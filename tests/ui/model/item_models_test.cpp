@@ -55,9 +55,13 @@ TEST(NearestClasses, PeopleComeFirstWithoutSelfPairs) {
                      {"table", "objects", false, false}, {"lamp", "objects", false, false}};
   outline.pairs = {{0, 1}, {0, 2}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {0, 4}};
   view::SceneSnapshot snapshot;
+  snapshot.objects.resize(outline.objects.size());
   snapshot.pairs.resize(outline.pairs.size());
   const double distances[] = {0.3, 0.5, 0.4, -0.05, 0.2, -0.1, kInfinity};
-  for (std::size_t i = 0; i < snapshot.pairs.size(); ++i) snapshot.pairs[i].result.distance = distances[i];
+  for (std::size_t i = 0; i < snapshot.pairs.size(); ++i) {
+    snapshot.pairs[i].result.distance = distances[i];
+    snapshot.pairs[i].result.bound = 0.001;
+  }
   snapshot.nearest_pair = 5;
   const auto found = nearestOfClasses(outline, snapshot);
   ASSERT_EQ(found.size(), 3u) << "robot and thing: no distance is known";
@@ -67,6 +71,10 @@ TEST(NearestClasses, PeopleComeFirstWithoutSelfPairs) {
   EXPECT_EQ(found[2].pair, 0);
   EXPECT_TRUE(nearestText(outline, snapshot).startsWith("Person – robot: arm/2 – p/head, "));
   EXPECT_EQ(nearestLines(outline, snapshot).count('\n'), 2);
+  // 0.5 m known within 0.2 m may be nearer than 0.4 m.
+  snapshot.objects[0].pose_uncertainty = 0.2;
+  EXPECT_EQ(nearestOfClasses(outline, snapshot)[0].pair, 1);
+  EXPECT_TRUE(nearestText(outline, snapshot).startsWith("Person – robot: arm/1 – p/head, 500 mm ± 200 mm"));
   outline.pairs = {{4, 5}};
   snapshot.pairs.resize(1);
   snapshot.nearest_pair = 0;

@@ -67,6 +67,12 @@ TEST_F(PairSentence, SaysEverythingOfPair) {
       << sentence();
 }
 
+TEST(DistanceText, SaysHowWellPosesAreKnown) {
+  EXPECT_EQ(distanceText(0.0321, 0.0).toStdString(), "32.1 mm");
+  EXPECT_EQ(distanceText(0.331, 0.529).toStdString(), "331 mm ± 529 mm");
+  EXPECT_EQ(distanceText(0.331, kInfinity).toStdString(), "331 mm, pose unknown");
+}
+
 TEST_F(PairSentence, JumpForgetsSinceWhen) {
   at(0.01, 0.03);
   EXPECT_TRUE(times.of(0).exact);
