@@ -105,6 +105,10 @@ TEST_F(ViewportTest, StaleIsHollowAndHiddenIsNotDrawn) {
 }
 
 TEST_F(ViewportTest, PoseUncertaintyIsDrawnAsHalo) {
+  // Labels state the uncertainty in words.
+  ViewOptions options = window.viewport().options();
+  options.closest = options.labels = false;
+  window.viewport().setOptions(options);
   const QImage sharp = pictureAt(5.5);
   const auto differing = [&](double reach) {
     session.setPoseUncertainty(session.indexOf("operator/torso"), reach);

@@ -64,14 +64,12 @@ QVariant PairTableModel::text(std::size_t row, int column) const {
       return names_[static_cast<std::size_t>(pairs_[row].second)];
     case kDistance:
       return pair.paused ? tr("–") : lengthNumber(pair.result.distance);
-    case kBound:
-      return pair.paused ? tr("–") : lengthNumber(pair.result.bound);
-    case kMargin: {
-      const double uncertainty = uncertainty_[row];
-      if (!(uncertainty > 0.0)) return lengthNumber(pair.margin, 0);
-      if (std::isinf(uncertainty)) return tr("%1 + pose unknown").arg(lengthNumber(pair.margin, 0));
-      return tr("%1 + %2 (pose)").arg(lengthNumber(pair.margin, 0), lengthNumber(uncertainty, 0));
-    }
+    case kUncertainty:
+      if (pair.paused) return tr("–");
+      if (std::isinf(uncertainty_[row])) return tr("pose unknown");
+      return lengthNumber(pair.result.bound + uncertainty_[row]);
+    case kMargin:
+      return lengthNumber(pair.margin, 0);
     case kForce:
       if (pair.paused) return tr("–");
       return forceKind(pair.result) == ForceKind::kVirtual
@@ -93,10 +91,10 @@ double PairTableModel::number(std::size_t row, int column) const {
     case kDistance:
       // What is not checked may be the nearest of all.
       return pair.paused ? -kInfinity : finite(pair.result.distance);
-    case kBound:
-      return finite(pair.result.bound);
+    case kUncertainty:
+      return finite(pair.result.bound + uncertainty_[row]);
     case kMargin:
-      return pair.margin + uncertainty_[row];
+      return pair.margin;
     case kForce:
       return pair.result.force_a.norm();
     default:
@@ -165,7 +163,7 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
         return tr("B");
       case kDistance:
         return tr("Distance [%1]").arg(lengthUnit());
-      case kBound:
+      case kUncertainty:
         return tr("Uncertainty [%1]").arg(lengthUnit());
       case kMargin:
         return tr("Margin [%1]").arg(lengthUnit());
@@ -186,10 +184,12 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
             "Pose lost: the distance is that of an old pose. Not checked: their group does not run.");
       case kDistance:
         return tr("Between the bare surfaces, negative inside");
-      case kBound:
-        return tr("The true distance is never below the distance minus this");
+      case kUncertainty:
+        return tr(
+            "Error bound of the surfaces plus the uncertainty of both poses. The distance minus this is what "
+            "is compared with the margin");
       case kMargin:
-        return tr("Sum of both objects' safety margins, plus their pose uncertainties");
+        return tr("Sum of both objects' safety margins");
       case kForce:
         return tr("Contact force where the two touch; virtual: of the margins alone, nothing touches");
       case kPoints:

@@ -19,7 +19,7 @@ class PairTableModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kState, kA, kB, kDistance, kBound, kMargin, kForce, kPoints, kColumns };
+  enum Column { kState, kA, kB, kDistance, kUncertainty, kMargin, kForce, kPoints, kColumns };
   /// Number to sort by; NaN as infinity.
   static constexpr int kSortRole = Qt::UserRole;
 

@@ -71,7 +71,7 @@ PairPanel::PairPanel(Selection& selection, QWidget* parent)
   const int state_width = table_->fontMetrics().horizontalAdvance(tr("⚠ inside margin")) + kStateSpace;
   for (const auto& [column, width] : {std::pair{+PairTableModel::kState, state_width},
                                       {+PairTableModel::kDistance, 112},
-                                      {+PairTableModel::kBound, 132},
+                                      {+PairTableModel::kUncertainty, 132},
                                       {+PairTableModel::kMargin, 100},
                                       {+PairTableModel::kForce, 92},
                                       {+PairTableModel::kPoints, 92}})

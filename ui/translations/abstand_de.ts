@@ -4851,14 +4851,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
         <translation>–</translation>
     </message>
     <message>
-        <source>%1 + pose unknown</source>
-        <translation>%1 + Pose unbekannt</translation>
-    </message>
-    <message>
-        <source>%1 + %2 (pose)</source>
-        <translation>%1 + %2 (Pose)</translation>
-    </message>
-    <message>
         <source>State</source>
         <translation>Zustand</translation>
     </message>
@@ -4877,14 +4869,6 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Between the bare surfaces, negative inside</source>
         <translation>Zwischen den bloßen Oberflächen; negativ: Durchdringung</translation>
-    </message>
-    <message>
-        <source>The true distance is never below the distance minus this</source>
-        <translation>Der wahre Abstand ist nie kleiner als der Abstand minus diesem Wert</translation>
-    </message>
-    <message>
-        <source>Sum of both objects&apos; safety margins, plus their pose uncertainties</source>
-        <translation>Summe der Sicherheitsabstände beider Objekte und dessen, was für ungenau bekannte Orte hinzukommt</translation>
     </message>
     <message>
         <source>Distance [%1]</source>
@@ -4917,6 +4901,18 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Points of the one&apos;s shell that are inside the margin of the other, or inside of it</source>
         <translation>Punkte der Hülle des einen, die im Sicherheitsabstand des anderen oder in ihm sind</translation>
+    </message>
+    <message>
+        <source>pose unknown</source>
+        <translation>Pose unbekannt</translation>
+    </message>
+    <message>
+        <source>Error bound of the surfaces plus the uncertainty of both poses. The distance minus this is what is compared with the margin</source>
+        <translation>Fehlerschranke der Oberflächen und Unsicherheit beider Posen. Der Abstand abzüglich dieses Werts wird mit dem Sicherheitsabstand verglichen</translation>
+    </message>
+    <message>
+        <source>Sum of both objects&apos; safety margins</source>
+        <translation>Summe der Sicherheitsabstände beider Objekte</translation>
     </message>
 </context>
 <context>

@@ -230,7 +230,12 @@ TEST(PairTable, MarksPairsThatCheckWouldNotPassAsInside) {
   EXPECT_EQ(stateAt(0.049, 0.0, 0.0), QStringLiteral("⚠ inside margin"));
   EXPECT_EQ(stateAt(0.09, 0.05, 0.0), QStringLiteral("⚠ inside margin")) << "not proven";
   EXPECT_EQ(stateAt(0.09, 0.0, 0.05), QStringLiteral("⚠ inside margin")) << "uncertain pose";
+  const auto uncertainty = [&] { return model.index(0, PairTableModel::kUncertainty).data().toString(); };
+  EXPECT_EQ(uncertainty(), QStringLiteral("50.0"));
+  EXPECT_EQ(stateAt(0.5, 0.002, 0.05), QStringLiteral("clear"));
+  EXPECT_EQ(uncertainty(), QStringLiteral("52.0")) << "of the geometry and of the poses";
   EXPECT_EQ(stateAt(0.5, 0.0, kInfinity), QStringLiteral("⚠ inside margin"));
+  EXPECT_EQ(uncertainty(), QStringLiteral("pose unknown"));
 }
 
 TEST(PairPanelTest, KeepsSelectionAndScrollWhileValuesChange) {
