@@ -71,6 +71,7 @@
 #include "ui/theme_commands.hpp"
 #include "ui/thing_drag.hpp"
 #include "ui/time_commands.hpp"
+#include "ui/verification_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -180,6 +181,7 @@ void MainWindow::buildCommands() {
   commands_.files = new FileCommands(*actions_, *document_, *commands_.projects, this);
   commands_.reports = new ReportCommands(this);
   commands_.speeds = new SpeedCommands(this);
+  commands_.verification = new VerificationCommands(this);
   commands_.videos = new VideoRecorder(*playback_, *viewport_, this);
   commands_.margins = new MarginCommands(*document_, follower_, *review_, *panels_.margins, *actions_, this);
   commands_.scene = new SceneEdits({*document_, follower_, *tree_model_, feed_->moment()}, panels_, this);

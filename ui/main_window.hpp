@@ -39,6 +39,7 @@ class SceneEdits;
 class SceneTreeModel;
 class Selection;
 class SpeedCommands;
+class VerificationCommands;
 class StartPage;
 class ThingDrag;
 class TimeAxis;
@@ -82,6 +83,7 @@ class MainWindow : public QMainWindow {
   ImportCommands& imports() const { return *commands_.imports; }
   CloudCommands& clouds() const { return *commands_.clouds; }
   SpeedCommands& speeds() const { return *commands_.speeds; }
+  VerificationCommands& verification() const { return *commands_.verification; }
   ReportCommands& reports() const { return *commands_.reports; }
   const Actions& actions() const { return *actions_; }
   Playback& playback() const { return *playback_; }
@@ -176,6 +178,7 @@ class MainWindow : public QMainWindow {
     LinkPoke* poke;
     ThingDrag* things;
     SpeedCommands* speeds;
+    VerificationCommands* verification;
     CloudCommands* clouds;
   } commands_{};
   struct {

@@ -54,6 +54,7 @@
 #include "ui/style/units.hpp"
 #include "ui/time_commands.hpp"
 #include "ui/tour_steps.hpp"
+#include "ui/verification_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 #include "ui/what_if_dialog.hpp"
@@ -138,6 +139,7 @@ void MainWindow::connectHelp() {
   on(Id::kShortcuts, [this] { showShortcuts(*actions_, this); });
   on(Id::kEditKeys, [this] { (new KeyEditor(*actions_, this))->open(); });
   on(Id::kTour, [this] { (new Tour(tourSteps(*docks_), this))->show(); });
+  on(Id::kVerify, [this] { commands_.verification->open(); });
   on(Id::kAbout, [this] { showAbout(this); });
   connect(start_, &StartPage::fileWanted, this, &MainWindow::openFile);
 }

@@ -1,6 +1,7 @@
 #include "app/studio/studio.hpp"
 
 #include <QApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QStatusBar>
@@ -30,6 +31,7 @@
 #include "ui/project_commands.hpp"
 #include "ui/report_commands.hpp"
 #include "ui/speed_commands.hpp"
+#include "ui/verification_commands.hpp"
 #include "ui/video_recorder.hpp"
 #include "ui/viewport/viewport.hpp"
 
@@ -62,6 +64,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
   connect(&window.reports(), &ui::ReportCommands::cancelled, this, [this] { report_.reset(); });
   connect(&window.speeds(), &ui::SpeedCommands::wanted, this, &Studio::proposeSpeeds);
   connect(&window.speeds(), &ui::SpeedCommands::cancelled, this, [this] { speeds_.reset(); });
+  connectVerification();
   window.imports().setReader(readForImport);
   window.panels().inspector->person()->setPreviewer(
       [this](const QString& person, const ui::PersonOptions& options) {
@@ -109,6 +112,23 @@ void Studio::proposeSpeeds(const ui::SpeedRequest& request) {
   connect(speeds_.get(), &SpeedJob::done, &window_.speeds(), &ui::SpeedCommands::done);
   connect(speeds_.get(), &SpeedJob::failed, &window_.speeds(), &ui::SpeedCommands::fail);
   speeds_->start();
+}
+
+void Studio::connectVerification() {
+  ui::VerificationCommands& commands = window_.verification();
+  commands.setFamilies(VerificationJob::families());
+  connect(&commands, &ui::VerificationCommands::wanted, &verification_, &VerificationJob::start);
+  connect(&commands, &ui::VerificationCommands::cancelled, &verification_, &VerificationJob::cancel);
+  connect(&verification_, &VerificationJob::news, &commands, &ui::VerificationCommands::add);
+  connect(&verification_, &VerificationJob::failed, &commands, &ui::VerificationCommands::fail);
+  connect(&commands, &ui::VerificationCommands::pageWanted, this, [this, &commands](const QString& file) {
+    try {
+      verification_.savePage(file);
+      commands.say(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+    } catch (const std::exception& e) {
+      commands.say(QString::fromUtf8(e.what()));
+    }
+  });
 }
 
 void Studio::fail(const QString& problem) {

@@ -15,6 +15,7 @@
 #include "app/studio/recording_analysis.hpp"
 #include "app/studio/report_job.hpp"
 #include "app/studio/speed_job.hpp"
+#include "app/studio/verification_job.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/main_window.hpp"
 #include "ui/model/file_batch.hpp"
@@ -75,6 +76,7 @@ class Studio : public QObject {
   ui::Work tunedWork() const;
   void makeReport(const ui::ReportRequest& request);
   void proposeSpeeds(const ui::SpeedRequest& request);
+  void connectVerification();
   void connectExchange();
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
@@ -98,6 +100,7 @@ class Studio : public QObject {
   ui::Work shown_;                    // what port_ was loaded from
   std::unique_ptr<ReportJob> report_;
   std::unique_ptr<SpeedJob> speeds_;
+  VerificationJob verification_;
   RangeJob range_;
   LiveOpening opening_;
   std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server

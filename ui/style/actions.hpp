@@ -157,6 +157,7 @@ enum class ActionId {
   kShortcuts,
   kEditKeys,
   kTour,
+  kVerify,
   kAbout,
   kCount
 };

@@ -3225,6 +3225,14 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
     </message>
+    <message>
+        <source>&amp;Verify the engine…</source>
+        <translation>Rechenkern &amp;verifizieren…</translation>
+    </message>
+    <message>
+        <source>Check distances and forces of this machine against brute force and closed forms</source>
+        <translation>Abstände und Kräfte auf diesem Rechner gegen vollständige Suche und geschlossene Formeln prüfen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3889,7 +3897,7 @@ Roboter gestoppt: wie abgespielt; Verfolgung verloren: Körperteile, die nicht g
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation>S&amp;topp</translation>
+        <translation>A&amp;nhalten</translation>
     </message>
     <message>
         <source>Remo&amp;ve pair</source>
@@ -5975,7 +5983,7 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation>S&amp;topp</translation>
+        <translation>A&amp;nhalten</translation>
     </message>
     <message>
         <source>Replays the slower program beside the recording until no limit is broken, and saves it as motion files</source>
@@ -6371,6 +6379,142 @@ Momente, die berechnet wurden und zu schnell kamen, um gezeichnet zu werden: %1<
     <message>
         <source>&amp;Done</source>
         <translation>&amp;Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::VerificationDialog</name>
+    <message>
+        <source>Verification of the engine</source>
+        <translation>Verifikation des Rechenkerns</translation>
+    </message>
+    <message>
+        <source>Checks on this machine, as &quot;abstand verify&quot; makes them: distances against brute force, forces against closed forms, the same bits on any number of threads. A check passes if none of its poses exceeds the limit. The tip of a row says what is tested and why the limit is what it is.</source>
+        <translation>Prüfungen auf diesem Rechner wie mit „abstand verify“: Abstände gegen vollständige Suche, Kräfte gegen geschlossene Formeln, gleiche Bits mit jeder Zahl von Threads. Eine Prüfung ist bestanden, wenn keine ihrer Posen die Grenze überschreitet. Der Hinweis einer Zeile nennt, was geprüft wird und warum die Grenze so ist.</translation>
+    </message>
+    <message>
+        <source>Quick: 3,000 poses, about a minute</source>
+        <translation>Kurz: 3.000 Posen, etwa eine Minute</translation>
+    </message>
+    <message>
+        <source>Complete: 100,000 poses, some minutes</source>
+        <translation>Vollständig: 100.000 Posen, einige Minuten</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>C&amp;hecks</source>
+        <translation>&amp;Prüfungen</translation>
+    </message>
+    <message>
+        <source>&amp;Extent</source>
+        <translation>&amp;Umfang</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>99 %</source>
+        <translation>99 %</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Checks of the engine</source>
+        <translation>Prüfungen des Rechenkerns</translation>
+    </message>
+    <message>
+        <source>Progress of the checks</source>
+        <translation>Fortschritt der Prüfungen</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>Save &amp;page…</source>
+        <translation>Seite spei&amp;chern…</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Saves the results with tables and plots as an HTML page</source>
+        <translation>Speichert die Ergebnisse mit Tabellen und Diagrammen als HTML-Seite</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>Save the page</source>
+        <translation>Seite speichern</translation>
+    </message>
+    <message>
+        <source>HTML pages (*.html)</source>
+        <translation>HTML-Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Stopped: the checks are incomplete.</source>
+        <translation>Angehalten: Die Prüfungen sind unvollständig.</translation>
+    </message>
+    <message>
+        <source>%1
+Numbers: %2
+Limit: %3</source>
+        <translation>%1
+Zahlen: %2
+Grenze: %3</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message numerus="yes">
+        <source>⚠ %n breaches</source>
+        <translation>
+            <numerusform>⚠ %n Verletzung</numerusform>
+            <numerusform>⚠ %n Verletzungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Checking: %1</source>
+        <translation>Prüfung: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Passed: all %n checks.</source>
+        <translation>
+            <numerusform>Bestanden: die eine Prüfung.</numerusform>
+            <numerusform>Bestanden: alle %n Prüfungen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not passed: %1 of %n checks.</source>
+        <translation>
+            <numerusform>Nicht bestanden: %1 von %n Prüfung.</numerusform>
+            <numerusform>Nicht bestanden: %1 von %n Prüfungen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

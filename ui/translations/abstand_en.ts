@@ -109,4 +109,28 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>abstand::ui::VerificationDialog</name>
+    <message numerus="yes">
+        <source>⚠ %n breaches</source>
+        <translation>
+            <numerusform>⚠ %n breach</numerusform>
+            <numerusform>⚠ %n breaches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Passed: all %n checks.</source>
+        <translation>
+            <numerusform>Passed: the one check.</numerusform>
+            <numerusform>Passed: all %n checks.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not passed: %1 of %n checks.</source>
+        <translation>
+            <numerusform>Not passed: %1 of %n check.</numerusform>
+            <numerusform>Not passed: %1 of %n checks.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
