@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QLineEdit>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <fstream>
 #include <sstream>
 
@@ -58,6 +59,17 @@ struct Tutorial : StudioWindow {
     const QImage image = shown ? shown->grab().toImage() : ui::grabWindow(window);
     EXPECT_TRUE(image.save(QString::fromLocal8Bit(into) + "/" + name + ".png"));
   }
+  void walk();
+  /// A click into the lane of a part.
+  void clickLane(int part, double t) {
+    ui::LaneView& lanes = *window.panels().timeline->laneView();
+    ASSERT_TRUE(lanes.isVisible());
+    lanes.verticalScrollBar()->setValue(part * ui::LaneView::kLaneHeight);
+    for (int y = 0; y < lanes.viewport()->height(); ++y)
+      if (lanes.laneAt(y) == part)
+        return QTest::mouseClick(lanes.viewport(), Qt::LeftButton, {}, {lanes.xOf(t), y + 1});
+    FAIL() << "the lane of part " << part << " cannot be seen";
+  }
   const margin::MarginOutcome& outcome() const { return window.review().review().outcome; }
   template <class Condition>
   bool waitFor(Condition condition) {
@@ -65,7 +77,16 @@ struct Tutorial : StudioWindow {
   }
 };
 
-TEST_F(Tutorial, FromOpeningToReport) {
+/// In windows of other sizes, without pictures.
+struct TutorialAt : Tutorial, ::testing::WithParamInterface<std::pair<int, int>> {
+  TutorialAt() {
+    qunsetenv("ABSTAND_TUTORIAL_PICTURES");
+    window.resize(GetParam().first, GetParam().second);
+    window.actions()[ActionId::kResetLayout]->trigger();
+  }
+};
+
+void Tutorial::walk() {
   qputenv("PATH", QFileInfo(ABSTAND_PROGRAM).absolutePath().toLocal8Bit() + ":" + qgetenv("PATH"));
   // 1. Open.
   const QString scene = QString::fromStdString(testing::projectFile("data/scenes/hug_reach.yaml").string());
@@ -101,7 +122,7 @@ TEST_F(Tutorial, FromOpeningToReport) {
 
   // 3. Understand.
   const margin::ReviewEvent first = window.review().review().events.front();
-  Q_EMIT window.panels().timeline->laneView()->pairPicked(first.part, first.link);
+  clickLane(static_cast<int>(first.part), first.t_nearest);
   EXPECT_GE(window.selection().pair(), 0);
   EXPECT_EQ(window.selection().pair(), window.review().pairOf(first.part, first.link));
   auto* inspector = window.findChild<QDockWidget*>("inspector");
@@ -146,6 +167,17 @@ TEST_F(Tutorial, FromOpeningToReport) {
   while (window.document().steps().canUndo()) trigger(ActionId::kUndo);
   EXPECT_TRUE(work().margins.isEmpty());
 }
+
+TEST_F(Tutorial, FromOpeningToReport) { walk(); }
+
+TEST_P(TutorialAt, FromOpeningToReport) {
+  const QSize size = window.size();
+  EXPECT_EQ(size, QSize(GetParam().first, GetParam().second));
+  walk();
+  EXPECT_EQ(window.size(), size) << "no step makes it larger";
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, TutorialAt, ::testing::Values(std::pair(1024, 700), std::pair(3840, 2160)));
 
 TEST_F(Tutorial, KeysOfThePageAreThoseOfTheWindow) {
   // "*Name* (Key)", with the name of a command as the menus have it.

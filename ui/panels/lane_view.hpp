@@ -8,9 +8,9 @@
 namespace abstand::ui {
 
 /// Bright where a part was near a robot, dark where it was far, hatched where it is not known; below, a bar
-/// where it was inside its margin (vermillion) or near it (amber). A click goes to the moment and chooses the
-/// part and its nearest link; dragging scrubs; Ctrl and the wheel zoom, Shift and the wheel move the time
-/// axis. Only the lanes and columns in view are computed. GUI thread only.
+/// where it touched (vermillion), was inside its margin (ochre) or near it (amber). A click goes to the
+/// moment and chooses the part and its nearest link; dragging scrubs; Ctrl and the wheel zoom, Shift and the
+/// wheel move the time axis. Only the lanes and columns in view are computed. GUI thread only.
 class LaneView : public QAbstractScrollArea {
   Q_OBJECT
 
