@@ -42,6 +42,7 @@
 #include "ui/panels/separation_panel.hpp"
 #include "ui/panels/start_page.hpp"
 #include "ui/panels/status_panel.hpp"
+#include "ui/panels/time_strip.hpp"
 #include "ui/panels/timeline_panel.hpp"
 #include "ui/plots/cycle_panel.hpp"
 #include "ui/plots/plot_panel.hpp"
@@ -53,6 +54,7 @@
 #include "ui/style/format.hpp"
 #include "ui/style/units.hpp"
 #include "ui/time_commands.hpp"
+#include "ui/time_preview.hpp"
 #include "ui/tour_steps.hpp"
 #include "ui/verification_commands.hpp"
 #include "ui/video_recorder.hpp"
@@ -176,6 +178,12 @@ void MainWindow::connectTime() {
     DockSet::raise(docks_->timeline);
     panels_.timeline->timeField()->setFocus(Qt::ShortcutFocusReason);
   });
+  const auto previews = std::make_shared<TimePreview>(*review_, *viewport_);
+  const MomentTips tips = [previews](double t, const QString& text) { return previews->tip(t, text); };
+  panels_.timeline->strip()->setTips(tips);
+  panels_.timeline->laneView()->setTips(tips);
+  connect(viewport_, &Viewport::scrubbed, this,
+          [this](double share) { playback_->seek(playback_->time() + share * axis_->view().length()); });
   connect(panels_.plots, &PlotPanel::timePicked, playback_, &Playback::seek);
   connect(panels_.cycles, &CyclePanel::timePicked, playback_, &Playback::seek);
   connect(playback_, &Playback::timeChanged, panels_.plots, &PlotPanel::setTime);

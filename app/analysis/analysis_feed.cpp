@@ -10,6 +10,7 @@ bool AnalysisFeed::take(view::AnalysisNews& out) {
   fresh_ = false;
   out = news_;
   news_.chunks.clear();
+  news_.poses.clear();
   return true;
 }
 
@@ -30,6 +31,12 @@ void AnalysisFeed::tell(std::size_t done, std::size_t frames) {
 void AnalysisFeed::add(std::shared_ptr<const margin::ClearanceChunk> chunk) {
   const std::lock_guard lock(mutex_);
   news_.chunks.push_back(std::move(chunk));
+  fresh_ = true;
+}
+
+void AnalysisFeed::add(view::MomentPoses poses) {
+  const std::lock_guard lock(mutex_);
+  news_.poses.push_back(std::move(poses));
   fresh_ = true;
 }
 

@@ -20,6 +20,7 @@ class AnalysisFeed {
   void begin(std::shared_ptr<const margin::StoreLayout> layout);
   void tell(std::size_t done, std::size_t frames);
   void add(std::shared_ptr<const margin::ClearanceChunk> chunk);
+  void add(view::MomentPoses poses);
   /// An empty problem: all is done.
   void end(const std::string& problem);
 

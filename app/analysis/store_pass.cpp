@@ -22,6 +22,26 @@ margin::PairSample sampleOf(const tune::SettledFrame& settled, std::size_t pair)
   return sample;
 }
 
+/// Hands over the poses of every n-th frame.
+class PoseSampler {
+ public:
+  PoseSampler(const session::Session& session, AnalysisFeed& feed)
+      : session_{session}, feed_{feed}, every_{1 + (session.frameTimes().size() - 1) / kMaxPoses} {}
+
+  void frame(double t) {
+    if (frame_++ % every_ != 0) return;
+    view::MomentPoses poses{t, {}};
+    for (const scene::Object& object : session_.scene().objects())
+      poses.objects.push_back({object.X_WB, object.pose_state});
+    feed_.add(std::move(poses));
+  }
+
+ private:
+  const session::Session& session_;
+  AnalysisFeed& feed_;
+  std::size_t every_, frame_{0};
+};
+
 }  // namespace
 
 margin::StoreLayout layoutOf(const session::Session& session, const std::vector<tune::WatchedPair>& pairs) {
@@ -62,7 +82,11 @@ void storePass(session::Session& session, AnalysisFeed& feed, tune::PassOptions 
   run::RunOptions run;
   run.interrupted = [&feed] { return feed.cancelled(); };
   run.progress = [&feed](std::size_t done, std::size_t all) { feed.tell(done, all); };
-  run.on_cycle = [&pass](double t, const std::vector<query::PairResult>& results) { pass.frame(t, results); };
+  PoseSampler poses(session, feed);
+  run.on_cycle = [&](double t, const std::vector<query::PairResult>& results) {
+    poses.frame(t);
+    pass.frame(t, results);
+  };
   run::runScene(session, run);
   if (feed.cancelled()) return;
   pass.finish();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/margin/clearance_chunk.hpp"
+#include "core/view/moment_poses.hpp"
 
 namespace abstand::view {
 
@@ -26,6 +27,9 @@ struct AnalysisNews {
   bool all{false};
   /// Those that are new, in order of time.
   std::vector<std::shared_ptr<const margin::ClearanceChunk>> chunks;
+  /// Some hundred moments, evenly over the recording, for small pictures; those that are new, in order of
+  /// time.
+  std::vector<MomentPoses> poses;
 };
 
 }  // namespace abstand::view

@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
@@ -10,6 +11,7 @@
 #include <cstdio>
 
 #include "tests/ui/shown_window.hpp"
+#include "ui/model/time_axis.hpp"
 #include "ui/panels/help_dialogs.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
@@ -85,6 +87,23 @@ TEST_F(KeyboardTest, CameraMovesByKeys) {
 TEST_F(KeyboardTest, ShortcutPageListsMouseActions) {
   EXPECT_FALSE(window.windowIcon().isNull());
   EXPECT_TRUE(shortcutPage(window.actions()).contains("Double click"));
+}
+
+TEST_F(KeyboardTest, AltAndDragScrubsInView) {
+  QWidget* gl = window.viewport().childAt(10, 10);
+  ASSERT_NE(gl, nullptr);
+  const CameraView camera = window.viewport().cameraView();
+  const auto send = [&](QEvent::Type type, int x, Qt::MouseButton button) {
+    QMouseEvent event(type, QPointF(x, 40), button, Qt::LeftButton, Qt::AltModifier);
+    QCoreApplication::sendEvent(gl, &event);
+  };
+  const double before = session.time();
+  send(QEvent::MouseButtonPress, 20, Qt::LeftButton);
+  send(QEvent::MouseMove, 70, Qt::NoButton);
+  send(QEvent::MouseMove, 120, Qt::NoButton);
+  const TimeRange& shown = window.timeAxis().view();
+  EXPECT_NEAR(session.time(), before + 100.0 / window.viewport().width() * shown.length(), 1e-9);
+  EXPECT_TRUE(window.viewport().cameraView() == camera);
 }
 
 TEST_F(KeyboardTest, LargeWindowHasLargerPanels) {

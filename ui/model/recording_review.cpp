@@ -73,6 +73,7 @@ void RecordingReview::forgetStore() {
   store_.reset();
   events_.scan.clear();
   nearest_ = FrameSeries(start_, end_, period_, Keep::kSmallest);
+  poses_.clear();
   reviewer_ = {};
 }
 
@@ -104,12 +105,22 @@ void RecordingReview::pull() {
     for (std::size_t i = 0; i < chunk->frames(); ++i) nearest_.add(chunk->t(i), chunk->leastClearance(i));
     store_->add(std::move(chunk));
   }
+  std::move(news.poses.begin(), news.poses.end(), std::back_inserter(poses_));
   if (state_ != view::AnalysisNews::State::kRunning || judged_.elapsed() >= kRest * cost_ms_) {
     judge();
   } else {
     ++revision_;
     Q_EMIT changed();
   }
+}
+
+const view::MomentPoses* RecordingReview::posesNear(double t) const {
+  if (poses_.size() < 2) return nullptr;
+  auto after = std::lower_bound(poses_.begin(), poses_.end(), t,
+                                [](const view::MomentPoses& poses, double time) { return poses.t < time; });
+  if (after == poses_.end() || (after != poses_.begin() && t - std::prev(after)->t < after->t - t)) --after;
+  const double between = poses_[1].t - poses_[0].t;
+  return std::abs(after->t - t) <= 0.5 * between + period_ ? &*after : nullptr;
 }
 
 void RecordingReview::setSpan(double start, double end) {

@@ -75,6 +75,8 @@ class RecordingReview : public QObject {
   margin::PartMargins linkMargins(std::size_t part) const;
   /// Of a part alone, with this margin (m) and the present ones of the links.
   margin::MarginOutcome outcomeOf(std::size_t part, double margin) const;
+  /// The known moment that is nearest to `t` (s); null: none is as near as half the time between two of them.
+  const view::MomentPoses* posesNear(double t) const;
   /// Index of the outline's pairs, or -1.
   int pairOf(std::size_t part, std::size_t link) const;
   /// Grows whenever changed() is emitted.
@@ -108,6 +110,7 @@ class RecordingReview : public QObject {
   std::map<std::pair<int, int>, int> pair_of_;
   std::optional<margin::ClearanceStore> store_;
   FrameSeries nearest_;
+  std::vector<view::MomentPoses> poses_;  ///< in order of time
   margin::MarginReviewer reviewer_;
   const margin::MarginReview* review_;
   struct {

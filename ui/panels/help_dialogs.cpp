@@ -42,6 +42,8 @@ QString shortcutPage(const Actions& actions) {
        QApplication::translate("help", "Move or turn it")},
       {QApplication::translate("help", "Ctrl, Shift and left button"),
        QApplication::translate("help", "Poke a robot that reacts: 4 N per cm, at most 150 N")},
+      {QApplication::translate("help", "Alt and left button"),
+       QApplication::translate("help", "Scrub: the width of the view is what the timeline shows")},
       {QApplication::translate("help", "Wheel"), QApplication::translate("help", "Zoom")},
       {QApplication::translate("help", "Double click"),
        QApplication::translate("help", "Zoom to the selection")},

@@ -191,7 +191,7 @@ void LaneView::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton && lanes() > 0)
     Q_EMIT scrubbed(timeAt(event->x()));
   else if (lane >= 0)
-    QToolTip::showText(event->globalPos(), textAt(lane, timeAt(event->x())), this);
+    QToolTip::showText(event->globalPos(), tipAt(lane, timeAt(event->x())), this);
 }
 
 void LaneView::wheelEvent(QWheelEvent* event) {
@@ -204,15 +204,16 @@ void LaneView::wheelEvent(QWheelEvent* event) {
     QAbstractScrollArea::wheelEvent(event);
 }
 
-QString LaneView::textAt(int lane, double t) const {
-  return momentText(review_, static_cast<std::size_t>(lane), t);
+QString LaneView::tipAt(int lane, double t) const {
+  const QString text = momentText(review_, static_cast<std::size_t>(lane), t);
+  return tips_ ? tips_(t, text) : text;
 }
 
 bool LaneView::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
     const int lane = laneAt(help->y());
-    if (lane >= 0) QToolTip::showText(help->globalPos(), textAt(lane, timeAt(help->x())), this);
+    if (lane >= 0) QToolTip::showText(help->globalPos(), tipAt(lane, timeAt(help->x())), this);
     return true;
   }
   return QAbstractScrollArea::viewportEvent(event);

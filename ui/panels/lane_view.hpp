@@ -3,6 +3,7 @@
 
 #include <QAbstractScrollArea>
 
+#include "ui/model/moment_tips.hpp"
 #include "ui/panels/lane_image.hpp"
 
 namespace abstand::ui {
@@ -26,6 +27,7 @@ class LaneView : public QAbstractScrollArea {
   /// Objects of the scene; the names of their lanes are marked, and the first one is brought into view.
   void setSelected(const std::vector<int>& objects);
   bool isSelected(int lane) const;
+  void setTips(MomentTips tips) { tips_ = std::move(tips); }
   int lanes() const;
   /// Of the viewport.
   int xOf(double t) const;
@@ -55,8 +57,9 @@ class LaneView : public QAbstractScrollArea {
   void renew();
   void paintLane(QPainter& painter, int lane, const QRect& place) const;
   QString nameOf(int lane) const;
-  QString textAt(int lane, double t) const;
+  QString tipAt(int lane, double t) const;
 
+  MomentTips tips_;
   const RecordingReview& review_;
   TimeAxis& axis_;
   double time_{0.0};

@@ -277,7 +277,7 @@ void TimeStrip::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() & Qt::LeftButton)
     Q_EMIT scrubbed(timeAt(event->x()));
   else if (history_)
-    QToolTip::showText(event->globalPos(), textAt(timeAt(event->x())), this);
+    QToolTip::showText(event->globalPos(), tipAt(timeAt(event->x())), this);
   update();
 }
 
@@ -294,6 +294,8 @@ QString TimeStrip::textAt(double t) const {
     if (stop.range.contains(t) && stop_text_) text += QLatin1Char('\n') + stop_text_(stop);
   return text;
 }
+
+QString TimeStrip::tipAt(double t) const { return tips_ ? tips_(t, textAt(t)) : textAt(t); }
 
 QString TimeStrip::momentAt(double t) const {
   if (review_.available()) return nearestMomentText(review_, t);
@@ -312,7 +314,7 @@ QString TimeStrip::momentAt(double t) const {
 bool TimeStrip::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip && history_) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), textAt(timeAt(help->pos().x())), this);
+    QToolTip::showText(help->globalPos(), tipAt(timeAt(help->pos().x())), this);
     return true;
   }
   if (event->type() == QEvent::PaletteChange) rebuild();

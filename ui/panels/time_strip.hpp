@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "ui/model/moment_tips.hpp"
 #include "ui/model/recording_review.hpp"
 #include "ui/model/stop_spans.hpp"
 #include "ui/model/time_axis.hpp"
@@ -38,6 +39,7 @@ class TimeStrip : public QWidget {
   void setStops(std::vector<StopSpan> stops);
   /// What the tool tip says of a stop; asked for while the pointer is over it.
   void setStopText(std::function<QString(const StopSpan&)> text) { stop_text_ = std::move(text); }
+  void setTips(MomentTips tips) { tips_ = std::move(tips); }
   /// Repaints when the series have grown.
   void refresh();
 
@@ -71,6 +73,7 @@ class TimeStrip : public QWidget {
   void paintStops(QPainter& painter) const;
   void rebuildFromReview();
   QString textAt(double t) const;
+  QString tipAt(double t) const;
   QString momentAt(double t) const;
 
   const RecordingReview& review_;
@@ -81,6 +84,7 @@ class TimeStrip : public QWidget {
   std::vector<double> bookmarks_;  // s
   std::vector<StopSpan> stops_;
   std::function<QString(const StopSpan&)> stop_text_;
+  MomentTips tips_;
   QImage heat_;  // one row, a pixel a column
   struct {
     std::vector<bool> touching, inside, earlier;    // by column; `earlier`: inside a margin of before

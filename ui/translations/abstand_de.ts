@@ -169,6 +169,13 @@
     </message>
 </context>
 <context>
+    <name>TimePreview</name>
+    <message>
+        <source>Picture: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+</context>
+<context>
     <name>ViewerPort</name>
     <message>
         <source>The bodies of the scene differ from those of the server.</source>
@@ -6768,6 +6775,14 @@ Grenze: %3</translation>
     <message>
         <source>Move or turn it</source>
         <translation>Ihn bewegen oder drehen</translation>
+    </message>
+    <message>
+        <source>Alt and left button</source>
+        <translation>Alt und linke Taste</translation>
+    </message>
+    <message>
+        <source>Scrub: the width of the view is what the timeline shows</source>
+        <translation>In der Zeit fahren: Die Breite der Ansicht entspricht dem Ausschnitt der Zeitleiste</translation>
     </message>
 </context>
 <context>

@@ -72,8 +72,7 @@ QSize Canvas::pixels() const {
   return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo(QSize(1, 1));
 }
 
-void Canvas::draw(QImage& picture, QImage::Format format) {
-  const QSize size = pixels();
+void Canvas::draw(QImage& picture, QImage::Format format, const QSize& size) {
   if (!isCurrent()) context_.makeCurrent(&surface_);
   window_->SetSize(size.width(), size.height());
   window_->Render();
@@ -94,11 +93,18 @@ void Canvas::draw(QImage& picture, QImage::Format format) {
 }
 
 void Canvas::render() {
-  draw(image_, backdrop_.isNull() ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
+  draw(image_, backdrop_.isNull() ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied, pixels());
   update();
 }
 
-void Canvas::keepBackdrop() { draw(backdrop_, QImage::Format_RGB32); }
+void Canvas::keepBackdrop() { draw(backdrop_, QImage::Format_RGB32, pixels()); }
+
+QImage Canvas::drawn(const QSize& size) {
+  QImage picture;
+  draw(picture, QImage::Format_RGB32, size);
+  picture.setDevicePixelRatio(1.0);
+  return picture;
+}
 
 QImage Canvas::image() const {
   if (backdrop_.isNull()) return image_.copy();

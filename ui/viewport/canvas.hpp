@@ -31,6 +31,8 @@ class Canvas : public QWidget {
   bool hasBackdrop() const { return backdrop_.size() == pixels(); }
   /// As it is shown.
   QImage image() const;
+  /// What the renderers draw now at this size (physical pixels), without changing what is shown.
+  QImage drawn(const QSize& size);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -38,7 +40,7 @@ class Canvas : public QWidget {
  private:
   bool isCurrent() const;
   QSize pixels() const;
-  void draw(QImage& picture, QImage::Format format);
+  void draw(QImage& picture, QImage::Format format, const QSize& size);
 
   QOffscreenSurface surface_;
   QOpenGLContext context_;

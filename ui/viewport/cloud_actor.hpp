@@ -19,6 +19,7 @@ class CloudActor {
 
   /// Draws these points in place of those before.
   void show(const std::vector<CloudPoint>& points, CloudColours colours);
+  void setVisible(bool visible) { actor_->SetVisibility(visible); }
   /// Number of points that are drawn.
   std::size_t shown() const;
   CloudColours colours() const { return colours_; }

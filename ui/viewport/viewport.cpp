@@ -367,6 +367,29 @@ QImage Viewport::picture() {
   return image;
 }
 
+QImage Viewport::preview(const view::MomentPoses& moment, int width) {
+  Impl& my = *impl_;
+  if (!my.gl || !my.outline || moment.objects.size() != my.outline->objects.size()) return {};
+  view::SceneSnapshot then;
+  for (const view::ObjectPose& object : moment.objects) {
+    view::ObjectSnapshot& body = then.objects.emplace_back();
+    body.X_WB = object.X_WB;
+    body.pose_state = object.state;
+  }
+  const bool has_cloud = my.cloud.shown() > 0;
+  my.objects.refresh(then, {}, my.selection, my.options);
+  my.cloud.setVisible(false);
+  my.front->DrawOff();
+  my.room.setLeftOut(false);
+  my.fitDepth();
+  const int height = std::max(1, width * my.gl->height() / std::max(1, my.gl->width()));
+  const QImage image = my.gl->drawn({width, height});
+  my.front->DrawOn();
+  my.cloud.setVisible(has_cloud);
+  my.objects.refresh(my.snapshot, my.shown.bodies, my.selection, my.options);
+  return image;
+}
+
 const Overlay& Viewport::overlay() const { return *impl_->overlay; }
 
 QPointF Viewport::project(const Vector3d& p_W) const {
@@ -415,6 +438,8 @@ void Viewport::moveMouse(const QMouseEvent& mouse) {
       Q_EMIT pokeMoved(to);
     else
       Q_EMIT bodyPulled(to);
+  } else if (mouse.buttons() & Qt::LeftButton && mouse.modifiers() & Qt::AltModifier) {
+    Q_EMIT scrubbed(static_cast<double>(moved.x()) / std::max(1, width()));
   } else if (mouse.buttons() & Qt::LeftButton && !(mouse.modifiers() & Qt::ShiftModifier)) {
     orbit(moved.x(), moved.y());
   } else if (mouse.buttons() != Qt::NoButton) {

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <memory>
 
+#include "core/view/moment_poses.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
@@ -74,6 +75,9 @@ class Viewport : public QWidget {
   /// In the middle of the view while no scene is open.
   void setMessage(const QString& text);
 
+  /// The bodies at another moment, without labels and marks, from where the camera stands; at most
+  /// `width` pixels wide. What is shown does not change. Null without OpenGL, or for poses of another scene.
+  QImage preview(const view::MomentPoses& moment, int width);
   /// The picture with labels, at the screen's resolution.
   QImage picture();
   /// What is written over the picture.
@@ -107,6 +111,8 @@ class Viewport : public QWidget {
   void handleGrabbed(int object, const abstand::Vector3d& centre_W);
   void handlePulled(const abstand::Vector3d& shift, double turn);
   void handleReleased();
+  /// The user scrubs in the view: the pointer has moved by this share of its width, to the right.
+  void scrubbed(double share);
   /// A picture is drawn; it took so long (s) on this thread.
   void drawn(double seconds);
 
