@@ -71,6 +71,18 @@ bool shareImages(const DepthPerson& a, const DepthPerson& b) {
          a.clip->first_t == b.clip->first_t && a.speed == b.speed && a.X_WR.matrix() == b.X_WR.matrix();
 }
 
+/// Links of robots: object, its mesh.
+std::vector<std::pair<std::size_t, const geometry::TriangleMesh*>> robotMeshes(
+    const view::SceneOutline& outline) {
+  std::vector<std::pair<std::size_t, const geometry::TriangleMesh*>> robots;
+  for (std::size_t i = 0; i < outline.objects.size() && i < outline.meshes.size(); ++i) {
+    const auto object = static_cast<int>(i);
+    if (view::pairClassOf(outline, {object, object}) == view::PairClass::kRobotRobot)
+      robots.emplace_back(i, &outline.meshes[i]);
+  }
+  return robots;
+}
+
 }  // namespace
 
 int cloudStride(int width, int height) {
@@ -122,14 +134,10 @@ std::vector<ui::CloudPoint> cloudOf(
 }
 
 DepthClouds::DepthClouds(std::vector<DepthPerson> people, const view::SceneOutline& outline)
-    : people_(std::move(people)) {
-  for (std::size_t i = 0; i < outline.objects.size() && i < outline.meshes.size(); ++i) {
-    const auto object = static_cast<int>(i);
-    if (view::pairClassOf(outline, {object, object}) == view::PairClass::kRobotRobot)
-      robots_.emplace_back(i, &outline.meshes[i]);
-  }
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
-}
+    : people_(std::move(people)),
+      robots_(robotMeshes(outline)),
+      streams_(people_.size()),
+      reader_([this](const ui::CloudRequest& request) { return read(request); }) {}
 
 std::vector<std::size_t> DepthClouds::imagesAt(double t) const {
   std::vector<std::size_t> images;
@@ -137,23 +145,7 @@ std::vector<std::size_t> DepthClouds::imagesAt(double t) const {
   return images;
 }
 
-void DepthClouds::ask(ui::CloudRequest request) {
-  {
-    const std::lock_guard lock(mutex_);
-    wanted_ = std::move(request);
-  }
-  asked_.notify_one();
-}
-
-bool DepthClouds::take(ui::DepthCloud& out) {
-  const std::lock_guard lock(mutex_);
-  if (!ready_) return false;
-  out = std::move(*ready_);
-  ready_.reset();
-  return true;
-}
-
-ui::DepthCloud DepthClouds::read(const ui::CloudRequest& request, Streams& streams) const {
+ui::DepthCloud DepthClouds::read(const ui::CloudRequest& request) {
   ui::DepthCloud cloud;
   cloud.person = request.person;
   cloud.images = imagesAt(request.t);
@@ -171,36 +163,20 @@ ui::DepthCloud DepthClouds::read(const ui::CloudRequest& request, Streams& strea
     }
     if (done) continue;
     try {
-      if (!streams[i])
-        streams[i] = tracking::openDepthStream(people_[i].clip->path, people_[i].clip->options);
+      if (!streams_[i])
+        streams_[i] = tracking::openDepthStream(people_[i].clip->path, people_[i].clip->options);
       tracking::DepthFrame frame;
-      streams[i]->seek(cloud.images[i]);
-      if (!streams[i]->next(frame)) continue;
+      streams_[i]->seek(cloud.images[i]);
+      if (!streams_[i]->next(frame)) continue;
       const std::vector<ui::CloudPoint> points = cloudOf(seen, cloud.images[i], frame.image, robots);
       cloud.points.insert(cloud.points.end(), points.begin(), points.end());
     } catch (const std::exception& e) {
       // The file may have gone since it was tracked.
       cloud.problem = QString::fromUtf8(e.what());
-      streams[i].reset();
+      streams_[i].reset();
     }
   }
   return cloud;
-}
-
-void DepthClouds::work(const std::stop_token& stop) {
-  Streams streams(people_.size());
-  while (true) {
-    std::optional<ui::CloudRequest> wanted;
-    {
-      std::unique_lock lock(mutex_);
-      asked_.wait(lock, stop, [this] { return wanted_.has_value(); });
-      if (stop.stop_requested()) return;
-      wanted.swap(wanted_);
-    }
-    ui::DepthCloud cloud = read(*wanted, streams);
-    const std::lock_guard lock(mutex_);
-    ready_ = std::move(cloud);
-  }
 }
 
 }  // namespace abstand::studio

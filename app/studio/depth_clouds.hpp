@@ -1,12 +1,8 @@
 // Reads the points of depth images, on a thread of its own.
 #pragma once
 
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
-
 #include "app/studio/depth_pictures.hpp"
+#include "app/studio/latest_request.hpp"
 #include "core/view/snapshot.hpp"
 #include "ui/model/depth_cloud.hpp"
 
@@ -28,29 +24,23 @@ std::vector<ui::CloudPoint> cloudOf(
     const std::vector<const DepthPerson*>& people, std::size_t image, const tracking::DepthImage& depth,
     const std::vector<std::pair<const geometry::TriangleMesh*, Transform>>& robots);
 
-/// Reads what was asked for last; what was asked for before and not begun is dropped. People of one recording
-/// share its points.
+/// Reads what was asked for last. People of one recording share its points.
 class DepthClouds final : public ui::CloudPort {
  public:
   /// `outline`: its objects and meshes do not change, and outlive this.
   DepthClouds(std::vector<DepthPerson> people, const view::SceneOutline& outline);
 
   std::vector<std::size_t> imagesAt(double t) const override;
-  void ask(ui::CloudRequest request) override;
-  bool take(ui::DepthCloud& out) override;
+  void ask(ui::CloudRequest request) override { reader_.ask(std::move(request)); }
+  bool take(ui::DepthCloud& out) override { return reader_.take(out); }
 
  private:
-  using Streams = std::vector<std::unique_ptr<tracking::DepthStream>>;
-  void work(const std::stop_token& stop);
-  ui::DepthCloud read(const ui::CloudRequest& request, Streams& streams) const;
+  ui::DepthCloud read(const ui::CloudRequest& request);
 
   const std::vector<DepthPerson> people_;
   std::vector<std::pair<std::size_t, const geometry::TriangleMesh*>> robots_;  // object, its mesh
-  std::mutex mutex_;                                                           // of what follows
-  std::condition_variable_any asked_;
-  std::optional<ui::CloudRequest> wanted_;
-  std::optional<ui::DepthCloud> ready_;
-  std::jthread thread_;  // last member: joined before the others are destroyed
+  std::vector<std::unique_ptr<tracking::DepthStream>> streams_;                // of the thread of reader_
+  LatestRequest<ui::CloudRequest, ui::DepthCloud> reader_;                     // last member: uses the others
 };
 
 }  // namespace abstand::studio

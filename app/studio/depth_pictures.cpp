@@ -113,61 +113,34 @@ ui::DepthPicture depthPicture(const DepthPerson& person, tracking::DepthStream& 
   return shown;
 }
 
-DepthPictures::DepthPictures(std::vector<DepthPerson> people) : people_(std::move(people)) {
+DepthPictures::DepthPictures(std::vector<DepthPerson> people)
+    : people_(std::move(people)),
+      streams_(people_.size()),
+      reader_([this](const Wanted& wanted) { return read(wanted); }) {
   for (const DepthPerson& person : people_) summaries_.push_back(summaryOf(person));
-  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
-
-DepthPictures::~DepthPictures() = default;
 
 std::size_t DepthPictures::imageAt(int person, double t) const {
   return imageOfMoment(people_.at(static_cast<std::size_t>(person)), t);
 }
 
-void DepthPictures::ask(int person, std::size_t image) {
-  {
-    const std::lock_guard lock(mutex_);
-    wanted_ = Wanted{person, image};
+ui::DepthPicture DepthPictures::read(const Wanted& wanted) {
+  const auto i = static_cast<std::size_t>(wanted.person);
+  ui::DepthPicture picture;
+  try {
+    if (!streams_[i])
+      streams_[i] = tracking::openDepthStream(people_[i].clip->path, people_[i].clip->options);
+    picture = depthPicture(people_[i], *streams_[i], wanted.image);
+  } catch (const std::exception& e) {
+    // The file may have gone since it was tracked.
+    picture = {};
+    picture.image = wanted.image;
+    picture.t = sessionTime(people_[i], people_[i].clip->times[wanted.image]);
+    picture.problem = QString::fromUtf8(e.what());
+    streams_[i].reset();
   }
-  asked_.notify_one();
-}
-
-bool DepthPictures::take(ui::DepthPicture& out) {
-  const std::lock_guard lock(mutex_);
-  if (!ready_) return false;
-  out = std::move(*ready_);
-  ready_.reset();
-  return true;
-}
-
-void DepthPictures::work(const std::stop_token& stop) {
-  std::vector<std::unique_ptr<tracking::DepthStream>> streams(people_.size());
-  while (true) {
-    std::optional<Wanted> wanted;
-    {
-      std::unique_lock lock(mutex_);
-      asked_.wait(lock, stop, [this] { return wanted_.has_value(); });
-      if (stop.stop_requested()) return;
-      wanted.swap(wanted_);
-    }
-    const auto i = static_cast<std::size_t>(wanted->person);
-    ui::DepthPicture picture;
-    try {
-      if (!streams[i])
-        streams[i] = tracking::openDepthStream(people_[i].clip->path, people_[i].clip->options);
-      picture = depthPicture(people_[i], *streams[i], wanted->image);
-    } catch (const std::exception& e) {
-      // The file may have gone since it was tracked.
-      picture = {};
-      picture.image = wanted->image;
-      picture.t = sessionTime(people_[i], people_[i].clip->times[wanted->image]);
-      picture.problem = QString::fromUtf8(e.what());
-      streams[i].reset();
-    }
-    picture.person = wanted->person;
-    const std::lock_guard lock(mutex_);
-    ready_ = std::move(picture);
-  }
+  picture.person = wanted.person;
+  return picture;
 }
 
 }  // namespace abstand::studio

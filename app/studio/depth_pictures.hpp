@@ -1,13 +1,10 @@
 // Reads depth images and draws the fitted body over them, on a thread of its own.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
 
 #include "app/session/session.hpp"
+#include "app/studio/latest_request.hpp"
 #include "tracking/tracker/fitted_clip.hpp"
 #include "ui/model/depth_port.hpp"
 
@@ -31,31 +28,27 @@ ui::JointLook jointLook(humanmodel::JointState state);
 /// Image `image` of a person. `stream` is that of the clip. Throws ParseError.
 ui::DepthPicture depthPicture(const DepthPerson& person, tracking::DepthStream& stream, std::size_t image);
 
-/// Reads the image that was asked for last; what was asked for before and not begun is dropped.
+/// Reads the image that was asked for last.
 class DepthPictures final : public ui::DepthPort {
  public:
   explicit DepthPictures(std::vector<DepthPerson> people);
-  ~DepthPictures() override;
 
   const std::vector<ui::DepthSummary>& people() const override { return summaries_; }
   std::size_t imageAt(int person, double t) const override;
-  void ask(int person, std::size_t image) override;
-  bool take(ui::DepthPicture& out) override;
+  void ask(int person, std::size_t image) override { reader_.ask({person, image}); }
+  bool take(ui::DepthPicture& out) override { return reader_.take(out); }
 
  private:
   struct Wanted {
     int person;
     std::size_t image;
   };
-  void work(const std::stop_token& stop);
+  ui::DepthPicture read(const Wanted& wanted);
 
   const std::vector<DepthPerson> people_;
   std::vector<ui::DepthSummary> summaries_;
-  std::mutex mutex_;  // of what follows
-  std::condition_variable_any asked_;
-  std::optional<Wanted> wanted_;
-  std::optional<ui::DepthPicture> ready_;
-  std::jthread thread_;  // last member: joined before the others are destroyed
+  std::vector<std::unique_ptr<tracking::DepthStream>> streams_;  // of the thread of reader_
+  LatestRequest<Wanted, ui::DepthPicture> reader_;               // last member: uses the others
 };
 
 }  // namespace abstand::studio
