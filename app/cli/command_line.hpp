@@ -68,6 +68,7 @@ void addHuman(CLI::App& root, CommandLine& line);
 void addSkeleton(CLI::App& root, CommandLine& line);
 void addPairs(CLI::App& root, CommandLine& line);
 void addRenderDepth(CLI::App& root, CommandLine& line);
+void addCoverage(CLI::App& root, CommandLine& line);
 void addCalibrate(CLI::App& root, CommandLine& line);
 void addTrack(CLI::App& root, CommandLine& line);
 void addRun(CLI::App& root, CommandLine& line);

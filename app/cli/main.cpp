@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   cli::addSkeleton(app, line);
   cli::addPairs(app, line);
   cli::addRenderDepth(app, line);
+  cli::addCoverage(app, line);
   cli::addTrack(app, line);
   cli::addCalibrate(app, line);
   cli::addRun(app, line);

@@ -20,7 +20,6 @@ constexpr int kBadImages = 5;
 // Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, the
 // places of hidden ones follow from the lengths of the bones.
 constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30;
-constexpr double kSeen = 0.3;  // share of a segment's samples
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have turned around
@@ -162,7 +161,7 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
 void BodyTracker::plantHiddenFeet() {
   std::uint32_t feet = 0;
   for (const Limb& leg : {kLimbs[2], kLimbs[3]}) {
-    if (body_.visible[index(leg.lower)] >= kSeen || body_.visible[index(leg.end)] >= kSeen)
+    if (body_.visible[index(leg.lower)] >= kSeenShare || body_.visible[index(leg.end)] >= kSeenShare)
       legs_seen_t_ = last_t_;
     feet |= DepthFit::bit(leg.end);
   }
@@ -316,8 +315,8 @@ void BodyTracker::stateSpreads(double t) {
   SeenSegments seen = 0;
   std::array<double, kRigSegments> visible = body_.visible;
   for (std::size_t s = 0; s < kRigSegments; ++s) {
-    if (visible[s] >= kSeen) seen |= 1u << s;
-    if (visible[s] < kSeen) visible[s] = 1.0;  // the free space says more than how little is seen
+    if (visible[s] >= kSeenShare) seen |= 1u << s;
+    if (visible[s] < kSeenShare) visible[s] = 1.0;  // the free space says more than how little is seen
   }
   space_.update(seen_, body_.X_WS, seen);
   hidden_.see(t, seen, space_.extent());

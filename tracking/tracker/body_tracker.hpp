@@ -58,6 +58,8 @@ class BodyTracker {
 
   /// m, typical distance from the visible skin to the middle of the body.
   static constexpr double kHalfBody = 0.10;
+  /// A segment is seen if this share of its samples is visible.
+  static constexpr double kSeenShare = 0.3;
 
  private:
   void find();

@@ -28,6 +28,58 @@ TEST_F(Cli, RenderDepthWritesAClip) {
   EXPECT_EQ(run("render-depth none.yaml --out " + clip).code, 3);
 }
 
+TEST_F(Cli, CoverageStatesWhatIsHidden) {
+  const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
+  const auto scene = [&](const char* name, const std::string& wall) {
+    return write(name,
+                 "abstand: 1\ndefaults: {voxel: 0.1, point: 0.1}\nhumans:\n  - {name: anna, recording: "
+                 "{file: \"" +
+                     bvh + "\"}}\n" + wall);
+  };
+  const std::string open = scene("open.yaml", "");
+  const std::string walled =
+      scene("walled.yaml",
+            "objects:\n  - {name: wall, shape: {cuboid: {size: [0.1, 9, 9]}}, pose: {xyz: [2, 0, 0]}}\n");
+  const std::string view = " --eye 4,0,1 --look 0,0,1 --end 0.5 ";
+  const std::string csv = (folder_.path() / "shares.csv").string();
+  const json seen = runJson("coverage " + open + view + "--csv " + csv);
+  EXPECT_EQ(seen["times"], 6);
+  EXPECT_EQ(seen["columns"], 320);
+  EXPECT_EQ(seen["seen_share"], 0.3);
+  ASSERT_EQ(seen["parts"].size(), 14u);
+  EXPECT_EQ(seen["parts"][0]["part"], "anna/torso");
+  EXPECT_EQ(seen["parts"][0]["seen"], 1.0);
+  EXPECT_TRUE(seen["parts"][0]["longest_hidden"].is_null());
+  const std::string table = readFile(csv, 1 << 24, true);
+  EXPECT_EQ(table.rfind("part,t_s,seen,unknown,out_of_image,out_of_range,robot,thing,self,other_person\n", 0),
+            0u);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 14 * 6);
+  const json hidden = runJson("coverage " + walled + view);
+  for (const json& part : hidden["parts"]) {
+    EXPECT_EQ(part["seen"], 0.0);
+    EXPECT_EQ(part["times"]["thing"], 1.0);
+    EXPECT_EQ(part["longest_hidden"]["cause"], "thing");
+    EXPECT_NEAR(part["longest_hidden"]["t1"].get<double>(), 0.5, 1e-9);
+  }
+  // The same pose in numbers: x of the image is y of the world, y is -z, z is -x.
+  const json posed =
+      runJson("coverage " + open + " --end 0.5 --pose 4,0,1,-1.5707963267948966,0,1.5707963267948966");
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 4; ++k)
+      EXPECT_NEAR(posed["pose"][i][k].get<double>(), seen["pose"][i][k].get<double>(), 1e-12) << i << k;
+  EXPECT_EQ(posed["parts"], seen["parts"]);
+  EXPECT_EQ(runJson("coverage " + open + view + "--farthest 2")["parts"][0]["times"]["out_of_range"], 1.0);
+  EXPECT_EQ(runJson("coverage " + open + view + "--sensor kinect_v2")["sensor"]["width"], 512);
+  EXPECT_EQ(run("coverage " + open).code, 2);
+  EXPECT_EQ(run("coverage " + open + " --eye 1,0,1").code, 2);
+  EXPECT_EQ(run("coverage " + open + view + "--pose 0,0,0,0,0,0").code, 2);
+  EXPECT_EQ(run("coverage " + open + " --pose 0,0,0").code, 2);
+  EXPECT_EQ(run("coverage " + open + view + "--sensor kinect --camera c.yaml").code, 2);
+  EXPECT_EQ(run("coverage " + open + view + "--nearest 3 --farthest 2").code, 2);
+  EXPECT_EQ(run("coverage none.yaml" + view).code, 3);
+  EXPECT_EQ(run("coverage data/scenes/hug_alone.yaml" + view).code, 2);
+}
+
 TEST_F(Cli, RenderDepthShowsRecordingAndWritesJointPositions) {
   const std::string clip = (folder_.path() / "clip").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
