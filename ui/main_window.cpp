@@ -1,6 +1,7 @@
 // The window: builds the panels and connects them.
 #include "ui/main_window.hpp"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
@@ -14,6 +15,7 @@
 #include "core/base/data_folder.hpp"
 #include "ui/camera_commands.hpp"
 #include "ui/cloud_commands.hpp"
+#include "ui/coverage_commands.hpp"
 #include "ui/dock_set.hpp"
 #include "ui/document/autosave.hpp"
 #include "ui/document/document.hpp"
@@ -192,6 +194,8 @@ void MainWindow::buildCommands() {
       new LinkDrag({*document_, follower_, *selection_, *viewport_, feed_->moment()}, *actions_, this);
   commands_.things = new ThingDrag({*document_, *selection_, *viewport_, feed_->moment()}, this);
   commands_.clouds = new CloudCommands({*actions_, *panels_.depth, *viewport_, feed_->moment()}, this);
+  commands_.coverage = new CoverageCommands({*document_, *viewport_, *playback_}, this);
+  connect((*actions_)[Id::kPlanSensor], &QAction::triggered, commands_.coverage, &CoverageCommands::plan);
   connect(commands_.clouds, &CloudCommands::said, this, &MainWindow::say);
   connect(feed_, &MomentFeed::shown, commands_.clouds, &CloudCommands::refresh);
   commands_.live = new LiveCommands(*actions_, panels_, this);
@@ -234,6 +238,7 @@ void MainWindow::setSession(SessionPort* session) {
   if (session_) playback_->onSnapshot(feed_->moment());
   enableActions(outline);
   commands_.live->open(session_);
+  commands_.coverage->open(session_ && !session_->live());
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
   if (session_) {
@@ -294,7 +299,7 @@ void MainWindow::enableActions(const view::SceneOutline& outline) {
   const bool open = session_ != nullptr;
   for (const auto& entry : actions_->all())
     if (entry.group == ActionGroup::kPlayback) entry.action->setEnabled(open);
-  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots})
+  for (const Id id : {Id::kRecordingOptions, Id::kReload, Id::kReport, Id::kSavePlots, Id::kPlanSensor})
     (*actions_)[id]->setEnabled(open);
   (*actions_)[Id::kVideo]->setEnabled(open && commands_.videos->canRecord());
   const bool can = outline.cannot_react.empty();

@@ -20,6 +20,7 @@ class Actions;
 class Autosave;
 class CameraCommands;
 class CloudCommands;
+class CoverageCommands;
 class DockSet;
 class ExchangeCommands;
 class Document;
@@ -82,6 +83,7 @@ class MainWindow : public QMainWindow {
   LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
   CloudCommands& clouds() const { return *commands_.clouds; }
+  CoverageCommands& coverage() const { return *commands_.coverage; }
   SpeedCommands& speeds() const { return *commands_.speeds; }
   VerificationCommands& verification() const { return *commands_.verification; }
   ReportCommands& reports() const { return *commands_.reports; }
@@ -180,6 +182,7 @@ class MainWindow : public QMainWindow {
     SpeedCommands* speeds;
     VerificationCommands* verification;
     CloudCommands* clouds;
+    CoverageCommands* coverage;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

@@ -17,6 +17,7 @@
 #include "core/base/output_file.hpp"
 #include "core/contact/contact_limits_reader.hpp"
 #include "humanmodel/body_part.hpp"
+#include "ui/coverage_commands.hpp"
 #include "ui/document/document.hpp"
 #include "ui/exchange_commands.hpp"
 #include "ui/file_commands.hpp"
@@ -72,6 +73,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
         return bodyPreview(body != bodies_.end() ? body->second : humanmodel::HumanOptions(), options);
       });
   connectExchange();
+  connectCoverage();
   connectLive();
   connect(&watch_, &FileWatch::changed, this, [this](const QStringList& changed) {
     // What a server computes does not depend on the file any more.
@@ -195,6 +197,21 @@ void Studio::connectExchange() {
           [this](const QString& problem) { window_.showProblem(tr("Save range"), problem); });
   connect(&exchange, &ui::ExchangeCommands::pairsWanted, this, &Studio::openPairs);
   connect(&exchange, &ui::ExchangeCommands::savePairsWanted, this, &Studio::savePairs);
+}
+
+void Studio::connectCoverage() {
+  ui::CoverageCommands& commands = window_.coverage();
+  commands.setKinds(sensorKinds());
+  connect(&commands, &ui::CoverageCommands::wanted, this, [this](const ui::SensorPlan& plan) {
+    ui::Work work = shown_;
+    work.things = window_.document().work().things;
+    work.sensor.reset();
+    coverage_.start(work, packages_, plan);
+  });
+  connect(&commands, &ui::CoverageCommands::cancelled, &coverage_, &CoverageDesk::cancel);
+  connect(&coverage_, &CoverageDesk::progressed, &commands, &ui::CoverageCommands::showProgress);
+  connect(&coverage_, &CoverageDesk::done, &commands, &ui::CoverageCommands::done);
+  connect(&coverage_, &CoverageDesk::failed, &commands, &ui::CoverageCommands::fail);
 }
 
 void Studio::openPairs(const QString& robot, const QString& file) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/analysis/analysis_runner.hpp"
+#include "app/studio/coverage_job.hpp"
 #include "app/studio/file_watch.hpp"
 #include "app/studio/live_opening.hpp"
 #include "app/studio/live_port.hpp"
@@ -78,6 +79,7 @@ class Studio : public QObject {
   void proposeSpeeds(const ui::SpeedRequest& request);
   void connectVerification();
   void connectExchange();
+  void connectCoverage();
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
   void connectLive();
@@ -102,6 +104,7 @@ class Studio : public QObject {
   std::unique_ptr<SpeedJob> speeds_;
   VerificationJob verification_;
   RangeJob range_;
+  CoverageDesk coverage_;
   LiveOpening opening_;
   std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server
   MomentSaving saving_;

@@ -162,6 +162,7 @@ void Studio::close() {
   cancel();
   window_.setSession(nullptr);
   analysis_.close();
+  coverage_.close();
   port_.reset();
   record_.reset();
   shown_ = {};
@@ -273,6 +274,7 @@ void Studio::take(Loaded& loaded) {
     return fail(tr("%1 cannot be shown with this scene. %2").arg(request->live->name, why));
   window_.setSession(nullptr);
   analysis_.close();
+  coverage_.open(loaded.live->outline(), loaded.structures);
   port_ = portOf(loaded, *request);
   bodies_ = std::move(loaded.bodies);
   shown_ = wanted;

@@ -281,6 +281,21 @@ void readWhatIf(const YamlFields& in, WhatIfSettings& what_if) {
   });
 }
 
+void readSensor(const YamlFields& in, Work& work) {
+  const YamlNode* node = in.find("planned_sensor");
+  if (!node) return;
+  const YamlFields fields(*node, in.file(), "a planned sensor",
+                          {"sensor", "xyz", "azimuth", "elevation", "roll"});
+  SensorPlan plan;
+  fields.need("sensor");
+  plan.sensor = textOf(fields, "sensor");
+  plan.xyz = fields.vector("xyz", kLength).value_or(plan.xyz);
+  plan.azimuth = fields.number("azimuth", kAngle).value_or(plan.azimuth);
+  plan.elevation = fields.number("elevation", kAngle).value_or(plan.elevation);
+  plan.roll = fields.number("roll", kAngle).value_or(plan.roll);
+  work.sensor = plan;
+}
+
 void readView(const YamlFields& in, ViewOptions& view) {
   const YamlNode* node = in.find("view");
   if (!node) return;
@@ -305,7 +320,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
                        "pair_groups", "moved_pairs",  "added_pairs", "hidden",         "bookmarks",
                        "range",       "separation",   "view",        "camera",         "time",
                        "reactions",   "added_files",  "what_if",     "classes",        "placed",
-                       "things",      "recordings",   "layout"});
+                       "things",      "recordings",   "layout",      "planned_sensor"});
   const YamlNode& version = in.need(kVersionKey);
   if (version.text != std::to_string(kProjectVersion))
     fail(in, version, "version " + std::to_string(kProjectVersion) + " of project files");
@@ -331,6 +346,7 @@ ProjectFile parseProject(const std::string& text, const QString& file, const QSt
   readTimes(in, work);
   readSeparation(in, work.separation);
   readWhatIf(in, work.what_if);
+  readSensor(in, work);
   readView(in, work.view);
   out.project.viewpoint = {cameraOf(in), in.number("time", kTime).value_or(0.0), layoutOf(in)};
   return out;

@@ -216,6 +216,19 @@ void addWhatIf(JsonText& json, const WhatIfSettings& what_if) {
   json.close();
 }
 
+void addSensor(JsonText& json, const std::optional<SensorPlan>& sensor) {
+  if (!sensor) return;
+  json.open("planned_sensor", '{');
+  json.addText("sensor", sensor->sensor.toStdString());
+  json.open("xyz", '[');
+  for (const double number : sensor->xyz) json.addNumber("", number);
+  json.close();
+  json.addNumber("azimuth", sensor->azimuth);
+  json.addNumber("elevation", sensor->elevation);
+  json.addNumber("roll", sensor->roll);
+  json.close();
+}
+
 void addView(JsonText& json, const ViewOptions& view) {
   json.open("view", '{');
   for (const ViewFlag& flag : kViewFlags) json.addFlag(flag.name, view.*flag.member);
@@ -252,6 +265,7 @@ std::string projectText(const Project& project, const QString& folder, const QSt
   addTimes(json, work);
   addSeparation(json, work.separation);
   addWhatIf(json, work.what_if);
+  addSensor(json, work.sensor);
   addView(json, work.view);
   if (project.viewpoint.camera) addCamera(json, *project.viewpoint.camera);
   json.addNumber("time", project.viewpoint.t);

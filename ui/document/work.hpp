@@ -15,6 +15,7 @@
 #include "core/view/snapshot.hpp"
 #include "ui/document/camera_view.hpp"
 #include "ui/document/placement.hpp"
+#include "ui/document/sensor_plan.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/model/separation_settings.hpp"
 #include "ui/model/time_range.hpp"
@@ -82,6 +83,7 @@ struct Work {
   std::optional<TimeRange> range;  ///< between the marks IN and OUT; none: the whole recording
   SeparationSettings separation;
   WhatIfSettings what_if;
+  std::optional<SensorPlan> sensor;  ///< planned depth camera; none: there is none
   ViewOptions view;
 
   /// There is nothing to load.

@@ -136,6 +136,8 @@ const Spec kSpecs[] = {
     {Id::kCloudAll, In::kView, TEXT("Depth points of all cameras"),
      TEXT("Draw the points of all cameras instead of those of the person in the panel Depth image"),
      "Ctrl+Shift+K", Kind::kOn},
+    {Id::kPlanSensor, In::kView, TEXT("Plan a depth camera…"),
+     TEXT("What a depth camera would not see of the people over the whole recording, and why"), "Ctrl+Alt+K"},
     {Id::kFollowPlots, In::kView, TEXT("Plots f&ollow the time"),
      TEXT("Keep the playhead in the plots' window"), "P", Kind::kOn},
     {Id::kPinPlot, In::kView, TEXT("Keep the selection in the plot"),

@@ -83,6 +83,7 @@ enum class ActionId {
   kViewBack,
   kViewForward,
   kClearSelection,
+  kPlanSensor,
   kFollowPlots,
   kPinPlot,
   kUnpinPlots,

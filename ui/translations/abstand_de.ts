@@ -195,6 +195,13 @@
     </message>
 </context>
 <context>
+    <name>abstand::studio::CoverageJob</name>
+    <message>
+        <source>%1: %2 x %3 pixels, %4 to %5 m</source>
+        <translation>%1: %2 x %3 Pixel, %4 bis %5 m</translation>
+    </message>
+</context>
+<context>
     <name>abstand::studio::LiveOpening</name>
     <message>
         <source>Address</source>
@@ -3240,6 +3247,82 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Check distances and forces of this machine against brute force and closed forms</source>
         <translation>Abstände und Kräfte auf diesem Rechner gegen vollständige Suche und geschlossene Formeln prüfen</translation>
     </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Out of image</source>
+        <translation>Außerhalb Bild</translation>
+    </message>
+    <message>
+        <source>Out of range</source>
+        <translation>Außerhalb Bereich</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Thing</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>Own body</source>
+        <translation>Eigener Körper</translation>
+    </message>
+    <message>
+        <source>Other person</source>
+        <translation>Andere Person</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>not in the recording</source>
+        <translation>nicht in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>outside of the image</source>
+        <translation>außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>outside of the range of depths</source>
+        <translation>außerhalb des Messbereichs</translation>
+    </message>
+    <message>
+        <source>hidden by a robot</source>
+        <translation>von einem Roboter verdeckt</translation>
+    </message>
+    <message>
+        <source>hidden by a thing of the room</source>
+        <translation>von einem Gegenstand im Raum verdeckt</translation>
+    </message>
+    <message>
+        <source>hidden by the person&apos;s own body</source>
+        <translation>vom eigenen Körper verdeckt</translation>
+    </message>
+    <message>
+        <source>hidden by another person</source>
+        <translation>von einer anderen Person verdeckt</translation>
+    </message>
+    <message>
+        <source>%1: %2 from %3 to %4 (%5)</source>
+        <translation>%1: %2 von %3 bis %4 (%5)</translation>
+    </message>
+    <message>
+        <source>Plan a depth camera…</source>
+        <translation>Tiefenkamera planen…</translation>
+    </message>
+    <message>
+        <source>What a depth camera would not see of the people over the whole recording, and why</source>
+        <translation>Was eine Tiefenkamera über die ganze Aufnahme von den Personen nicht sähe, und warum</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3513,6 +3596,119 @@ B, die gemerkten Sicherheitsabstände: %2
     <message>
         <source>B: kept</source>
         <translation>B: gemerkt</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CoverageCommands</name>
+    <message>
+        <source>planned depth camera</source>
+        <translation>geplante Tiefenkamera</translation>
+    </message>
+    <message>
+        <source>depth camera at the view</source>
+        <translation>Tiefenkamera an die Ansicht</translation>
+    </message>
+    <message>
+        <source>remove the depth camera</source>
+        <translation>Tiefenkamera entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CoverageDialog</name>
+    <message>
+        <source>Every part is seen at all times.</source>
+        <translation>Jeder Körperteil ist jederzeit zu sehen.</translation>
+    </message>
+    <message>
+        <source>Least seen: %1, %2 % of the time.</source>
+        <translation>Am wenigsten gesehen: %1, %2 % der Zeit.</translation>
+    </message>
+    <message>
+        <source>Longest: %1.</source>
+        <translation>Am längsten: %1.</translation>
+    </message>
+    <message>
+        <source>Ten times per second, %1 x %2 pixels; robots follow their recorded motion.</source>
+        <translation>Zehnmal in der Sekunde, %1 x %2 Pixel; Roboter folgen ihrer aufgezeichneten Bewegung.</translation>
+    </message>
+    <message>
+        <source>What a depth camera would not see</source>
+        <translation>Was eine Tiefenkamera nicht sähe</translation>
+    </message>
+    <message>
+        <source>For how long body parts are hidden from a planned depth camera, and by what. Noise and unknown objects are not considered: a real camera sees less.</source>
+        <translation>Wie lange Körperteile vor einer geplanten Tiefenkamera verdeckt sind, und wovon. Rauschen und unbekannte Gegenstände sind nicht berücksichtigt: Eine wirkliche Kamera sieht weniger.</translation>
+    </message>
+    <message>
+        <source>Over the whole recording. A part counts as seen if at least 30 % of its surface towards the camera is seen, as in the tracking of people.</source>
+        <translation>Über die ganze Aufnahme. Ein Körperteil gilt als gesehen, wenn mindestens 30 % seiner Oberfläche zur Kamera hin zu sehen sind, wie bei der Verfolgung von Personen.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>When hidden</source>
+        <translation>Wann verdeckt</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>Längster</translation>
+    </message>
+    <message>
+        <source>Share of the time: %1</source>
+        <translation>Anteil der Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Time seen and hidden of each part</source>
+        <translation>Gesehene und verdeckte Zeit jedes Körperteils</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>From the &amp;view</source>
+        <translation>Von der Ans&amp;icht</translation>
+    </message>
+    <message>
+        <source>Re&amp;move the sensor</source>
+        <translation>Sensor ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>The sensor stands where the 3D view is seen from, and looks in its direction</source>
+        <translation>Der Sensor steht, von wo die 3D-Ansicht gesehen wird, und blickt in ihre Richtung</translation>
+    </message>
+    <message>
+        <source>Opening the recording…</source>
+        <translation>Aufnahme wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Looking from the sensor…</source>
+        <translation>Blick vom Sensor…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the surface towards the camera, on average</source>
+        <translation>%1 % der Oberfläche zur Kamera hin, im Mittel</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CoverageStrip</name>
+    <message>
+        <source>%1: seen at %2</source>
+        <translation>%1: gesehen bei %2</translation>
     </message>
 </context>
 <context>
@@ -5766,6 +5962,53 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     <message>
         <source>⚠ inside margin</source>
         <translation>⚠ unterschritten</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::SensorEditor</name>
+    <message>
+        <source>&amp;Sensor</source>
+        <translation>&amp;Sensor</translation>
+    </message>
+    <message>
+        <source>&amp;x</source>
+        <translation>&amp;x</translation>
+    </message>
+    <message>
+        <source>&amp;y</source>
+        <translation>&amp;y</translation>
+    </message>
+    <message>
+        <source>&amp;z</source>
+        <translation>&amp;z</translation>
+    </message>
+    <message>
+        <source>&amp;Azimuth</source>
+        <translation>&amp;Azimut</translation>
+    </message>
+    <message>
+        <source>&amp;Elevation</source>
+        <translation>&amp;Neigung</translation>
+    </message>
+    <message>
+        <source>&amp;Roll</source>
+        <translation>&amp;Rollen</translation>
+    </message>
+    <message>
+        <source>Place of the sensor in the world</source>
+        <translation>Ort des Sensors in der Welt</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks, about the vertical; 0: along x</source>
+        <translation>Blickrichtung, um die Senkrechte; 0: entlang x</translation>
+    </message>
+    <message>
+        <source>Direction in which it looks, above the horizon; below 0: down</source>
+        <translation>Blickrichtung, über dem Horizont; unter 0: nach unten</translation>
+    </message>
+    <message>
+        <source>Turn about that direction; 0: level</source>
+        <translation>Drehung um die Blickrichtung; 0: waagerecht</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,7 @@ Viewport::Impl::Impl(Viewport& viewport, Selection& chosen)
       objects{renderer, back},
       arrows{front},
       inside{front},
-      cloud{renderer},
+      depth_views{CloudActor(renderer), SensorActor(renderer)},
       camera{renderer},
       overlay{new Overlay(&viewport)} {
   auto* layout = new QVBoxLayout(&owner);
@@ -220,7 +220,7 @@ void Viewport::close() {
   my.snapshot = {};
   my.shown.bodies.clear();
   my.inside.setSource({});
-  my.cloud.show({}, CloudColours::kParts);
+  my.depth_views.cloud.show({}, CloudColours::kParts);
   my.mouse.held.reset();
   my.mouse.pull.reset();
   my.mouse.handled = -1;
@@ -295,12 +295,29 @@ std::size_t Viewport::insideShown() const { return impl_->inside.shown(); }
 
 void Viewport::showCloud(const std::vector<CloudPoint>& points, CloudColours colours) {
   Impl& my = *impl_;
-  if (points.empty() && my.cloud.shown() == 0) return;
-  my.cloud.show(points, colours);
+  if (points.empty() && my.depth_views.cloud.shown() == 0) return;
+  my.depth_views.cloud.show(points, colours);
   my.askForFrame();
 }
 
-std::size_t Viewport::cloudShown() const { return impl_->cloud.shown(); }
+void Viewport::showSensor(const Transform& X_W, const SensorKind& kind) {
+  impl_->depth_views.sensor.show(X_W, kind);
+  impl_->askForFrame();
+}
+
+void Viewport::hideSensor() {
+  if (!impl_->depth_views.sensor.shown()) return;
+  impl_->depth_views.sensor.hide();
+  impl_->askForFrame();
+}
+
+std::vector<Vector3d> Viewport::sensorCorners() const {
+  if (!impl_->depth_views.sensor.shown()) return {};
+  const auto corners = impl_->depth_views.sensor.corners();
+  return {corners.begin(), corners.end()};
+}
+
+std::size_t Viewport::cloudShown() const { return impl_->depth_views.cloud.shown(); }
 
 void Viewport::look(CameraPreset preset) {
   impl_->camera.look(preset, impl_->objects.bounds());

@@ -11,6 +11,7 @@
 #include "ui/document/camera_view.hpp"
 #include "ui/document/view_options.hpp"
 #include "ui/model/body_inside.hpp"
+#include "ui/model/coverage_report.hpp"
 #include "ui/model/depth_cloud.hpp"
 #include "ui/viewport/prepared_meshes.hpp"
 
@@ -59,6 +60,11 @@ class Viewport : public QWidget {
   void showCloud(const std::vector<CloudPoint>& points, CloudColours colours);
   /// Number of points that are drawn.
   std::size_t cloudShown() const;
+  /// The field of view of a planned depth camera, until hideSensor(). `X_W`: its optical frame in the world.
+  void showSensor(const Transform& X_W, const SensorKind& kind);
+  void hideSensor();
+  /// What is drawn of it, as SensorActor::corners(); empty: nothing.
+  std::vector<Vector3d> sensorCorners() const;
   void look(CameraPreset preset);
   void fit();
   void fitSelection();

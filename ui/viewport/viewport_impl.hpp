@@ -21,6 +21,7 @@
 #include "ui/viewport/object_actors.hpp"
 #include "ui/viewport/overlay.hpp"
 #include "ui/viewport/room.hpp"
+#include "ui/viewport/sensor_actor.hpp"
 #include "ui/viewport/viewport.hpp"
 
 namespace abstand::ui {
@@ -63,7 +64,10 @@ struct Viewport::Impl {
   ObjectActors objects;
   Arrows arrows;
   InsideActors inside;
-  CloudActor cloud;
+  struct {
+    CloudActor cloud;
+    SensorActor sensor;
+  } depth_views;  // what depth cameras see and would see
   Camera camera;
   Overlay* overlay;
 

@@ -229,12 +229,12 @@ void Viewport::Impl::addLegend() {
   add(LegendLine::Mark::kArrow, kViolet, arrows.jointForceScale(),
       Viewport::tr("Joint force of contacts and margins: %1 ≙ %2 N"), 1);
   add(LegendLine::Mark::kThinArrow, kCyan, arrows.velocityScale(), Viewport::tr("Velocity: %1 ≙ %2 m/s"), 2);
-  if (cloud.shown() == 0) return;
+  if (depth_views.cloud.shown() == 0) return;
   const auto dot = [&](const CloudPoint& point, const QString& text) {
-    if (cloud.has(point))
-      legend.push_back({LegendLine::Mark::kDot, QColor(colourOf(point, cloud.colours())), text});
+    if (depth_views.cloud.has(point))
+      legend.push_back({LegendLine::Mark::kDot, QColor(colourOf(point, depth_views.cloud.colours())), text});
   };
-  if (cloud.colours() == CloudColours::kParts) {
+  if (depth_views.cloud.colours() == CloudColours::kParts) {
     dot({{}, CloudPart::kPerson, {}}, Viewport::tr("Depth point of a person"));
     dot({{}, CloudPart::kRobot, {}}, Viewport::tr("Depth point of a robot"));
     return dot({}, Viewport::tr("Other depth point"));

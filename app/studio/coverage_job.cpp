@@ -1,0 +1,192 @@
+#include "app/studio/coverage_job.hpp"
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QMetaObject>
+
+#include "app/coverage/summary.hpp"
+#include "app/depth/open_session.hpp"
+#include "app/studio/scene_of_file.hpp"
+#include "app/studio/scene_of_work.hpp"
+#include "ui/style/format.hpp"
+
+namespace abstand::studio {
+
+namespace {
+
+constexpr int kCoverageNice = 10;  // the loop and the window go first
+constexpr int kTellEvery = 8;      // sampled times between two reports of progress
+
+static_assert(ui::kHiddenByCount == coverage::kCauses);
+static_assert(static_cast<int>(ui::HiddenBy::kOtherPerson) ==
+              static_cast<int>(coverage::Cause::kOtherPerson));
+
+}  // namespace
+
+std::vector<ui::SensorKind> sensorKinds() {
+  std::vector<ui::SensorKind> kinds;
+  for (const std::string& name : coverage::sensorNames()) {
+    const coverage::Sensor sensor = coverage::sensorNamed(name);
+    const tracking::DepthCamera& camera = sensor.camera;
+    ui::SensorKind kind;
+    kind.name = QString::fromStdString(name);
+    kind.title = QCoreApplication::translate("abstand::studio::CoverageJob", "%1: %2 x %3 pixels, %4 to %5 m")
+                     .arg(name == "kinect" ? QStringLiteral("Kinect v1") : QStringLiteral("Kinect v2"))
+                     .arg(camera.width)
+                     .arg(camera.height)
+                     .arg(ui::fixed(sensor.nearest, 1), ui::fixed(sensor.farthest, 1));
+    kind.left = (-0.5 - camera.cx) / camera.fx;
+    kind.right = (camera.width - 0.5 - camera.cx) / camera.fx;
+    kind.top = (-0.5 - camera.cy) / camera.fy;
+    kind.bottom = (camera.height - 0.5 - camera.cy) / camera.fy;
+    kind.nearest = sensor.nearest;
+    kind.farthest = sensor.farthest;
+    kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+coverage::Sensor sensorOf(const ui::SensorPlan& plan) {
+  coverage::Sensor sensor = coverage::sensorNamed(plan.sensor.toStdString());
+  sensor.camera.X_WC = plan.X_W();
+  return sensor;
+}
+
+ui::CoverageReport reportOf(const coverage::Coverage& coverage) {
+  ui::CoverageReport report;
+  report.columns = coverage.columns;
+  report.rows = coverage.rows;
+  if (!coverage.times.empty()) {
+    report.from = coverage.times.front();
+    report.to = coverage.times.back();
+  }
+  for (const coverage::PartCoverage& each : coverage.parts) {
+    const coverage::PartSummary summary = coverage::summarize(coverage.times, each.shares);
+    ui::CoveragePart part;
+    part.name = QString::fromStdString(each.name);
+    for (std::size_t k = 0; k < coverage::kCauses; ++k) {
+      part.times[k] = static_cast<double>(summary.times[k]);
+      part.surface[k] = static_cast<double>(summary.surface[k]);
+    }
+    for (const coverage::HiddenSpan& span : summary.spans)
+      part.spans.push_back({span.t0, span.t1, static_cast<ui::HiddenBy>(span.cause)});
+    if (const coverage::HiddenSpan* longest = summary.longest())
+      part.longest = static_cast<int>(longest - summary.spans.data());
+    report.parts.push_back(std::move(part));
+  }
+  return report;
+}
+
+CoverageJob::CoverageJob(const ui::Work& work, robot_file::PackagePaths packages, Made made, QObject* parent)
+    : QObject(parent), work_(work), packages_(std::move(packages)), made_(std::move(made)), thread_([this] {
+        run();
+      }) {}
+
+CoverageJob::~CoverageJob() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+  }
+  changed_.notify_all();
+}
+
+void CoverageJob::start(const ui::SensorPlan& plan) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++asked_;
+    next_ = plan;
+  }
+  changed_.notify_all();
+}
+
+void CoverageJob::cancel() {
+  const std::lock_guard lock(mutex_);
+  ++asked_;
+  next_.reset();
+}
+
+template <class Call>
+void CoverageJob::post(long question, Call call) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, question, call] {
+        if (!isOld(question)) call();
+      },
+      Qt::QueuedConnection);
+}
+
+void CoverageJob::run() {
+  ::prctl(PR_SET_NAME, "coverage");
+  ::setpriority(PRIO_PROCESS, 0, kCoverageNice);  // on Linux: of this thread alone
+  for (;;) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopped_ || next_; });
+    if (stopped_) return;
+    const ui::SensorPlan plan = *std::exchange(next_, std::nullopt);
+    const long question = asked_;
+    lock.unlock();
+    answer(plan, question);
+  }
+}
+
+void CoverageJob::answer(const ui::SensorPlan& plan, long question) {
+  try {
+    if (!session_) {
+      post(question, [this] { Q_EMIT progressed(0, 0); });
+      scene_file::SceneDescription scene = sceneOf(work_, packages_);
+      applyWork(work_, scene);
+      placeThings(work_, scene);
+      session::SessionOptions options;
+      options.recording = QFile::encodeName(work_.recording).toStdString();
+      options.person_speed = work_.reading.speed;
+      if (work_.reading.cut_things) options.cut_things = true;
+      options.threads = 1;
+      options.made = made_;
+      // What was read stays for the next question.
+      options.monitor.cancelled = [this] { return stopped_.load(); };
+      session_ = depth::openSession(std::move(scene), options);
+    }
+    coverage::CoverageOptions options;
+    options.sensor = sensorOf(plan);
+    options.interrupted = [this, question] { return isOld(question); };
+    options.progress = [this, question](std::size_t done, std::size_t all) {
+      if (done % kTellEvery != 0) return;
+      post(question, [this, done, all] { Q_EMIT progressed(static_cast<int>(done), static_cast<int>(all)); });
+    };
+    const coverage::Coverage coverage = coverage::evaluateCoverage(*session_, options);
+    if (!coverage.interrupted) post(question, [this, report = reportOf(coverage)] { Q_EMIT done(report); });
+  } catch (const std::exception& e) {
+    post(question, [this, problem = QString::fromUtf8(e.what())] { Q_EMIT failed(problem); });
+  }
+}
+
+void CoverageDesk::open(const view::SceneOutline& outline, const Structures& structures) {
+  close();
+  for (std::size_t i = 0; i < structures.size() && i < outline.objects.size(); ++i)
+    made_[outline.objects[i].name] = structures[i];
+}
+
+void CoverageDesk::close() {
+  job_.reset();
+  made_.clear();
+}
+
+void CoverageDesk::start(const ui::Work& work, const robot_file::PackagePaths& packages,
+                         const ui::SensorPlan& plan) {
+  if (!job_ || !(job_->work() == work)) {
+    job_ = std::make_unique<CoverageJob>(work, packages, made_);
+    connect(job_.get(), &CoverageJob::progressed, this, &CoverageDesk::progressed);
+    connect(job_.get(), &CoverageJob::done, this, &CoverageDesk::done);
+    connect(job_.get(), &CoverageJob::failed, this, &CoverageDesk::failed);
+  }
+  job_->start(plan);
+}
+
+void CoverageDesk::cancel() {
+  if (job_) job_->cancel();
+}
+
+}  // namespace abstand::studio
