@@ -393,16 +393,16 @@ QImage Viewport::preview(const view::MomentPoses& moment, int width) {
     body.X_WB = object.X_WB;
     body.pose_state = object.state;
   }
-  const bool has_cloud = my.cloud.shown() > 0;
+  const bool has_cloud = my.depth_views.cloud.shown() > 0;
   my.objects.refresh(then, {}, my.selection, my.options);
-  my.cloud.setVisible(false);
+  my.depth_views.cloud.setVisible(false);
   my.front->DrawOff();
   my.room.setLeftOut(false);
   my.fitDepth();
   const int height = std::max(1, width * my.gl->height() / std::max(1, my.gl->width()));
   const QImage image = my.gl->drawn({width, height});
   my.front->DrawOn();
-  my.cloud.setVisible(has_cloud);
+  my.depth_views.cloud.setVisible(has_cloud);
   my.objects.refresh(my.snapshot, my.shown.bodies, my.selection, my.options);
   return image;
 }
