@@ -117,6 +117,14 @@ TEST_F(StudioCoverage, TableIsThatOfTheCommand) {
   EXPECT_GT(part.surface[static_cast<std::size_t>(HiddenBy::kThing)], 0.2);
   EXPECT_EQ(dialog->table()->item(torso, ui::CoverageDialog::columnOf(HiddenBy::kSeen))->text(),
             QString("%1 %").arg(ui::fixed(100.0 * part.times[0], 1)));
+  const ui::CoverageSpan* longest = nullptr;
+  for (const ui::CoveragePart& each : dialog->report().parts)
+    for (const ui::CoverageSpan& span : each.spans)
+      if (!longest || span.to - span.from > longest->to - longest->from) longest = &span;
+  ASSERT_TRUE(longest);
+  EXPECT_TRUE(dialog->sentence()->text().contains(
+      QString("(%1)").arg(ui::secondsWithUnit(longest->to - longest->from))))
+      << dialog->sentence()->text().toStdString();
   // Causes that do not occur have no column.
   EXPECT_TRUE(dialog->table()->isColumnHidden(ui::CoverageDialog::columnOf(HiddenBy::kOtherPerson)));
 }

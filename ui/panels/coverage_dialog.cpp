@@ -33,17 +33,24 @@ QIcon swatch(const QColor& colour) {
 }
 
 QString coverageOutcome(const CoverageReport& report) {
-  const CoveragePart* worst = nullptr;
-  for (const CoveragePart& part : report.parts)
+  const CoveragePart *worst = nullptr, *longest = nullptr;
+  const auto longestOf = [](const CoveragePart& part) {
+    if (part.longest < 0) return 0.0;
+    const CoverageSpan& span = part.spans[static_cast<std::size_t>(part.longest)];
+    return span.to - span.from;
+  };
+  for (const CoveragePart& part : report.parts) {
     if (!worst || part.times[0] < worst->times[0]) worst = &part;
+    if (part.longest >= 0 && (!longest || longestOf(part) > longestOf(*longest))) longest = &part;
+  }
   if (!worst) return {};
   QString text = worst->times[0] >= 1.0 ? CoverageDialog::tr("Every part is seen at all times.")
                                         : CoverageDialog::tr("Least seen: %1, %2 % of the time.")
                                               .arg(worst->name, fixed(100.0 * worst->times[0], 1));
-  if (worst->longest >= 0)
-    text +=
-        QLatin1Char(' ') + CoverageDialog::tr("Longest: %1.")
-                               .arg(spanText(*worst, worst->spans[static_cast<std::size_t>(worst->longest)]));
+  if (longest)
+    text += QLatin1Char(' ') +
+            CoverageDialog::tr("Longest: %1.")
+                .arg(spanText(*longest, longest->spans[static_cast<std::size_t>(longest->longest)]));
   return text + QLatin1Char('\n') +
          CoverageDialog::tr("Ten times per second, %1 x %2 pixels; robots follow their recorded motion.")
              .arg(report.columns)

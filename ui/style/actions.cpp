@@ -308,7 +308,7 @@ const Spec kSpecs[] = {
     {Id::kEditKeys, In::kHelp, TEXT("Change &keys…"), TEXT("Give commands other keys"), "Ctrl+F1"},
     {Id::kTour, In::kHelp, TEXT("&Tour of the window"), TEXT("What is where, in a minute"), "Ctrl+Shift+F1"},
     {Id::kVerify, In::kHelp, TEXT("&Verify the engine…"),
-     TEXT("Check distances and forces of this machine against brute force and closed forms"), "Ctrl+Alt+K"},
+     TEXT("Check distances and forces of this machine against brute force and closed forms"), "Ctrl+Alt+Q"},
     {Id::kAbout, In::kHelp, TEXT("&About Abstand"), TEXT("What this program is, and what it is not"),
      "Shift+F1"},
 };
