@@ -8,13 +8,15 @@
 
 namespace abstand::loop {
 
-ClosedLoop::ClosedLoop(session::Session& session, double t) : session_(session), start_(t), t_(t) {
+ClosedLoop::ClosedLoop(session::Session& session, double t, const Reactions& reactions)
+    : session_(session), start_(t), t_(t) {
   const scene::Scene& scene = session.scene();
   const std::vector<bool> people = session::partsOfPeople(scene, session.humans());
   bodies_.resize(scene.objectCount());
   pushed_.resize(scene.objectCount());
   for (std::size_t m = 0; m < session.mechanisms().size(); ++m) {
-    const scene_file::MechanismDescription& description = session.description().mechanisms[m];
+    scene_file::MechanismDescription description = session.description().mechanisms[m];
+    if (m < reactions.size() && reactions[m]) description.reaction = reactions[m];
     session::MechanismDriver& driver = *session.mechanisms()[m];
     still_.emplace_back(static_cast<std::size_t>(driver.dof()), 0.0);
     auto& robot = robots_.emplace_back();

@@ -22,8 +22,11 @@ class ClosedLoop {
  public:
   static constexpr double kStep = 1e-3;  ///< s
 
+  /// Reactions that replace those of the scene, by mechanism; nullopt, or fewer: that of the scene.
+  using Reactions = std::vector<std::optional<control::ReactionDescription>>;
+
   /// Robots start on their plans at `t`. Throws ParseError, UsageError. The session must outlive this object.
-  ClosedLoop(session::Session& session, double t);
+  ClosedLoop(session::Session& session, double t, const Reactions& reactions = {});
 
   /// Runs the cycle at time().
   void step();

@@ -68,6 +68,10 @@ LiveSession::LiveSession(std::unique_ptr<session::Session> session, double t,
   wishes_.reactions.resize(session_->mechanisms().size());
   for (const auto& thing : session_->description().objects) wishes_.things.push_back(thing.X_WB);
   t_ = std::clamp(t, outline_.start, outline_.end);
+  const auto& mechanisms = session_->description().mechanisms;
+  for (std::size_t m = 0; m < mechanisms.size(); ++m)
+    if (mechanisms[m].reaction)
+      outline_.drives.push_back(ReactingRobot::drive(*session_->mechanisms()[m], mechanisms[m]));
   try {
     if (session_->reacts()) closeLoop(t_);
   } catch (const std::exception& e) {
@@ -192,13 +196,8 @@ void LiveSession::begin(double t) {
 }
 
 void LiveSession::closeLoop(double t) {
-  closed_ = std::make_unique<ClosedLoop>(*session_, t);
+  closed_ = std::make_unique<ClosedLoop>(*session_, t, wishes_.reactions);
   closed_->setTorques(wishes_.torques);
-  for (std::size_t m = 0; m < wishes_.reactions.size(); ++m) {
-    if (!wishes_.reactions[m]) continue;
-    control::Reaction next = reactionOf(*session_->mechanisms()[m], *wishes_.reactions[m], outline_);
-    closed_->exchangeLaws(m, next);
-  }
   closed_->setPoke(wishes_.poke);
 }
 
@@ -213,11 +212,8 @@ int LiveSession::mechanismOf(int robot) const {
 command::Laws LiveSession::laws(int robot, const control::ReactionDescription& reaction) const {
   const int m = mechanismOf(robot);
   if (m < 0) throw UsageError("found robot " + std::to_string(robot) + ", expected one with a reaction");
-  const control::ReactionDescription& scene =
-      *session_->description().mechanisms[static_cast<std::size_t>(m)].reaction;
-  if (reaction.admittance.has_value() != scene.admittance.has_value() ||
-      reaction.proxy.has_value() != scene.proxy.has_value())
-    throw UsageError("admittance and proxy: expected as in the scene file while the robot runs");
+  const std::string problem = view::driveProblem(outline_.drives[static_cast<std::size_t>(robot)], reaction);
+  if (!problem.empty()) throw UsageError(problem);
   const session::MechanismDriver& driver = *session_->mechanisms()[static_cast<std::size_t>(m)];
   if (reaction.braking) {
     config::requireNumbers(*reaction.braking);
@@ -229,8 +225,16 @@ command::Laws LiveSession::laws(int robot, const control::ReactionDescription& r
 void LiveSession::exchangeLaws(int robot, control::Reaction& next) {
   const int m = mechanismOf(robot);
   if (m < 0) return;
-  wishes_.reactions[static_cast<std::size_t>(m)] = next.description();
-  if (closed_) closed_->exchangeLaws(static_cast<std::size_t>(m), next);
+  const auto i = static_cast<std::size_t>(m);
+  const control::ReactionDescription& now =
+      wishes_.reactions[i] ? *wishes_.reactions[i] : *session_->description().mechanisms[i].reaction;
+  const bool restarts = view::drivenOtherwise(now, next.description());
+  wishes_.reactions[i] = next.description();
+  if (!closed_) return;
+  if (restarts)
+    goTo(t_);
+  else
+    closed_->exchangeLaws(i, next);
 }
 
 void LiveSession::setPoke(const command::Poke& wanted) {

@@ -115,9 +115,10 @@ class LiveSession {
   /// False if the command queue is full: the command was dropped.
   bool send(const Command& command) { return commands_.push(command); }
   /// The command that gives a robot (index of SceneOutline::reacting) another reaction while it runs: stops
-  /// that are active, and all other state, stay; a new beginning of the closed loop keeps the laws.
-  /// Everything is allocated and checked here, on the window's thread. Throws UsageError for numbers that do
-  /// not fit the robot, and for an admittance or proxy where the scene has none, or none where it has one.
+  /// that are active, and all other state, stay; a new beginning of the closed loop keeps the laws. With an
+  /// admittance or a proxy more or less than before, the closed loop begins anew at the present time.
+  /// Everything is checked here, on the window's thread, and allocated unless the loop begins anew. Throws
+  /// UsageError for what does not fit the robot.
   command::Laws laws(int robot, const control::ReactionDescription& reaction) const;
   bool takeSnapshot(view::SceneSnapshot& out);
   void drainPlot(std::vector<view::PlotSample>& out) { plot_.drainInto(out); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.hpp"
+
 namespace abstand::loop {
 namespace {
 
@@ -64,6 +66,27 @@ ReactingRobot::ReactingRobot(session::MechanismDriver& driver,
                      "a mechanism with a `reaction` needs masses, or the law `admittance`");
   }
   world.mechanism(number_).setState(q_, qd_);
+}
+
+view::RobotDrive ReactingRobot::drive(const session::MechanismDriver& driver,
+                                      const scene_file::MechanismDescription& description) {
+  view::RobotDrive drive;
+  physics::MechanismOptions options;
+  options.solver = solverOf(mechanism::makeRigidTree(driver.mechanism()));
+  try {
+    physics::PhysicsWorld world;
+    world.addMechanism(driver.mechanism(), driver.X_WB(), options);
+  } catch (const ParseError& e) {
+    drive.no_torques = e.what();
+  }
+  control::ReactionDescription holds;
+  holds.proxy.emplace();
+  try {
+    session::HeldLink::find(description, holds);
+  } catch (const UsageError& e) {
+    drive.no_proxy = e.what();
+  }
+  return drive;
 }
 
 void ReactingRobot::exchangeLaws(control::Reaction& next, const scene::Scene& scene) {

@@ -7,6 +7,7 @@
 #include "core/mechanism/joint_limit_watch.hpp"
 #include "core/mechanism/mass_matrix.hpp"
 #include "core/physics/physics_world.hpp"
+#include "core/view/robot_drive.hpp"
 
 namespace abstand::loop {
 
@@ -38,6 +39,9 @@ class ReactingRobot {
                 const scene::Scene& scene, const std::vector<bool>& people, physics::PhysicsWorld& world,
                 double t);
 
+  /// What the robot of a mechanism permits.
+  static view::RobotDrive drive(const session::MechanismDriver& driver,
+                                const scene_file::MechanismDescription& description);
   /// See RobotReaction. `next` has an admittance exactly if this robot has one.
   void exchangeLaws(control::Reaction& next, const scene::Scene& scene);
   void push(const session::RobotReaction::PointForce& force) noexcept { reaction_.push(force); }

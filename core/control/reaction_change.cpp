@@ -12,10 +12,10 @@ concept WithLists = requires(Options& o) {
   Options::eachList(o, [](const char*, config::JointNumbers&, const config::NumberRule&) {});
 };
 
-/// A law that may be switched while its robot runs.
+/// A law that decides how its robot is driven, or what it holds.
 template <class Options>
-constexpr bool kSwitchable =
-    !std::is_same_v<Options, AdmittanceOptions> && !std::is_same_v<Options, GodObjectOptions>;
+constexpr bool kRestarts =
+    std::is_same_v<Options, AdmittanceOptions> || std::is_same_v<Options, GodObjectOptions>;
 
 template <class Visit>
 void eachLaw(ReactionDescription& r, Visit visit) {
@@ -127,9 +127,6 @@ ReactionDescription changedReaction(const ReactionDescription& scene, const Reac
     const auto wanted = change.laws.find(Options::kName);
     if (wanted != change.laws.end()) ++switches;
     const bool on = wanted == change.laws.end() ? law.has_value() : wanted->second;
-    if (on != law.has_value() && !kSwitchable<Options>)
-      throw UsageError(std::string(Options::kName) + (on ? " on" : " off") +
-                       ": expected as in the scene file; this law cannot be switched while the robot runs");
     if (on)
       law = options;
     else
@@ -155,7 +152,8 @@ std::vector<LawState> lawStates(const ReactionDescription& scene, const Reaction
     state.scene_on = law.has_value();
     const auto wanted = change.laws.find(state.name);
     state.on = wanted == change.laws.end() ? state.scene_on : wanted->second;
-    state.switchable = kSwitchable<Options>;
+    state.switchable = true;
+    state.restarts = kRestarts<Options>;
     addLawNumbers(law.value_or(Options{}), change, state.numbers);
   });
   LawState& hold = laws.emplace_back();

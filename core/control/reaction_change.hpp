@@ -20,9 +20,8 @@ struct ReactionChange {
 };
 
 /// The scene's reaction with a change of a robot with `dof` joints; a law that is switched on and that the
-/// scene does not have starts with its default numbers. Throws UsageError for unknown names, numbers outside
-/// of their rules, and for `admittance` and `proxy` switched on or off: they decide how a robot is driven and
-/// what it holds when its loop starts.
+/// scene does not have starts with its default numbers. Throws UsageError for unknown names and for numbers
+/// outside of their rules.
 ReactionDescription changedReaction(const ReactionDescription& scene, const ReactionChange& change, int dof);
 
 /// A number of a law, or one for each joint.
@@ -44,7 +43,9 @@ struct StopChoice {
 struct LawState {
   std::string name;  ///< "repulsion"; also "hold" and "stop", which are always active
   bool on{true}, scene_on{true};
-  bool switchable{false};  ///< may be switched while the robot runs
+  bool switchable{false};  ///< false: always on
+  /// It decides how the robot is driven, or what it holds: when it is switched, the loop begins anew.
+  bool restarts{false};
   std::vector<LawNumber> numbers;
   std::vector<StopChoice> responses;  ///< of "stop": every reason
 };

@@ -13,6 +13,7 @@
 #include "core/view/body_card.hpp"
 #include "core/view/pair_class.hpp"
 #include "core/view/recording_card.hpp"
+#include "core/view/robot_drive.hpp"
 
 namespace abstand::view {
 
@@ -139,6 +140,7 @@ struct SceneOutline {
   std::vector<std::string> reacting;                    ///< mechanisms with a `reaction`
   std::vector<control::ReactionDescription> reactions;  ///< of these, as in the scene file; empty: not
                                                         ///< known here, for a server decides
+  std::vector<RobotDrive> drives;                       ///< of `reacting`; empty: nothing is changed here
   bool falls{false};                                    ///< some objects have a mass
   std::string cannot_react;                             ///< why the closed loop cannot run; empty: it can
   std::vector<geometry::TriangleMesh> meshes;           ///< one for each object, body frame, for drawing

@@ -146,8 +146,12 @@ TEST_F(ReactionPanelTest, LawsAreSwitched) {
   law("speed")->click();
   EXPECT_TRUE(session.reactions.back().speed);
   EXPECT_EQ(head(), "2 differences from the scene file");
-  EXPECT_FALSE(law("admittance")->isEnabled());
-  EXPECT_TRUE(law("admittance")->toolTip().contains("scene file only"));
+  EXPECT_TRUE(law("admittance")->isEnabled());
+  EXPECT_TRUE(law("admittance")->toolTip().contains("anew on their planned motion"));
+  law("admittance")->click();
+  EXPECT_TRUE(session.reactions.back().admittance);
+  law("admittance")->click();
+  EXPECT_FALSE(session.reactions.back().admittance);
   panel->findChild<QPushButton*>("reaction_back")->click();
   EXPECT_TRUE(work().reactions.isEmpty());
   EXPECT_TRUE(session.reactions.back().torque);

@@ -93,7 +93,11 @@ control::ReactionDescription SessionFollower::reaction(const Work& work, int rob
   const auto change = work.reactions.find(QString::fromStdString(outline.reacting[r]));
   if (change == work.reactions.end()) return outline.reactions[r];
   try {
-    return control::changedReaction(outline.reactions[r], *change, joints);
+    control::ReactionDescription changed = control::changedReaction(outline.reactions[r], *change, joints);
+    const std::string unfit =
+        r < outline.drives.size() ? view::driveProblem(outline.drives[r], changed) : std::string();
+    if (!unfit.empty()) throw UsageError(unfit);
+    return changed;
   } catch (const UsageError& e) {
     if (problem) *problem = QString::fromStdString(e.what());
     return outline.reactions[r];

@@ -80,6 +80,15 @@ int ReactionPanel::joints() const {
   return 0;
 }
 
+/// Why a law stays as it is in the scene file, by what the robot permits; empty: it may be switched.
+std::string ReactionPanel::problemOfSwitching(const control::LawState& law) const {
+  const auto r = static_cast<std::size_t>(robots_->currentIndex());
+  if (!law.restarts || r >= outline_->drives.size()) return {};
+  control::ReactionChange other;
+  other.laws[law.name] = !law.scene_on;
+  return view::driveProblem(outline_->drives[r], control::changedReaction(*scene(), other, joints()));
+}
+
 void ReactionPanel::open(const view::SceneOutline& outline) {
   const QString before = robot();
   outline_ = &outline;
@@ -118,19 +127,21 @@ void ReactionPanel::build() {
 void ReactionPanel::addLaw(const control::LawState& law, int joints) {
   Law& added = laws_.emplace_back();
   added.name = law.name;
-  const bool always = !law.switchable && law.scene_on && law.name != "admittance" && law.name != "proxy";
   QWidget* title = nullptr;
-  if (always) {
-    title = new QLabel(lawName(law.name), this);
-  } else {
+  QString tip = lawMeaning(law.name);
+  if (law.switchable) {
     title = added.box = new QCheckBox(lawName(law.name), this);
     added.box->setObjectName(QStringLiteral("law ") + QString::fromStdString(law.name));
-    added.box->setEnabled(law.switchable);
+    const std::string problem = problemOfSwitching(law);
+    added.box->setEnabled(problem.empty());
+    if (!problem.empty())
+      tip += QLatin1Char('\n') + QString::fromStdString(problem);
+    else if (law.restarts)
+      tip += QLatin1Char('\n') + tr("Switching it starts the robots anew on their planned motion.");
     connect(added.box, &QCheckBox::clicked, this, [this, name = law.name](bool on) { switchLaw(name, on); });
+  } else {
+    title = new QLabel(lawName(law.name), this);
   }
-  QString tip = lawMeaning(law.name);
-  if (!always && !law.switchable)
-    tip += QLatin1Char('\n') + tr("On or off in the scene file only: it decides how the robot is driven.");
   title->setToolTip(tip);
   list_->addWidget(title);
   added.numbers = new QWidget(this);

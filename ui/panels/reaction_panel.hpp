@@ -54,6 +54,7 @@ class ReactionPanel : public QWidget {
   void take(LawRow& row, const config::JointNumbers& numbers);
   void switchLaw(const std::string& name, bool on);
   void choose(safety::StopReason reason, safety::StopResponse response);
+  std::string problemOfSwitching(const control::LawState& law) const;
   QString robot() const;
   int joints() const;
   const control::ReactionDescription* scene() const;

@@ -5477,10 +5477,6 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
         <translation>zurück zur Szenendatei</translation>
     </message>
     <message>
-        <source>On or off in the scene file only: it decides how the robot is driven.</source>
-        <translation>Nur in der Szenendatei an oder aus: es entscheidet, wie der Roboter angetrieben wird.</translation>
-    </message>
-    <message>
         <source>No robot of this scene has a reaction.</source>
         <translation>Kein Roboter dieser Szene hat eine Reaktion.</translation>
     </message>
@@ -5514,6 +5510,10 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
     <message>
         <source>What it does for each reason</source>
         <translation>Was er bei welchem Grund tut</translation>
+    </message>
+    <message>
+        <source>Switching it starts the robots anew on their planned motion.</source>
+        <translation>Umschalten lässt die Roboter auf ihrer geplanten Bewegung neu beginnen.</translation>
     </message>
 </context>
 <context>

@@ -129,13 +129,42 @@ TEST(LiveLaws, LawsOutliveSeekAndSwitchingReactionOff) {
   EXPECT_NEAR(l.seen.joint_torques[0].reaction, 2.0 * l.seen.joint_torques[0].contact, 1e-9);
 }
 
+TEST(LiveLaws, AdmittanceOnStartsRobotAnewAndDrivesItByPosition) {
+  // A thing that pushes with f = -tau; the robot yields by x = tau / k and pushes back as it yields.
+  Laws l("{torque: {gain: 1}, hold: {frequency: 500}}", 0.09);
+  ASSERT_TRUE(l.stepTo(1.5));
+  const double stiff = l.seen.joint_positions[0];
+  ASSERT_LT(l.seen.joint_torques[0].contact, -1.0) << "they touch";
+  EXPECT_EQ(l.seen.loop_start, 0.0);
+  control::ReactionChange on;
+  on.laws["admittance"] = true;
+  on.numbers["admittance.inertia"] = {1.0};
+  on.numbers["admittance.damping"] = {200.0};
+  on.numbers["admittance.stiffness"] = {2000.0};
+  on.numbers["admittance.offset"] = {1.0};
+  l.change(on);
+  ASSERT_TRUE(l.stepTo(1.501));
+  EXPECT_EQ(l.seen.loop_start, 1.5) << "the loop began anew at the present time";
+  ASSERT_TRUE(l.stepTo(2.5));
+  // At rest x = tau / k, whatever the contact pushes with then.
+  EXPECT_NEAR(l.seen.joint_positions[0], l.seen.joint_torques[0].reaction / 2000.0, 1e-4);
+  EXPECT_LT(l.seen.joint_positions[0], stiff - 1e-4) << "it has yielded";
+  on.numbers["admittance.stiffness"] = {8000.0};
+  l.change(on);
+  ASSERT_TRUE(l.stepTo(2.6));
+  EXPECT_EQ(l.seen.loop_start, 1.5) << "a number is exchanged in the running loop";
+  l.change({});
+  ASSERT_TRUE(l.stepTo(2.61));
+  EXPECT_EQ(l.seen.loop_start, 2.6) << "driven by torques again";
+}
+
 TEST(LiveLaws, BadLawsAreRefusedOnWindowsThread) {
   Laws l("{}");
   control::ReactionDescription bad = l.live.outline().reactions[0];
   EXPECT_THROW(l.live.laws(1, bad), UsageError);
   EXPECT_THROW(l.live.laws(-1, bad), UsageError);
-  bad.admittance.emplace();
-  EXPECT_THROW(l.live.laws(0, bad), UsageError);
+  bad.proxy.emplace();
+  EXPECT_THROW(l.live.laws(0, bad), UsageError) << "it holds nothing";
   bad = l.live.outline().reactions[0];
   bad.braking.emplace().path.deceleration = {1.0, 2.0};
   EXPECT_THROW(l.live.laws(0, bad), UsageError);
