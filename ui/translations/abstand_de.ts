@@ -6755,7 +6755,7 @@ Grenze: %3</translation>
     <message numerus="yes">
         <source>Passed: all %n checks.</source>
         <translation>
-            <numerusform>Bestanden: die eine Prüfung.</numerusform>
+            <numerusform>Bestanden: %n Prüfung.</numerusform>
             <numerusform>Bestanden: alle %n Prüfungen.</numerusform>
         </translation>
     </message>

@@ -121,7 +121,7 @@
     <message numerus="yes">
         <source>Passed: all %n checks.</source>
         <translation>
-            <numerusform>Passed: the one check.</numerusform>
+            <numerusform>Passed: %n check.</numerusform>
             <numerusform>Passed: all %n checks.</numerusform>
         </translation>
     </message>
