@@ -1,21 +1,13 @@
 #include "app/analysis/analysis_runner.hpp"
 
-#include <sys/prctl.h>
-#include <sys/resource.h>
-
 #include <algorithm>
 
 #include "app/analysis/store_pass.hpp"
 #include "app/depth/open_session.hpp"
 #include "app/tune/watched_pairs.hpp"
+#include "core/base/background_thread.hpp"
 
 namespace abstand::analysis {
-namespace {
-
-/// The loop and the window go first: about a tenth of their share where they want all cores.
-constexpr int kNice = 10;
-
-}  // namespace
 
 void leaveOut(const std::vector<std::pair<std::string, std::string>>& pairs,
               scene_file::SceneDescription& scene) {
@@ -72,8 +64,7 @@ std::shared_ptr<AnalysisFeed> AnalysisRunner::start(AnalysisRequest request) {
   stop();
   Job job{std::make_shared<AnalysisFeed>(), std::make_shared<std::atomic<bool>>(false), {}};
   job.thread = std::jthread([feed = job.feed, ended = job.ended, request = std::move(request)] {
-    ::prctl(PR_SET_NAME, "analysis");
-    ::setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread alone
+    beBackgroundThread("analysis");
     runAnalysis(request, *feed);
     *ended = true;
   });

@@ -22,15 +22,8 @@ struct CoverageArguments {
   robot_file::PackagePaths packages;
 };
 
-/// X,Y,Z
-Vector3d placeOf(const std::string& text, const std::string& option) {
-  const std::vector<double> p = numberList(text, option);
-  if (p.size() != 3) throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
-  return {p[0], p[1], p[2]};
-}
-
 Transform poseOf(const CoverageArguments& args) {
-  if (args.pose.empty()) return tracking::lookingAt(placeOf(args.eye, "--eye"), placeOf(args.look, "--look"));
+  if (args.pose.empty()) return tracking::lookingAt(point(args.eye, "--eye"), point(args.look, "--look"));
   const std::vector<double> p = numberList(args.pose, "--pose");
   if (p.size() != 6)
     throw UsageError("--pose: found '" + args.pose +

@@ -100,6 +100,12 @@ std::vector<double> numberList(const std::string& text, const std::string& optio
   }
 }
 
+Eigen::Vector3d point(const std::string& text, const std::string& option) {
+  const std::vector<double> p = numberList(text, option);
+  if (p.size() != 3) throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
+  return {p[0], p[1], p[2]};
+}
+
 nlohmann::ordered_json toJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& X) {

@@ -87,6 +87,8 @@ void addVerify(CLI::App& root, CommandLine& line);
 
 /// Parses "0.3,-1,2e-3". Throws UsageError with the name `option`.
 std::vector<double> numberList(const std::string& text, const std::string& option);
+/// Parses X,Y,Z in m, likewise.
+Eigen::Vector3d point(const std::string& text, const std::string& option);
 /// Parses a finite number. Throws UsageError with the name `option`.
 double number(const std::string& text, const std::string& option);
 /// The same within `least` to `most`; `unit` is used in the error.

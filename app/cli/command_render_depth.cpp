@@ -20,13 +20,6 @@ struct RenderDepthArguments {
   robot_file::PackagePaths packages;
 };
 
-/// x,y,z
-Vector3d point(const std::string& text, const std::string& option) {
-  const std::vector<double> p = numberList(text, option);
-  if (p.size() != 3) throw UsageError(option + ": found '" + text + "', expected X,Y,Z in metres");
-  return {p[0], p[1], p[2]};
-}
-
 tracking::DepthCamera cameraOf(const RenderDepthArguments& args, session::Session& session) {
   tracking::DepthCamera camera;
   if (!args.camera.empty()) {

@@ -9,8 +9,6 @@
 namespace abstand::cli {
 namespace {
 
-constexpr std::size_t kQuickPoses = 3'000;
-
 struct VerifyArguments {
   std::string report, only;
   std::size_t poses{0};  ///< 0: the default of the mode
@@ -35,7 +33,7 @@ nlohmann::ordered_json toJson(const verify::CheckResult& r) {
 int runVerify(const CommandLine& line, const VerifyArguments& args) {
   verify::VerifyOptions options;
   options.quick = args.quick;
-  options.poses = args.poses ? args.poses : (args.quick ? kQuickPoses : options.poses);
+  options.poses = args.poses ? args.poses : (args.quick ? verify::kQuickPoses : options.poses);
   options.seed = args.seed;
   options.threads = args.threads;
   options.interrupted = interrupted;

@@ -1,8 +1,5 @@
 #include "app/studio/coverage_job.hpp"
 
-#include <sys/prctl.h>
-#include <sys/resource.h>
-
 #include <QCoreApplication>
 #include <QFile>
 #include <QMetaObject>
@@ -11,14 +8,14 @@
 #include "app/depth/open_session.hpp"
 #include "app/studio/scene_of_file.hpp"
 #include "app/studio/scene_of_work.hpp"
+#include "core/base/background_thread.hpp"
 #include "ui/style/format.hpp"
 
 namespace abstand::studio {
 
 namespace {
 
-constexpr int kCoverageNice = 10;  // the loop and the window go first
-constexpr int kTellEvery = 8;      // sampled times between two reports of progress
+constexpr int kTellEvery = 8;  // sampled times between two reports of progress
 
 static_assert(ui::kHiddenByCount == coverage::kCauses);
 static_assert(static_cast<int>(ui::HiddenBy::kOtherPerson) ==
@@ -119,8 +116,7 @@ void CoverageJob::post(long question, Call call) {
 }
 
 void CoverageJob::run() {
-  ::prctl(PR_SET_NAME, "coverage");
-  ::setpriority(PRIO_PROCESS, 0, kCoverageNice);  // on Linux: of this thread alone
+  beBackgroundThread("coverage");
   for (;;) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || next_; });

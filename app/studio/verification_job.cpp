@@ -1,8 +1,5 @@
 #include "app/studio/verification_job.hpp"
 
-#include <sys/prctl.h>
-#include <sys/resource.h>
-
 #include <QCoreApplication>
 #include <QFile>
 #include <algorithm>
@@ -11,6 +8,7 @@
 #include <utility>
 
 #include "app/report/report.hpp"
+#include "core/base/background_thread.hpp"
 #include "core/base/error.hpp"
 #include "core/verify/suite.hpp"
 
@@ -42,9 +40,7 @@ struct VerificationJob::Run {
 
 namespace {
 
-constexpr std::size_t kQuickVerification = 3'000;  // poses, like `abstand verify --quick`
 constexpr int kVerificationPollMs = 100;
-constexpr int kVerificationNice = 10;
 
 QString familyName(const verify::CheckFamily& family) {
   return QString::fromUtf8(family.name.data(), static_cast<int>(family.name.size()));
@@ -89,8 +85,7 @@ void VerificationJob::Run::check(const verify::CheckFamily& of, double begin, do
 }
 
 void VerificationJob::Run::work() {
-  ::prctl(PR_SET_NAME, "verification");
-  ::setpriority(PRIO_PROCESS, 0, kVerificationNice);  // on Linux: of this thread alone
+  beBackgroundThread("verification");
   std::vector<verify::CheckFamily> all = verify::checkFamilies();
   std::erase_if(all, [this](const auto& each) { return !family.empty() && each.name != family; });
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, all.size()));
@@ -126,7 +121,7 @@ void VerificationJob::start(const ui::VerificationRequest& request) {
   run_ = std::make_shared<Run>();
   run_->family = request.family.toStdString();
   run_->options.quick = request.quick;
-  if (request.quick) run_->options.poses = kQuickVerification;
+  if (request.quick) run_->options.poses = verify::kQuickPoses;
   run_->options.threads = 1;
   threads_.emplace_back(run_, [run = run_] { run->work(); });
   poll_.start();

@@ -2,28 +2,22 @@
 
 #include <sched.h>
 #include <sys/eventfd.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "app/viewer/viewer_worker.hpp"
+#include "core/base/background_thread.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::viewer {
 namespace {
 
-constexpr int kNice = 10;
-
 /// A loop of real-time priority does not share it with viewers.
 void takeOrdinaryPriority() {
-  ::prctl(PR_SET_NAME, "viewers");
   sched_param none{};
   ::sched_setscheduler(0, SCHED_OTHER, &none);
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), kNice);
+  beBackgroundThread("viewers");
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 
 namespace abstand::verify {
 
+/// VerifyOptions::poses of a quick run.
+inline constexpr std::size_t kQuickPoses = 3'000;
+
 /// Options of all checks. The same options give the same results on any number of threads.
 struct VerifyOptions {
   std::size_t poses{100'000};  ///< random and adversarial poses of each field kind, against exact distances

@@ -25,7 +25,7 @@ constexpr int kWalls = 8;
 // Tolerance of a measured order: poses are random, and the coarsest steps are not small relative to the
 // depth.
 constexpr double kOrderNoise = 0.1;
-constexpr std::size_t kPoses = 200, kQuickPoses = 40;
+constexpr std::size_t kPoses = 200, kFewPoses = 40;
 
 enum class Against { kBall, kWall };
 
@@ -73,7 +73,7 @@ double relativeError(Against against, structure::FieldKind field, double h, cons
       others.push_back(structureOf(geometry::Cuboid{{kWallSize.x(), kWallSize.y(), thicknessOf(wall, h)}},
                                    field, h, options.threads));
   }
-  std::vector<double> errors(options.quick ? kQuickPoses : kPoses);
+  std::vector<double> errors(options.quick ? kFewPoses : kPoses);
   parallelFor(options.threads, errors.size(), [&](std::size_t i) {
     const Press press = randomPress(against, walls, h, options.seed, i);
     const query::PairResult r = query(*ball, press.X_WA, *others[static_cast<std::size_t>(press.wall)],
@@ -127,7 +127,7 @@ std::vector<CheckResult> checkConvergence(const VerifyOptions& options) {
       std::vector<double> measured;
       if (series.x.size() == kSteps.size()) measured.push_back(-logSlope(series.x, series.y));
       judge(result, measured, kOrderNoise - order);
-      result.poses = kSteps.size() * (options.quick ? kQuickPoses : kPoses);
+      result.poses = kSteps.size() * (options.quick ? kFewPoses : kPoses);
       plot.series.push_back(std::move(series));
       results.push_back(std::move(result));
     }
