@@ -13,6 +13,7 @@
 
 #include "app/cli/version.hpp"
 #include "app/studio/probe.hpp"
+#include "app/studio/soak.hpp"
 #include "app/studio/studio.hpp"
 #include "core/base/error.hpp"
 #include "core/base/input_log.hpp"
@@ -55,12 +56,15 @@ struct Arguments {
   double at{0.0};
   double play_s{0.0};
   double probe_s{0.0};
+  double soak_s{0.0};
+
+  bool measures() const { return probe_s > 0.0 || soak_s > 0.0; }
 };
 
 /// A picture and a figure depend on the command line alone.
 bool isUnattended(const QStringList& arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const QString& a) {
-    return a.startsWith("--screenshot") || a.startsWith("--probe");
+    return a.startsWith("--screenshot") || a.startsWith("--probe") || a.startsWith("--soak");
   });
 }
 
@@ -118,6 +122,10 @@ void describeOptions(QCommandLineParser& parser) {
        QCoreApplication::translate(
            "main", "play this long, print frame rate, stalls and processor time as JSON, and end"),
        "SECONDS"});
+  parser.addOption({"soak",
+                    QCoreApplication::translate(
+                        "main", "work this long on the scene, print memory over time as JSON, and end"),
+                    "SECONDS"});
   parser.addOption(
       {"language", QCoreApplication::translate("main", "language of texts and numbers"), "system|en|de"});
 }
@@ -142,7 +150,9 @@ bool parse(const QStringList& arguments, Arguments& args) {
                             .arg(option, parser.value(option)));
     return v && *v >= 0.0;
   };
-  if (!number("at", args.at) || !number("play", args.play_s) || !number("probe", args.probe_s)) return false;
+  if (!number("at", args.at) || !number("play", args.play_s) || !number("probe", args.probe_s) ||
+      !number("soak", args.soak_s))
+    return false;
   if (parser.isSet("size")) {
     const QStringList wh = parser.value("size").split('x');
     if (wh.size() == 2) args.size = QSize(wh[0].toInt(), wh[1].toInt());
@@ -169,8 +179,9 @@ bool parse(const QStringList& arguments, Arguments& args) {
   args.screenshot = parser.value("screenshot");
   for (const QString& folder : parser.values("package-path"))
     args.packages.folders.emplace_back(QFile::encodeName(folder).toStdString());
-  if (args.probe_s > 0.0 && args.files.isEmpty() && args.recording.isEmpty()) {
-    fail(kWrongUsage, "abstand-studio: error: --probe: found nothing to play, expected a FILE");
+  if (args.measures() && args.files.isEmpty() && args.recording.isEmpty()) {
+    fail(kWrongUsage, QString("abstand-studio: error: --%1: found nothing to play, expected a FILE")
+                          .arg(args.probe_s > 0.0 ? "probe" : "soak"));
     return false;
   }
   if (args.files.size() > 1 && !args.server.isEmpty()) {
@@ -294,7 +305,7 @@ int main(int argc, char** argv) {
     const auto place = [&args] { placeOfOutput(QFile::encodeName(args.screenshot).toStdString()); };
     if (const int code = written(place)) return code;
   }
-  const bool unattended = !args.screenshot.isEmpty() || args.probe_s > 0.0;
+  const bool unattended = !args.screenshot.isEmpty() || args.measures();
   if (unattended) {
     // Neither a picture nor a figure may depend on stored window settings.
     QCoreApplication::setApplicationName("abstand-studio-picture");
@@ -309,12 +320,15 @@ int main(int argc, char** argv) {
   Studio studio(window, args.packages);
   if (unattended) {
     auto* probe = args.probe_s > 0.0 ? new studio::Probe(window, args.probe_s, &window) : nullptr;
-    QObject::connect(&studio, &Studio::ready, &window, [&args, &window, probe] {
-      if (!probe) return takePicture(window, args);
-      probe->start([](const QJsonObject& figures) {
+    auto* soak = args.soak_s > 0.0 && !probe ? new studio::Soak(window, args.soak_s, &window) : nullptr;
+    QObject::connect(&studio, &Studio::ready, &window, [&args, &window, probe, soak] {
+      const auto print = [](const QJsonObject& figures) {
         QTextStream(stdout) << QJsonDocument(figures).toJson();
         QApplication::exit(0);
-      });
+      };
+      if (probe) return probe->start(print);
+      if (soak) return soak->start(print);
+      takePicture(window, args);
     });
     // Later, when the event loop runs and can be ended.
     QObject::connect(

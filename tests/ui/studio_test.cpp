@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <QImage>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QString>
@@ -72,6 +73,24 @@ TEST_F(StudioProgram, ProbeAsksForMomentsAndMargins) {
     EXPECT_LE(times["median"].toDouble(), times["p99"].toDouble()) << what;
     EXPECT_LE(times["p99"].toDouble(), times["max"].toDouble()) << what;
   }
+}
+
+TEST_F(StudioProgram, SoakMeasuresMemoryWhileItWorks) {
+  testing::writeSlide(folder, {.seconds = 1.0});
+  const Answer good = run("slide.yaml --size 1000x800 --soak 4 >soak.json");
+  ASSERT_EQ(good.code, 0) << good.err;
+  const QJsonObject figures =
+      QJsonDocument::fromJson(QByteArray::fromStdString(readFile(in("soak.json")))).object();
+  EXPECT_GT(figures["frames"].toInt(), 0);
+  EXPECT_GT(figures["commands"].toInt(), 0);
+  EXPECT_EQ(figures["openings"].toInt(), 1);
+  const QJsonArray over_time = figures["t_s_resident_mb_allocated_mb"].toArray();
+  ASSERT_GT(over_time.size(), 2);
+  const QJsonArray last = over_time.last().toArray();
+  EXPECT_GT(last[1].toDouble(), last[2].toDouble()) << "what is allocated is part of what is resident";
+  EXPECT_GT(last[2].toDouble(), 1.0);
+  EXPECT_TRUE(figures["resident_mb_per_hour"].isDouble());
+  EXPECT_EQ(run("--soak 1").code, 2);
 }
 
 TEST_F(StudioProgram, UsesRequestedLanguage) {

@@ -7080,6 +7080,10 @@ Beispiel: abstand-studio data/scenes/hug_boxing.yaml --at 5</translation>
         <source>projects, scenes, robots, meshes and recordings; several are shown together</source>
         <translation>Projekte, Szenen, Roboter, Netze und Aufnahmen; mehrere werden zusammen gezeigt</translation>
     </message>
+    <message>
+        <source>work this long on the scene, print memory over time as JSON, and end</source>
+        <translation>so lange mit der Szene arbeiten, den Speicherbedarf über der Zeit als JSON ausgeben, dann enden</translation>
+    </message>
 </context>
 <context>
     <name>missing_files</name>
