@@ -77,6 +77,13 @@ TEST_F(MarginPanelTest, GroupRowSetsItsGroupOnly) {
   EXPECT_NEAR(panel.row(hand)->metres(), 0.04, kSame);
 }
 
+TEST_F(MarginPanelTest, SendsFirstChangeWithoutDelay) {
+  panel.row(hand)->findChild<QSlider*>()->setValue(90);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(changes.size(), 1);
+  EXPECT_NEAR(sent().value(hand), 0.09, kSame);
+}
+
 TEST_F(MarginPanelTest, ShowsOtherMarginsWithoutSignal) {
   margins[static_cast<std::size_t>(hand)] = 0.2;
   panel.show(margins);

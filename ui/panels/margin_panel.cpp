@@ -36,7 +36,6 @@ MarginPanel::MarginPanel(QWidget* parent) : QScrollArea(parent), gather_{new QTi
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setAccessibleName(tr("Safety margins"));
   gather_->setSingleShot(true);
-  gather_->setInterval(kGatherMs);
   connect(gather_, &QTimer::timeout, this, &MarginPanel::send);
 }
 
@@ -240,7 +239,9 @@ MarginRow* MarginPanel::groupRow(const QString& group) const {
 
 void MarginPanel::change(int object, double metres) {
   waiting_[object] = metres;
-  if (!gather_->isActive()) gather_->start();
+  if (gather_->isActive()) return;
+  const qint64 rest = sent_.isValid() ? kGatherMs - sent_.elapsed() : 0;
+  gather_->start(static_cast<int>(std::max<qint64>(0, rest)));
 }
 
 void MarginPanel::hold(int object, double metres) {
@@ -271,6 +272,7 @@ bool MarginPanel::isDragged() const {
 
 void MarginPanel::send() {
   const QMap<int, double> margins = std::exchange(waiting_, {});
+  sent_.start();
   if (!margins.isEmpty()) Q_EMIT marginsChanged(margins);
   if (!isDragged()) Q_EMIT editFinished();
 }

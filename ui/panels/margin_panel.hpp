@@ -1,6 +1,7 @@
 // Safety margins of every link, body part and object, by group.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMap>
 #include <QScrollArea>
 #include <map>
@@ -18,9 +19,9 @@ namespace abstand::ui {
 class ClassMarginRow;
 class MarginRow;
 
-/// One row an object and a master row a group, which shows the largest of its members. Changes are gathered
-/// for a moment, so that dragging a slider sends its newest value instead of every one on the way. GUI thread
-/// only.
+/// One row an object and a master row a group, which shows the largest of its members. The first change is
+/// sent at once; those that follow within kGatherMs are gathered, so that dragging a slider sends its newest
+/// value instead of every one on the way. GUI thread only.
 class MarginPanel : public QScrollArea {
   Q_OBJECT
 
@@ -92,6 +93,7 @@ class MarginPanel : public QScrollArea {
   QString filter_;
   QMap<int, double> waiting_;
   QTimer* gather_;
+  QElapsedTimer sent_;
   bool held_{false};
 };
 
