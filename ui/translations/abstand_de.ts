@@ -6845,28 +6845,28 @@ Grenze: %3</translation>
         <translation>Gelenkkraft von Kontakten und Sicherheitsabständen: %1 ≙ %2 N</translation>
     </message>
     <message>
-        <source>Depth point of a person</source>
-        <translation>Tiefenpunkt einer Person</translation>
+        <source>Depth: person</source>
+        <translation>Tiefe: Person</translation>
     </message>
     <message>
-        <source>Depth point of a robot</source>
-        <translation>Tiefenpunkt eines Roboters</translation>
+        <source>Depth: robot</source>
+        <translation>Tiefe: Roboter</translation>
     </message>
     <message>
-        <source>Other depth point</source>
-        <translation>Anderer Tiefenpunkt</translation>
+        <source>Depth: other</source>
+        <translation>Tiefe: anderes</translation>
     </message>
     <message>
-        <source>Depth point, nearest joint tracked</source>
-        <translation>Tiefenpunkt, nächstes Gelenk verfolgt</translation>
+        <source>Depth: joint tracked</source>
+        <translation>Tiefe: Gelenk verfolgt</translation>
     </message>
     <message>
-        <source>Depth point, nearest joint inferred</source>
-        <translation>Tiefenpunkt, nächstes Gelenk erschlossen</translation>
+        <source>Depth: joint inferred</source>
+        <translation>Tiefe: Gelenk erschlossen</translation>
     </message>
     <message>
-        <source>Depth point, no joint is known</source>
-        <translation>Tiefenpunkt, kein Gelenk bekannt</translation>
+        <source>Depth: joint unknown</source>
+        <translation>Tiefe: Gelenk unbekannt</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ namespace {
 constexpr double kAxisLength = 30.0;                                      // px
 constexpr double kMargin = 14.0;                                          // px from the edges
 constexpr double kAxesRoom = kMargin + 2.0 * (kAxisLength + 6.0) + 10.0;  // px, left of the legend
-constexpr int kMarkWidth = 34;                                            // px, of the legend's arrows
+constexpr int kMarkWidth = 34, kDotWidth = 12;          // px, of the legend's arrows, of its dots
 constexpr double kLegendPad = 30.0, kMinLegend = 60.0;  // px, about its marks and texts; of its texts
 constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
 constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label covers
@@ -80,7 +80,7 @@ void legendMark(QPainter& p, const LegendLine& line, const QRectF& box) {
       break;
     }
     case LegendLine::Mark::kDot:
-      p.setPen(Qt::NoPen);
+      p.setPen(QPen(p.pen().color(), 0.6));  // that of the text: dots may have the colour of the legend
       p.setBrush(line.colour);
       p.drawEllipse(QPointF(box.center().x(), y), 3.5, 3.5);
       p.setBrush(Qt::NoBrush);
@@ -241,9 +241,14 @@ void Overlay::paintAxes(QPainter& painter) const {
 LegendPlace Overlay::placeLegend() const {
   const QFontMetricsF metrics(font(), const_cast<Overlay*>(this));
   // Lines that are longer than the view beside the axes is wide are wrapped.
-  const double room = std::max(kMinLegend, width() - kAxesRoom - kMargin - kMarkWidth - kLegendPad);
-  const QRectF line_room(0.0, 0.0, room, 1e4);
   LegendPlace place;
+  place.mark_width =
+      std::ranges::all_of(content_.legend,
+                          [](const LegendLine& line) { return line.mark == LegendLine::Mark::kDot; })
+          ? kDotWidth
+          : kMarkWidth;
+  const double room = std::max(kMinLegend, width() - kAxesRoom - kMargin - place.mark_width - kLegendPad);
+  const QRectF line_room(0.0, 0.0, room, 1e4);
   double text_width = 0.0, height = 0.0;
   for (const LegendLine& line : content_.legend) {
     const QRectF text = metrics.boundingRect(line_room, Qt::TextWordWrap, line.text);
@@ -251,7 +256,7 @@ LegendPlace Overlay::placeLegend() const {
     place.rows.push_back(std::ceil(text.height()) + 5.0);
     height += place.rows.back();
   }
-  place.box = QRectF(0, 0, text_width + kMarkWidth + kLegendPad, height + 10.0);
+  place.box = QRectF(0, 0, text_width + place.mark_width + kLegendPad, height + 10.0);
   place.box.moveBottomRight(QPointF(width() - kMargin, this->height() - kMargin));
   return place;
 }
@@ -260,7 +265,7 @@ void Overlay::paintLegend(QPainter& painter) const {
   if (content_.legend.empty()) return;
   const SceneColours colours = sceneColours(themeOf(palette()));
   painter.setFont(font());
-  const auto [box, rows] = placeLegend();
+  const auto [box, rows, mark_width] = placeLegend();
   QColor back = colours.label_back;
   back.setAlpha(200);
   painter.setPen(QPen(palette().color(QPalette::Mid), 1.0));
@@ -270,9 +275,10 @@ void Overlay::paintLegend(QPainter& painter) const {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const LegendLine& line = content_.legend[i];
     painter.setBrush(Qt::NoBrush);
-    legendMark(painter, line, QRectF(box.left() + 10, y, kMarkWidth, rows[i]));
     painter.setPen(colours.label_text);
-    painter.drawText(QRectF(box.left() + kMarkWidth + 20, y, box.width() - kMarkWidth - kLegendPad, rows[i]),
+    legendMark(painter, line, QRectF(box.left() + 10, y, mark_width, rows[i]));
+    painter.setPen(colours.label_text);
+    painter.drawText(QRectF(box.left() + mark_width + 20, y, box.width() - mark_width - kLegendPad, rows[i]),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, line.text);
     y += rows[i];
   }

@@ -41,7 +41,8 @@ struct LegendLine {
 /// Where the legend stands, and the heights of its lines (px).
 struct LegendPlace {
   QRectF box;
-  std::vector<double> rows;
+  std::vector<double> rows;  ///< px, heights of the lines
+  double mark_width;         ///< px
 };
 
 struct OverlayContent {

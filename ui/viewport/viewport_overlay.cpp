@@ -235,14 +235,14 @@ void Viewport::Impl::addLegend() {
       legend.push_back({LegendLine::Mark::kDot, QColor(colourOf(point, depth_views.cloud.colours())), text});
   };
   if (depth_views.cloud.colours() == CloudColours::kParts) {
-    dot({{}, CloudPart::kPerson, {}}, Viewport::tr("Depth point of a person"));
-    dot({{}, CloudPart::kRobot, {}}, Viewport::tr("Depth point of a robot"));
-    return dot({}, Viewport::tr("Other depth point"));
+    dot({{}, CloudPart::kPerson, {}}, Viewport::tr("Depth: person"));
+    dot({{}, CloudPart::kRobot, {}}, Viewport::tr("Depth: robot"));
+    return dot({}, Viewport::tr("Depth: other"));
   }
-  dot({{}, CloudPart::kPerson, JointLook::kTracked}, Viewport::tr("Depth point, nearest joint tracked"));
-  dot({{}, CloudPart::kPerson, JointLook::kInferred}, Viewport::tr("Depth point, nearest joint inferred"));
-  dot({{}, CloudPart::kPerson, JointLook::kUnknown}, Viewport::tr("Depth point, no joint is known"));
-  dot({}, Viewport::tr("Other depth point"));
+  dot({{}, CloudPart::kPerson, JointLook::kTracked}, Viewport::tr("Depth: joint tracked"));
+  dot({{}, CloudPart::kPerson, JointLook::kInferred}, Viewport::tr("Depth: joint inferred"));
+  dot({{}, CloudPart::kPerson, JointLook::kUnknown}, Viewport::tr("Depth: joint unknown"));
+  dot({}, Viewport::tr("Depth: other"));
 }
 
 }  // namespace abstand::ui
