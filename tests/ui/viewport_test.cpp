@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <set>
 
 #include "tests/ui/shown_window.hpp"
@@ -49,6 +51,13 @@ TEST_F(ViewportTest, PictureHasWindowSizeAndIsNotBlank) {
   EXPECT_EQ(picture.size(), QSize(1200, 800));
   EXPECT_GT(countColours(picture), kColours);
   EXPECT_GT(countColours(window.viewport().picture()), kColours);
+}
+
+TEST_F(ViewportTest, CopiedPictureIsThatOfTheView) {
+  window.actions()[ActionId::kCopyPicture]->trigger();
+  const QImage copied = QApplication::clipboard()->image();
+  EXPECT_EQ(copied.size(), window.viewport().picture().size());
+  EXPECT_GT(countColours(copied), kColours);
 }
 
 TEST_F(ViewportTest, OnlyContactIsVermillion) {
