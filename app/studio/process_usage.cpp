@@ -1,5 +1,6 @@
 #include "app/studio/process_usage.hpp"
 
+#include <malloc.h>
 #include <unistd.h>
 #include <ctime>
 
@@ -48,6 +49,11 @@ double residentMegabytes() {
   double size = 0.0, resident = 0.0;
   std::ifstream("/proc/self/statm") >> size >> resident;
   return 1e-6 * resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+double allocatedMegabytes() {
+  const struct mallinfo2 heap = ::mallinfo2();
+  return 1e-6 * static_cast<double>(heap.uordblks + heap.hblkhd);
 }
 
 }  // namespace abstand::studio

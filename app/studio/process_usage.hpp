@@ -1,4 +1,4 @@
-// What this process has used so far, from /proc.
+// What this process has used so far.
 #pragma once
 
 #include <map>
@@ -15,5 +15,7 @@ double ownProcessorTime();
 double processAge();
 /// Resident memory, MB.
 double residentMegabytes();
+/// Memory that the process holds of the heap, MB; 0 with an allocator that is not that of the C library.
+double allocatedMegabytes();
 
 }  // namespace abstand::studio

@@ -1,7 +1,5 @@
 #include "app/studio/soak.hpp"
 
-#include <malloc.h>
-
 #include <QAction>
 #include <QJsonArray>
 #include <QTimer>
@@ -88,9 +86,8 @@ void Soak::act() {
 }
 
 void Soak::measure() {
-  const struct mallinfo2 heap = ::mallinfo2();
   const double t = 1e-9 * static_cast<double>(wall_.nsecsElapsed());
-  samples_.push_back({t, residentMegabytes(), 1e-6 * static_cast<double>(heap.uordblks + heap.hblkhd)});
+  samples_.push_back({t, residentMegabytes(), allocatedMegabytes()});
   if (t < seconds_ * (1.0 - 0.5 / kSamples)) return;
   for (QTimer* timer : findChildren<QTimer*>()) timer->stop();
   done_(result());

@@ -32,7 +32,7 @@ FENCES = [
     (r"pybind11/", r"app/python/.*"),
 ]
 # Intrinsics and what the system brings.
-SYSTEM = re.compile(r"[a-z0-9_]+$|Eigen/|(immintrin|emmintrin|dlfcn|fcntl|poll|sched|unistd|time)\.h$|(sys|arpa|netinet)/")
+SYSTEM = re.compile(r"[a-z0-9_]+$|Eigen/|(immintrin|emmintrin|dlfcn|fcntl|malloc|poll|sched|unistd|time)\.h$|(sys|arpa|netinet)/")
 
 
 def modules(table):

@@ -87,8 +87,8 @@ TEST_F(StudioProgram, SoakMeasuresMemoryWhileItWorks) {
   const QJsonArray over_time = figures["t_s_resident_mb_allocated_mb"].toArray();
   ASSERT_GT(over_time.size(), 2);
   const QJsonArray last = over_time.last().toArray();
+  EXPECT_GT(last[1].toDouble(), 1.0);
   EXPECT_GT(last[1].toDouble(), last[2].toDouble()) << "what is allocated is part of what is resident";
-  EXPECT_GT(last[2].toDouble(), 1.0);
   EXPECT_TRUE(figures["resident_mb_per_hour"].isDouble());
   EXPECT_EQ(run("--soak 1").code, 2);
 }
