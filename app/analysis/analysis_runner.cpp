@@ -62,24 +62,17 @@ AnalysisRunner::~AnalysisRunner() { stop(); }
 
 std::shared_ptr<AnalysisFeed> AnalysisRunner::start(AnalysisRequest request) {
   stop();
-  Job job{std::make_shared<AnalysisFeed>(), std::make_shared<std::atomic<bool>>(false), {}};
-  job.thread = std::jthread([feed = job.feed, ended = job.ended, request = std::move(request)] {
+  feed_ = std::make_shared<AnalysisFeed>();
+  threads_.start([feed = feed_, request = std::move(request)] {
     beBackgroundThread("analysis");
     runAnalysis(request, *feed);
-    *ended = true;
   });
-  jobs_.push_back(std::move(job));
-  return jobs_.back().feed;
+  return feed_;
 }
 
 void AnalysisRunner::stop() {
-  for (Job& job : jobs_) job.feed->cancel();
-  running();
-}
-
-std::size_t AnalysisRunner::running() {
-  std::erase_if(jobs_, [](const Job& job) { return job.ended->load(); });
-  return jobs_.size();
+  if (feed_) feed_->cancel();
+  feed_.reset();
 }
 
 }  // namespace abstand::analysis

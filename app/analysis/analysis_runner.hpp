@@ -3,12 +3,12 @@
 
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "app/analysis/analysis_feed.hpp"
 #include "app/session/session.hpp"
 #include "app/tune/distance_pass.hpp"
+#include "core/base/retained_threads.hpp"
 
 namespace abstand::analysis {
 
@@ -46,15 +46,11 @@ class AnalysisRunner {
   std::shared_ptr<AnalysisFeed> start(AnalysisRequest request);
   void stop();
   /// Threads that have not ended yet.
-  std::size_t running();
+  std::size_t running() { return threads_.running(); }
 
  private:
-  struct Job {
-    std::shared_ptr<AnalysisFeed> feed;
-    std::shared_ptr<std::atomic<bool>> ended;
-    std::jthread thread;
-  };
-  std::vector<Job> jobs_;
+  std::shared_ptr<AnalysisFeed> feed_;  // of the newest; null: cancelled, or there is none
+  RetainedThreads threads_;
 };
 
 }  // namespace abstand::analysis

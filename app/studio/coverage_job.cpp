@@ -82,7 +82,9 @@ CoverageJob::CoverageJob(const ui::Work& work, robot_file::PackagePaths packages
         run();
       }) {}
 
-CoverageJob::~CoverageJob() {
+CoverageJob::~CoverageJob() { stop(); }
+
+void CoverageJob::stop() {
   {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
@@ -120,12 +122,13 @@ void CoverageJob::run() {
   for (;;) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || next_; });
-    if (stopped_) return;
+    if (stopped_) break;
     const ui::SensorPlan plan = *std::exchange(next_, std::nullopt);
     const long question = asked_;
     lock.unlock();
     answer(plan, question);
   }
+  QMetaObject::invokeMethod(this, &CoverageJob::ended, Qt::QueuedConnection);
 }
 
 void CoverageJob::answer(const ui::SensorPlan& plan, long question) {
@@ -166,13 +169,25 @@ void CoverageDesk::open(const view::SceneOutline& outline, const Structures& str
 }
 
 void CoverageDesk::close() {
-  job_.reset();
   made_.clear();
+  retire();
+}
+
+void CoverageDesk::retire() {
+  if (!job_) return;
+  job_->disconnect(this);
+  CoverageJob* ending = job_.get();
+  ending_[ending] = std::move(job_);
+  // Queued: a signal's sender must outlive it.
+  connect(
+      ending, &CoverageJob::ended, this, [this, ending] { ending_.erase(ending); }, Qt::QueuedConnection);
+  ending->stop();
 }
 
 void CoverageDesk::start(const ui::Work& work, const robot_file::PackagePaths& packages,
                          const ui::SensorPlan& plan) {
-  if (!job_ || !(job_->work() == work)) {
+  if (job_ && !(job_->work() == work)) retire();
+  if (!job_) {
     job_ = std::make_unique<CoverageJob>(work, packages, made_);
     connect(job_.get(), &CoverageJob::progressed, this, &CoverageDesk::progressed);
     connect(job_.get(), &CoverageJob::done, this, &CoverageDesk::done);

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <atomic>
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -35,12 +36,14 @@ class CoverageJob : public QObject {
   /// `work`: as it is shown, with the things where they are now. `made`: structures by object, shared with
   /// the session that is shown.
   CoverageJob(const ui::Work& work, robot_file::PackagePaths packages, Made made, QObject* parent = nullptr);
-  /// Waits, at most for the reading of a file or one moment.
+  /// Waits, at most for the reading of a file or one moment; not after ended().
   ~CoverageJob() override;
 
   /// progressed(), and then done() or failed(), follow, unless another start() or cancel() comes first.
   void start(const ui::SensorPlan& plan);
   void cancel();
+  /// Nothing follows but ended(), soon.
+  void stop();
   const ui::Work& work() const { return work_; }
 
  Q_SIGNALS:
@@ -48,6 +51,8 @@ class CoverageJob : public QObject {
   void progressed(int done, int all);
   void done(const abstand::ui::CoverageReport& report);
   void failed(const QString& problem);
+  /// After stop().
+  void ended();
 
  private:
   void run();
@@ -68,7 +73,8 @@ class CoverageJob : public QObject {
   std::jthread thread_;
 };
 
-/// The job of what is shown; a new one where the work has changed. GUI thread only.
+/// The job of what is shown; a new one where the work has changed. Only the destructor waits for one that is
+/// no longer needed. GUI thread only.
 class CoverageDesk : public QObject {
   Q_OBJECT
 
@@ -87,8 +93,11 @@ class CoverageDesk : public QObject {
   void failed(const QString& problem);
 
  private:
+  void retire();
+
   CoverageJob::Made made_;
   std::unique_ptr<CoverageJob> job_;
+  std::map<CoverageJob*, std::unique_ptr<CoverageJob>> ending_;
 };
 
 }  // namespace abstand::studio

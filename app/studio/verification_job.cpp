@@ -117,13 +117,12 @@ VerificationJob::~VerificationJob() { cancel(); }
 
 void VerificationJob::start(const ui::VerificationRequest& request) {
   cancel();
-  std::erase_if(threads_, [](const auto& each) { return each.first->ended.load(); });
   run_ = std::make_shared<Run>();
   run_->family = request.family.toStdString();
   run_->options.quick = request.quick;
   if (request.quick) run_->options.poses = verify::kQuickPoses;
   run_->options.threads = 1;
-  threads_.emplace_back(run_, [run = run_] { run->work(); });
+  threads_.start([run = run_] { run->work(); });
   poll_.start();
 }
 

@@ -5,9 +5,8 @@
 #include <QStringList>
 #include <QTimer>
 #include <memory>
-#include <thread>
-#include <vector>
 
+#include "core/base/retained_threads.hpp"
 #include "ui/model/verification_news.hpp"
 
 namespace abstand::studio {
@@ -40,7 +39,7 @@ class VerificationJob : public QObject {
   void poll();
 
   std::shared_ptr<Run> run_;  // null: cancelled, or never started
-  std::vector<std::pair<std::shared_ptr<Run>, std::jthread>> threads_;
+  RetainedThreads threads_;
   QTimer poll_;
 };
 
