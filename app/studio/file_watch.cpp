@@ -1,9 +1,27 @@
 #include "app/studio/file_watch.hpp"
 
+#include <QDir>
 #include <QFileInfo>
 #include <utility>
 
 namespace abstand::studio {
+
+namespace {
+
+/// A folder of depth images is described by these two files; the images are many, and are not edited.
+QStringList filesIn(const QStringList& paths) {
+  QStringList files;
+  for (const QString& path : paths) {
+    if (!QFileInfo(path).isDir())
+      files << path;
+    else
+      files << QDir(path).filePath(QStringLiteral("camera.yaml"))
+            << QDir(path).filePath(QStringLiteral("depth.txt"));
+  }
+  return files;
+}
+
+}  // namespace
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   timer_.setSingleShot(true);
@@ -26,7 +44,8 @@ void FileWatch::add(const QString& file) {
   known_[file] = stampOf(file);
 }
 
-void FileWatch::watch(const QStringList& files) {
+void FileWatch::watch(const QStringList& paths) {
+  const QStringList files = filesIn(paths);
   // What changed while it was read is still to be told.
   const QMap<QString, Stamp> before = std::exchange(known_, {});
   for (const QString& file : waits_.keys())

@@ -22,8 +22,9 @@ class FileWatch : public QObject {
 
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// Instead of those before. Folders, and files that do not exist, are not watched.
-  void watch(const QStringList& files);
+  /// Instead of those before. Of a folder, the camera and the list of a depth clip are watched; files that do
+  /// not exist are not.
+  void watch(const QStringList& paths);
 
  Q_SIGNALS:
   /// Their content may be another one.

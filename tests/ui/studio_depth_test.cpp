@@ -1,7 +1,9 @@
 // The depth image beside the body, with real sessions of a rendered clip.
 #include <QLabel>
+#include <fstream>
 
 #include "tests/ui/studio_depth_window.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/tracker/track_picture.hpp"
 #include "ui/style/actions.hpp"
 
@@ -38,6 +40,27 @@ TEST_F(StudioDepth, ImageIsThatOfMomentDrawn) {
       }
     EXPECT_EQ(different, 0);
   }
+}
+
+TEST_F(StudioDepth, EditedCameraOfTheFolderIsReadAgain) {
+  ASSERT_TRUE(opensClip()) << problem;
+  const auto shift = [&] {
+    tracking::DepthCamera camera = tracking::loadDepthCamera(clip / "camera.yaml");
+    camera.X_WC.translation().y() += 0.2;
+    std::ofstream(clip / "camera.yaml") << tracking::describeDepthCamera(camera);
+  };
+  const auto torso = [&] {
+    const auto& objects = window.moment().objects;
+    return objects.empty() ? 0.0 : objects.front().X_WB.translation().y();
+  };
+  raise();
+  ASSERT_TRUE(goesTo(at(6)));
+  window.pull();
+  const double before = torso();
+  ASSERT_TRUE(opens(shift)) << problem;
+  window.pull();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(torso() - before - 0.2) < 0.02; }, kLoadMs))
+      << torso() << " before " << before;
 }
 
 TEST_F(StudioDepth, JointsStandOnPerson) {
