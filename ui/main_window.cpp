@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/data_folder.hpp"
+#include "ui/calibration_commands.hpp"
 #include "ui/camera_commands.hpp"
 #include "ui/cloud_commands.hpp"
 #include "ui/coverage_commands.hpp"
@@ -196,6 +197,11 @@ void MainWindow::buildCommands() {
   commands_.clouds = new CloudCommands({*actions_, *panels_.depth, *viewport_, feed_->moment()}, this);
   commands_.coverage = new CoverageCommands({*document_, *viewport_, *playback_}, this);
   connect((*actions_)[Id::kPlanSensor], &QAction::triggered, commands_.coverage, &CoverageCommands::plan);
+  commands_.calibration = new CalibrationCommands(this);
+  connect((*actions_)[Id::kCalibrate], &QAction::triggered, commands_.calibration,
+          &CalibrationCommands::open);
+  connect(commands_.calibration, &CalibrationCommands::said, this, &MainWindow::say);
+  connect(commands_.calibration, &CalibrationCommands::failed, this, &MainWindow::showProblem);
   connect(commands_.clouds, &CloudCommands::said, this, &MainWindow::say);
   connect(feed_, &MomentFeed::shown, commands_.clouds, &CloudCommands::refresh);
   commands_.live = new LiveCommands(*actions_, panels_, this);
@@ -239,6 +245,9 @@ void MainWindow::setSession(SessionPort* session) {
   enableActions(outline);
   commands_.live->open(session_);
   commands_.coverage->open(session_ && !session_->live());
+  QStringList robots;
+  for (const view::RobotCard& robot : outline.robots) robots << QString::fromStdString(robot.name);
+  commands_.calibration->setRobots(robots);
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
   if (session_) {

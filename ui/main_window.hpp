@@ -19,6 +19,7 @@ namespace abstand::ui {
 class Actions;
 class Autosave;
 class CameraCommands;
+class CalibrationCommands;
 class CloudCommands;
 class CoverageCommands;
 class DockSet;
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
   LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
   CloudCommands& clouds() const { return *commands_.clouds; }
+  CalibrationCommands& calibration() const { return *commands_.calibration; }
   CoverageCommands& coverage() const { return *commands_.coverage; }
   SpeedCommands& speeds() const { return *commands_.speeds; }
   VerificationCommands& verification() const { return *commands_.verification; }
@@ -183,6 +185,7 @@ class MainWindow : public QMainWindow {
     VerificationCommands* verification;
     CloudCommands* clouds;
     CoverageCommands* coverage;
+    CalibrationCommands* calibration;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

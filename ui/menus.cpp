@@ -53,7 +53,7 @@ QSlider* buildMenus(QMainWindow& window, const Actions& actions) {
   bar->addMenu(addGroup(bar, actions, ActionGroup::kEdit));
 
   QMenu* view = bar->addMenu(Actions::groupName(ActionGroup::kView));
-  addRange(view, actions, Id::kForces, Id::kPlanSensor);
+  addRange(view, actions, Id::kForces, Id::kCalibrate);
   view->addSeparator();
   view->addMenu(addGroup(view, actions, ActionGroup::kCamera));
   view->addMenu(addGroup(view, actions, ActionGroup::kPanels));

@@ -17,6 +17,7 @@
 #include "core/base/output_file.hpp"
 #include "core/contact/contact_limits_reader.hpp"
 #include "humanmodel/body_part.hpp"
+#include "ui/calibration_commands.hpp"
 #include "ui/coverage_commands.hpp"
 #include "ui/document/document.hpp"
 #include "ui/exchange_commands.hpp"
@@ -74,6 +75,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
       });
   connectExchange();
   connectCoverage();
+  connectCalibration();
   connectLive();
   connect(&watch_, &FileWatch::changed, this, [this](const QStringList& changed) {
     // What a server computes does not depend on the file any more.
@@ -212,6 +214,19 @@ void Studio::connectCoverage() {
   connect(&coverage_, &CoverageDesk::progressed, &commands, &ui::CoverageCommands::showProgress);
   connect(&coverage_, &CoverageDesk::done, &commands, &ui::CoverageCommands::done);
   connect(&coverage_, &CoverageDesk::failed, &commands, &ui::CoverageCommands::fail);
+}
+
+void Studio::connectCalibration() {
+  ui::CalibrationCommands& commands = window_.calibration();
+  connect(&commands, &ui::CalibrationCommands::wanted, this, [this](const ui::CalibrationRequest& request) {
+    calibration_ = std::make_unique<CalibrationJob>(commandLineProgram(), tunedWork(), request, packages_);
+    connect(calibration_.get(), &CalibrationJob::done, &window_.calibration(),
+            &ui::CalibrationCommands::done);
+    connect(calibration_.get(), &CalibrationJob::failed, &window_.calibration(),
+            &ui::CalibrationCommands::fail);
+    calibration_->start();
+  });
+  connect(&commands, &ui::CalibrationCommands::cancelled, this, [this] { calibration_.reset(); });
 }
 
 void Studio::openPairs(const QString& robot, const QString& file) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/analysis/analysis_runner.hpp"
+#include "app/studio/calibration_job.hpp"
 #include "app/studio/coverage_job.hpp"
 #include "app/studio/file_watch.hpp"
 #include "app/studio/live_opening.hpp"
@@ -80,6 +81,7 @@ class Studio : public QObject {
   void connectVerification();
   void connectExchange();
   void connectCoverage();
+  void connectCalibration();
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
   void connectLive();
@@ -103,6 +105,7 @@ class Studio : public QObject {
   std::unique_ptr<ReportJob> report_;
   std::unique_ptr<SpeedJob> speeds_;
   VerificationJob verification_;
+  std::unique_ptr<CalibrationJob> calibration_;
   RangeJob range_;
   CoverageDesk coverage_;
   LiveOpening opening_;

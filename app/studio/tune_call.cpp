@@ -37,8 +37,6 @@ QString TuneCall::keep(const QString& name, const std::string& text) const {
   return file;
 }
 
-/// The scene; where the user reads its recordings or builds its people otherwise, or has put it together from
-/// several files, one that says so.
 QString TuneCall::sceneFile() const {
   if (!changesScene(work_) && !isComposed(work_) && !hasUnchecked(work_)) return work_.scene;
   scene_file::SceneDescription scene = sceneOf(work_, packages_);

@@ -20,12 +20,14 @@ class TuneCall {
 
   /// Without what is asked for. Throws ParseError, UsageError and WriteError.
   QStringList words() const;
+  /// The scene; where the user reads its recordings or builds its people otherwise, or has put it together
+  /// from several files, one in the temporary folder that says so. Throws ParseError, UsageError and
+  /// WriteError.
+  QString sceneFile() const;
   /// A file in the temporary folder.
   QString keep(const QString& name, const std::string& text) const;
 
  private:
-  QString sceneFile() const;
-
   ui::Work work_;
   robot_file::PackagePaths packages_;
   QTemporaryDir folder_;

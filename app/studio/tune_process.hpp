@@ -1,4 +1,4 @@
-// Runs `abstand tune` beside the window.
+// Runs `abstand` beside the window.
 #pragma once
 
 #include <QObject>

@@ -84,6 +84,7 @@ enum class ActionId {
   kViewForward,
   kClearSelection,
   kPlanSensor,
+  kCalibrate,
   kFollowPlots,
   kPinPlot,
   kUnpinPlots,

@@ -3323,6 +3323,14 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>What a depth camera would not see of the people over the whole recording, and why</source>
         <translation>Was eine Tiefenkamera über die ganze Aufnahme von den Personen nicht sähe, und warum</translation>
     </message>
+    <message>
+        <source>Calibrate a depth camera…</source>
+        <translation>Tiefenkamera kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Find the pose of a depth camera by the room, a person, a robot, a chessboard or points</source>
+        <translation>Die Lage einer Tiefenkamera finden: mit dem Raum, einer Person, einem Roboter, einem Schachbrett oder Punkten</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3396,6 +3404,45 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     <message>
         <source>Back to the scene file: %1</source>
         <translation>Zurück zur Szenendatei: %1</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::BoardFields</name>
+    <message>
+        <source>Squares along x</source>
+        <translation>Felder entlang x</translation>
+    </message>
+    <message>
+        <source>Squares along y</source>
+        <translation>Felder entlang y</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Seite eines Feldes</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
     </message>
 </context>
 <context>
@@ -3484,6 +3531,236 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
     <message>
         <source>Note</source>
         <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CalibrationCommands</name>
+    <message>
+        <source>Save camera file</source>
+        <translation>Kameradatei speichern</translation>
+    </message>
+    <message>
+        <source>Camera files (*.yaml)</source>
+        <translation>Kameradateien (*.yaml)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::CalibrationDialog</name>
+    <message>
+        <source>Two cameras see the same room with surfaces in three directions, such as a floor and two walls. The first pose of this camera is within 0.2 m and 20 degrees.</source>
+        <translation>Zwei Kameras sehen denselben Raum mit Flächen in drei Richtungen, etwa einen Boden und zwei Wände. Die erste Lage dieser Kamera stimmt auf 0,2 m und 20 Grad.</translation>
+    </message>
+    <message>
+        <source>The camera and another one, or motion capture, record the same person at the same time, who walks about for some seconds. The clocks may differ by 5 s.</source>
+        <translation>Die Kamera und eine andere, oder Motion Capture, nehmen zur selben Zeit dieselbe Person auf, die einige Sekunden umhergeht. Die Uhren dürfen um 5 s abweichen.</translation>
+    </message>
+    <message>
+        <source>The camera sees a robot of the scene that is shown, at the times of the scene. The first pose of the camera is within 0.1 m and 10 degrees.</source>
+        <translation>Die Kamera sieht einen Roboter der gezeigten Szene, zu den Zeiten der Szene. Die erste Lage der Kamera stimmt auf 0,1 m und 10 Grad.</translation>
+    </message>
+    <message>
+        <source>Infrared or colour images of a chessboard whose place in the world is known: its origin is the inner corner at the dark corner square, x along the first side, z towards the viewer.</source>
+        <translation>Infrarot- oder Farbbilder eines Schachbretts, dessen Ort in der Welt bekannt ist: Sein Ursprung ist die innere Ecke am dunklen Eckfeld, x entlang der ersten Seite, z zum Betrachter.</translation>
+    </message>
+    <message>
+        <source>A table cx,cy,cz,wx,wy,wz of points that are known in the axes of the camera and in the world, in metres; three or more, not on one line.</source>
+        <translation>Eine Tabelle cx,cy,cz,wx,wy,wz von Punkten, die in den Achsen der Kamera und in der Welt bekannt sind, in Metern; drei oder mehr, nicht auf einer Geraden.</translation>
+    </message>
+    <message>
+        <source>Points used</source>
+        <translation>Verwendete Punkte</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Largest residual</source>
+        <translation>Größte Restabweichung</translation>
+    </message>
+    <message>
+        <source>Surfaces that the other camera sees, too</source>
+        <translation>Flächen, die auch die andere Kamera sieht</translation>
+    </message>
+    <message>
+        <source>Agreement in the common view</source>
+        <translation>Übereinstimmung im gemeinsamen Blickfeld</translation>
+    </message>
+    <message>
+        <source>Visible surface of the robot that was found</source>
+        <translation>Gefundene sichtbare Oberfläche des Roboters</translation>
+    </message>
+    <message>
+        <source>Distance from the first pose</source>
+        <translation>Abstand von der ersten Lage</translation>
+    </message>
+    <message>
+        <source>Turn from the first pose</source>
+        <translation>Drehung gegen die erste Lage</translation>
+    </message>
+    <message>
+        <source>Offset of the clock</source>
+        <translation>Versatz der Uhr</translation>
+    </message>
+    <message>
+        <source>Way of the person</source>
+        <translation>Weg der Person</translation>
+    </message>
+    <message>
+        <source>%1 in line %2</source>
+        <translation>%1 in Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 pixels in %2</source>
+        <translation>%1 Pixel in %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The camera is at %1, %2, %3.</source>
+        <translation>Die Kamera ist bei %1, %2, %3.</translation>
+    </message>
+    <message>
+        <source>Its pose moves the points that it sees by %1 (standard deviation along an axis). Tracking adds this to the uncertainty of each joint, which widens the margins by at most %2.</source>
+        <translation>Ihre Lage verschiebt die gesehenen Punkte um %1 (Standardabweichung entlang einer Achse). Die Verfolgung von Personen fügt das der Unsicherheit jedes Gelenks hinzu, was die Sicherheitsabstände um höchstens %2 vergrößert.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>Calibrate a depth camera</source>
+        <translation>Tiefenkamera kalibrieren</translation>
+    </message>
+    <message>
+        <source>Quality of the calibration</source>
+        <translation>Güte der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The pose is being computed</source>
+        <translation>Die Lage wird berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;Compute</source>
+        <translation>&amp;Berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save camera file…</source>
+        <translation>Kameradatei &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Camera files (*.yaml *.yml)</source>
+        <translation>Kameradateien (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Images (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>By the room that another camera sees, too</source>
+        <translation>Mit dem Raum, den auch eine andere Kamera sieht</translation>
+    </message>
+    <message>
+        <source>By a person whom another camera sees, too</source>
+        <translation>Mit einer Person, die auch eine andere Kamera sieht</translation>
+    </message>
+    <message>
+        <source>By the links of a robot of the scene</source>
+        <translation>Mit den Gliedern eines Roboters der Szene</translation>
+    </message>
+    <message>
+        <source>By images of a chessboard</source>
+        <translation>Mit Bildern eines Schachbretts</translation>
+    </message>
+    <message>
+        <source>By a table of points</source>
+        <translation>Mit einer Tabelle von Punkten</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Methode</translation>
+    </message>
+    <message>
+        <source>Depth &amp;recording of this camera</source>
+        <translation>Tiefenauf&amp;nahme dieser Kamera</translation>
+    </message>
+    <message>
+        <source>Recording &amp;known in the world</source>
+        <translation>In der &amp;Welt bekannte Aufnahme</translation>
+    </message>
+    <message>
+        <source>R&amp;obot</source>
+        <translation>R&amp;oboter</translation>
+    </message>
+    <message>
+        <source>&amp;Images</source>
+        <translation>B&amp;ilder</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Brett</translation>
+    </message>
+    <message>
+        <source>Table of &amp;points</source>
+        <translation>&amp;Punkttabelle</translation>
+    </message>
+    <message>
+        <source>Camera &amp;file</source>
+        <translation>Kamera&amp;datei</translation>
+    </message>
+    <message>
+        <source>With the lens of the camera, and its first pose where the method needs one; empty: as the depth recording says</source>
+        <translation>Mit der Optik der Kamera, und ihrer ersten Lage, wo die Methode eine braucht; leer: wie in der Tiefenaufnahme</translation>
+    </message>
+    <message>
+        <source>The scene that is shown has no robot.</source>
+        <translation>Die gezeigte Szene hat keinen Roboter.</translation>
+    </message>
+    <message>
+        <source>Computing the pose…</source>
+        <translation>Die Lage wird berechnet…</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Residual (RMS)</source>
+        <translation>Restabweichung (RMS)</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>How far apart what the camera measures and what is known in the world remain; the noise of the camera is part of it</source>
+        <translation>Wie weit das von der Kamera Gemessene und das in der Welt Bekannte auseinander bleiben; das Rauschen der Kamera ist ein Teil davon</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the pose</source>
+        <translation>Unsicherheit der Lage</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the position of a seen point along an axis, due to the pose</source>
+        <translation>Standardabweichung des Ortes eines gesehenen Punktes entlang einer Achse, durch die Lage</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5401,33 @@ einer Gruppe ändert nur die gezeigten Sicherheitsabstände</translation>
     <message>
         <source>Sum of both objects&apos; safety margins</source>
         <translation>Summe der Sicherheitsabstände beider Objekte</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::PathField</name>
+    <message>
+        <source>Files…</source>
+        <translation>Dateien…</translation>
+    </message>
+    <message>
+        <source>File…</source>
+        <translation>Datei…</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Several paths, with semicolons between them</source>
+        <translation>Mehrere Pfade, mit Semikolons dazwischen</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
     </message>
 </context>
 <context>
