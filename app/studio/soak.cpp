@@ -20,8 +20,8 @@ namespace {
 using Id = ui::ActionId;
 
 constexpr int kActionMs = 1000;
-constexpr int kSamples = 120;          // over the whole time
-constexpr double kFillingShare = 0.1;  // of the time, in which caches fill up
+constexpr int kSamples = 120;                            // over the whole time
+constexpr double kFilling = 600.0, kFillingShare = 0.1;  // s, and of a short time: caches fill up in it
 constexpr long kActionsPerOpening =
     97;  // no multiple of the round below: the scene opens anew at each of its steps
 constexpr double kGolden = 0.6180339887498949;  // multiples of it are spread evenly
@@ -98,7 +98,7 @@ QJsonObject Soak::result() const {
   std::vector<double> t, resident, allocated;
   for (const Sample& s : samples_) {
     over_time.append(pointOf(s.t, s.resident, s.allocated));
-    if (s.t < kFillingShare * seconds_) continue;
+    if (s.t < (seconds_ > 2.0 * kFilling ? kFilling : kFillingShare * seconds_)) continue;
     t.push_back(s.t);
     resident.push_back(s.resident);
     allocated.push_back(s.allocated);

@@ -20,7 +20,8 @@ class Soak : public QObject {
   Soak(ui::MainWindow& window, double seconds, QObject* parent = nullptr);
 
   /// When the scene is open. Hands over the figures after the given time: memory over time, and its growth in
-  /// MB an hour after the first tenth of the time (structures and caches fill up in it).
+  /// MB an hour after the first ten minutes, or after the first tenth of less than twenty (caches fill up in
+  /// it).
   void start(std::function<void(const QJsonObject&)> done);
 
  private:
