@@ -1,11 +1,14 @@
 #include "ui/coverage_commands.hpp"
 
+#include <QFileDialog>
 #include <QTimer>
 #include <algorithm>
 
 #include "ui/document/document.hpp"
 #include "ui/model/playback.hpp"
+#include "ui/model/recent_folder.hpp"
 #include "ui/panels/coverage_dialog.hpp"
+#include "ui/panels/lens_kind.hpp"
 #include "ui/viewport/viewport.hpp"
 
 namespace abstand::ui {
@@ -41,6 +44,7 @@ void CoverageCommands::plan() {
       edit(tr("planned depth camera"), plan, QStringLiteral("sensor"));
     });
     connect(dialog_, &CoverageDialog::viewWanted, this, &CoverageCommands::placeAtView);
+    connect(dialog_, &CoverageDialog::fileWanted, this, &CoverageCommands::askFile);
     connect(dialog_, &CoverageDialog::removeWanted, this, &CoverageCommands::remove);
     connect(dialog_, &CoverageDialog::stopped, this, &CoverageCommands::cancelled);
     connect(dialog_, &CoverageDialog::picked, &parts_.playback, &Playback::seek);
@@ -64,6 +68,22 @@ void CoverageCommands::placeAtView() {
   edit(tr("depth camera at the view"), fromView(plan, parts_.viewport.cameraView()));
 }
 
+void CoverageCommands::askFile() {
+  QFileDialog dialog(window_, tr("Open camera file"), recentFolder(), tr("Camera files (*.yaml *.yml)"));
+  dialog.setObjectName(QStringLiteral("open_camera"));
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  rememberFolder(dialog.selectedFiles().constFirst());
+  Q_EMIT cameraFileWanted(dialog.selectedFiles().constFirst());
+}
+
+void CoverageCommands::takeCamera(const SensorLens& lens, const std::optional<Transform>& X_W) {
+  SensorPlan plan = parts_.document.work().sensor.value_or(SensorPlan());
+  plan.sensor = kFileSensor;
+  plan.lens = lens;
+  edit(tr("depth camera of a file"), X_W ? withPose(plan, *X_W) : plan);
+}
+
 void CoverageCommands::remove() {
   parts_.document.edit(tr("remove the depth camera"), [](Work& work) { work.sensor.reset(); });
 }
@@ -85,6 +105,8 @@ void CoverageCommands::follow() {
 
 void CoverageCommands::showSensor() {
   const std::optional<SensorPlan>& plan = parts_.document.work().sensor;
+  if (can_ && plan && plan->lens && plan->sensor == kFileSensor)
+    return parts_.viewport.showSensor(plan->X_W(), kindOf(*plan->lens, kFileSensor));
   const auto kind = std::find_if(kinds_.begin(), kinds_.end(),
                                  [&](const SensorKind& each) { return plan && each.name == plan->sensor; });
   if (can_ && kind != kinds_.end())

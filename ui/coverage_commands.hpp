@@ -42,16 +42,22 @@ class CoverageCommands : public QObject {
   void showProgress(int done, int all);
   void done(const CoverageReport& report);
   void fail(const QString& problem);
+  /// Answers cameraFileWanted(). `X_W`: the optical frame in the world; nullopt: the file has no pose, and
+  /// that of the plan stays.
+  void takeCamera(const SensorLens& lens, const std::optional<Transform>& X_W);
   /// Null: closed.
   CoverageDialog* dialog() const;
 
  Q_SIGNALS:
   void wanted(const abstand::ui::SensorPlan& plan);
   void cancelled();
+  /// The camera of a file that the user chose.
+  void cameraFileWanted(const QString& file);
 
  private:
   void edit(const QString& text, const SensorPlan& plan, const QString& merge_key = {});
   void placeAtView();
+  void askFile();
   void remove();
   void follow();
   void showSensor();

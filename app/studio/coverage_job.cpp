@@ -1,7 +1,7 @@
 #include "app/studio/coverage_job.hpp"
 
-#include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QMetaObject>
 
 #include "app/coverage/summary.hpp"
@@ -9,7 +9,7 @@
 #include "app/studio/scene_of_file.hpp"
 #include "app/studio/scene_of_work.hpp"
 #include "core/base/background_thread.hpp"
-#include "ui/style/format.hpp"
+#include "ui/panels/lens_kind.hpp"
 
 namespace abstand::studio {
 
@@ -21,33 +21,46 @@ static_assert(ui::kHiddenByCount == coverage::kCauses);
 static_assert(static_cast<int>(ui::HiddenBy::kOtherPerson) ==
               static_cast<int>(coverage::Cause::kOtherPerson));
 
+ui::SensorLens lensOf(const coverage::Sensor& sensor, const QString& name) {
+  const tracking::DepthCamera& camera = sensor.camera;
+  return {name,      camera.width, camera.height,  camera.fx,      camera.fy,
+          camera.cx, camera.cy,    sensor.nearest, sensor.farthest};
+}
+
 }  // namespace
 
 std::vector<ui::SensorKind> sensorKinds() {
   std::vector<ui::SensorKind> kinds;
   for (const std::string& name : coverage::sensorNames()) {
-    const coverage::Sensor sensor = coverage::sensorNamed(name);
-    const tracking::DepthCamera& camera = sensor.camera;
-    ui::SensorKind kind;
-    kind.name = QString::fromStdString(name);
-    kind.title = QCoreApplication::translate("abstand::studio::CoverageJob", "%1: %2 x %3 pixels, %4 to %5 m")
-                     .arg(name == "kinect" ? QStringLiteral("Kinect v1") : QStringLiteral("Kinect v2"))
-                     .arg(camera.width)
-                     .arg(camera.height)
-                     .arg(ui::fixed(sensor.nearest, 1), ui::fixed(sensor.farthest, 1));
-    kind.left = (-0.5 - camera.cx) / camera.fx;
-    kind.right = (camera.width - 0.5 - camera.cx) / camera.fx;
-    kind.top = (-0.5 - camera.cy) / camera.fy;
-    kind.bottom = (camera.height - 0.5 - camera.cy) / camera.fy;
-    kind.nearest = sensor.nearest;
-    kind.farthest = sensor.farthest;
-    kinds.push_back(kind);
+    const QString title = name == "kinect" ? QStringLiteral("Kinect v1") : QStringLiteral("Kinect v2");
+    kinds.push_back(ui::kindOf(lensOf(coverage::sensorNamed(name), title), QString::fromStdString(name)));
   }
   return kinds;
 }
 
+FileCamera cameraOfFile(const QString& file) {
+  const coverage::Sensor sensor = coverage::sensorOfFile(QFile::encodeName(file).toStdString());
+  FileCamera camera{lensOf(sensor, QFileInfo(file).fileName()), std::nullopt};
+  // A camera file without a pose has its camera at the origin.
+  if (!sensor.camera.X_WC.isApprox(Transform::Identity())) camera.X_W = sensor.camera.X_WC;
+  return camera;
+}
+
 coverage::Sensor sensorOf(const ui::SensorPlan& plan) {
-  coverage::Sensor sensor = coverage::sensorNamed(plan.sensor.toStdString());
+  coverage::Sensor sensor;
+  if (plan.sensor == ui::kFileSensor && plan.lens) {
+    const ui::SensorLens& lens = *plan.lens;
+    sensor.camera.width = lens.width;
+    sensor.camera.height = lens.height;
+    sensor.camera.fx = lens.fx;
+    sensor.camera.fy = lens.fy;
+    sensor.camera.cx = lens.cx;
+    sensor.camera.cy = lens.cy;
+    sensor.nearest = lens.nearest;
+    sensor.farthest = lens.farthest;
+  } else {
+    sensor = coverage::sensorNamed(plan.sensor.toStdString());
+  }
   sensor.camera.X_WC = plan.X_W();
   return sensor;
 }

@@ -21,6 +21,13 @@ namespace abstand::studio {
 
 /// The sensors that a plan may choose from.
 std::vector<ui::SensorKind> sensorKinds();
+/// A camera for a plan, as `abstand coverage --camera`.
+struct FileCamera {
+  ui::SensorLens lens;
+  std::optional<Transform> X_W;  ///< optical frame in the world; nullopt: the file has none
+};
+/// Throws ParseError.
+FileCamera cameraOfFile(const QString& file);
 /// Throws UsageError for an unknown sensor.
 coverage::Sensor sensorOf(const ui::SensorPlan& plan);
 ui::CoverageReport reportOf(const coverage::Coverage& coverage);

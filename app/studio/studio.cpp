@@ -210,6 +210,14 @@ void Studio::connectCoverage() {
     work.sensor.reset();
     coverage_.start(work, packages_, plan);
   });
+  connect(&commands, &ui::CoverageCommands::cameraFileWanted, this, [this](const QString& file) {
+    try {
+      const FileCamera camera = cameraOfFile(file);
+      window_.coverage().takeCamera(camera.lens, camera.X_W);
+    } catch (const std::exception& e) {
+      window_.showProblem(tr("Open camera file"), QString::fromUtf8(e.what()));
+    }
+  });
   connect(&commands, &ui::CoverageCommands::cancelled, &coverage_, &CoverageDesk::cancel);
   connect(&coverage_, &CoverageDesk::progressed, &commands, &ui::CoverageCommands::showProgress);
   connect(&coverage_, &CoverageDesk::done, &commands, &ui::CoverageCommands::done);

@@ -2,9 +2,11 @@
 #include <sys/wait.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QToolTip>
@@ -12,7 +14,9 @@
 
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
+#include "tests/ui/modal_answer.hpp"
 #include "tests/ui/studio_window.hpp"
+#include "tracking/depth/camera/depth_camera.hpp"
 #include "ui/coverage_commands.hpp"
 #include "ui/document/project_file.hpp"
 #include "ui/model/playback.hpp"
@@ -246,6 +250,82 @@ TEST_F(StudioCoverage, ProjectKeepsTheSensor) {
   ASSERT_TRUE(opens([&] { studio.openProject(read, file, false); })) << problem;
   EXPECT_EQ(work().sensor, kept);
   EXPECT_EQ(window.viewport().sensorCorners().size(), 8u);
+}
+
+TEST_F(StudioCoverage, CameraFileGivesLensAndPose) {
+  place(plan());
+  openDialog();
+  tracking::DepthCamera camera;
+  camera.width = 320;
+  camera.height = 240;
+  camera.fx = camera.fy = 290.0;
+  camera.cx = 150.0;
+  camera.cy = 119.5;
+  camera.X_WC = tracking::lookingAt({0.3, 3.5, 1.6}, {0.1, 0.0, 1.0}) * fromXyzRpy({0, 0, 0}, {0, 0, 0.2});
+  const std::string file = folder.write("camera.yaml", tracking::describeDepthCamera(camera)).string();
+  const auto choose = [&](const std::string& chosen) {
+    const ui::ModalAnswer answer = ui::ModalAnswer::choose("open_camera", QString::fromStdString(chosen));
+    click("camera file");
+    EXPECT_TRUE(answer.answered());
+  };
+  choose(file);
+  ASSERT_TRUE(work().sensor->lens);
+  EXPECT_EQ(work().sensor->sensor, "file");
+  EXPECT_TRUE(work().sensor->X_W().isApprox(camera.X_WC, 1e-12)) << "with the roll of the file";
+  EXPECT_TRUE(dialog->editor()->kinds()->currentText().startsWith("camera.yaml: 320 x 240"));
+  ASSERT_TRUE(answered());
+  const auto out = folder.path() / "file.json";
+  const std::string command = "'" ABSTAND_PROGRAM "' coverage '" + scene.string() + "' --camera '" + file +
+                              "' --json >'" + out.string() + "'";
+  ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+  expectAnswer(nlohmann::json::parse(readFile(out, 1 << 28, true)));
+  // The field of view is that of the lens, which is not symmetric: the left edge of the image is nearer to
+  // its centre.
+  const Vector3d left = camera.X_WC.inverse() * window.viewport().sensorCorners()[4];
+  EXPECT_NEAR(left.x(), 8.0 * (-0.5 - 150.0) / 290.0, 1e-9);
+
+  // The project keeps it.
+  const QString project = in("lens.abstand");
+  ui::writeProject(window.document().project(), project);
+  EXPECT_EQ(ui::readProject(project).work.sensor, work().sensor);
+  // A file without a pose gives its lens only.
+  std::string text = tracking::describeDepthCamera(camera);
+  folder.write("lens.yaml", text.substr(0, text.find("T_WC")));
+  place(plan());
+  choose(in("lens.yaml").toStdString());
+  EXPECT_EQ(work().sensor->xyz, plan().xyz);
+  EXPECT_EQ(work().sensor->azimuth, plan().azimuth);
+  EXPECT_EQ(work().sensor->lens->cx, 150.0);
+  // Another kind leaves the file among the choices; undo brings its lens back.
+  ui::SensorPlan other = *work().sensor;
+  other.sensor = "kinect";
+  place(other);
+  EXPECT_EQ(dialog->editor()->kinds()->count(), 3);
+  EXPECT_TRUE(dialog->editor()->kinds()->currentText().startsWith("Kinect v1"));
+  window.document().steps().undo();
+  EXPECT_TRUE(dialog->editor()->kinds()->currentText().startsWith("lens.yaml"));
+  // What is no camera file changes nothing, and says so.
+  const ui::SensorPlan before = *work().sensor;
+  choose(scene.string());
+  EXPECT_EQ(*work().sensor, before);
+  auto* problem_box = window.findChild<QMessageBox*>();
+  ASSERT_TRUE(problem_box);
+  EXPECT_TRUE(problem_box->text().contains("a camera file")) << problem_box->text().toStdString();
+  problem_box->close();
+}
+
+TEST(SensorPlan, PoseIsKept) {
+  for (const double azimuth : {-3.0, 0.0, 1.2})
+    for (const double elevation : {-0.5 * kPi, -1.0, 0.0, 0.7})
+      for (const double roll : {-2.5, 0.0, 0.4}) {
+        ui::SensorPlan plan;
+        plan.xyz = {1.0, -2.0, 3.0};
+        plan.azimuth = azimuth;
+        plan.elevation = elevation;
+        plan.roll = roll;
+        EXPECT_TRUE(ui::withPose({}, plan.X_W()).X_W().isApprox(plan.X_W(), 1e-12))
+            << azimuth << " " << elevation << " " << roll;
+      }
 }
 
 TEST_F(StudioCoverage, StoppingAndClosingEndTheWork) {

@@ -20,6 +20,8 @@ using config::YamlRange;
 constexpr YamlRange kTime{-1e9, 1e9, "s"};
 constexpr YamlRange kLength{-1e6, 1e6, "m"};
 constexpr YamlRange kDistance{0.0, 1e6, "m", true};
+constexpr YamlRange kFocalLength{0.0, 1e6, "pixels", true};
+constexpr YamlRange kImageCentre{-1e6, 1e6, "pixels"};
 constexpr YamlRange kAngle{-1e6, 1e6, "rad"};
 constexpr YamlRange kMargin{0.0, kMaxMargin, "m"};
 constexpr YamlRange kSpeed{0.0, 1e3, "", true};
@@ -281,14 +283,32 @@ void readWhatIf(const YamlFields& in, WhatIfSettings& what_if) {
   });
 }
 
+SensorLens lensOf(const YamlFields& in, const YamlNode& node) {
+  const YamlFields fields(node, in.file(), "a lens",
+                          {"name", "width", "height", "fx", "fy", "cx", "cy", "nearest", "farthest"});
+  SensorLens lens;
+  fields.need("name");
+  lens.name = textOf(fields, "name");
+  for (const auto& [key, pixels] : {std::pair{"width", &lens.width}, {"height", &lens.height}})
+    *pixels = fields.integer(key, 1, SensorLens::kMaxPixels).value_or(*pixels);
+  for (const auto& [key, value] : {std::pair{"fx", &lens.fx}, {"fy", &lens.fy}})
+    *value = fields.number(key, kFocalLength).value_or(*value);
+  for (const auto& [key, value] : {std::pair{"cx", &lens.cx}, {"cy", &lens.cy}})
+    *value = fields.number(key, kImageCentre).value_or(*value);
+  for (const auto& [key, value] : {std::pair{"nearest", &lens.nearest}, {"farthest", &lens.farthest}})
+    *value = fields.number(key, kDistance).value_or(*value);
+  return lens;
+}
+
 void readSensor(const YamlFields& in, Work& work) {
   const YamlNode* node = in.find("planned_sensor");
   if (!node) return;
   const YamlFields fields(*node, in.file(), "a planned sensor",
-                          {"sensor", "xyz", "azimuth", "elevation", "roll"});
+                          {"sensor", "lens", "xyz", "azimuth", "elevation", "roll"});
   SensorPlan plan;
   fields.need("sensor");
   plan.sensor = textOf(fields, "sensor");
+  if (const YamlNode* lens = fields.find("lens")) plan.lens = lensOf(fields, *lens);
   plan.xyz = fields.vector("xyz", kLength).value_or(plan.xyz);
   plan.azimuth = fields.number("azimuth", kAngle).value_or(plan.azimuth);
   plan.elevation = fields.number("elevation", kAngle).value_or(plan.elevation);

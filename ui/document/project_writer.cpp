@@ -216,10 +216,25 @@ void addWhatIf(JsonText& json, const WhatIfSettings& what_if) {
   json.close();
 }
 
+void addLens(JsonText& json, const SensorLens& lens) {
+  json.open("lens", '{');
+  json.addText("name", lens.name.toStdString());
+  json.addNumber("width", lens.width);
+  json.addNumber("height", lens.height);
+  json.addNumber("fx", lens.fx);
+  json.addNumber("fy", lens.fy);
+  json.addNumber("cx", lens.cx);
+  json.addNumber("cy", lens.cy);
+  json.addNumber("nearest", lens.nearest);
+  json.addNumber("farthest", lens.farthest);
+  json.close();
+}
+
 void addSensor(JsonText& json, const std::optional<SensorPlan>& sensor) {
   if (!sensor) return;
   json.open("planned_sensor", '{');
   json.addText("sensor", sensor->sensor.toStdString());
+  if (sensor->lens) addLens(json, *sensor->lens);
   json.open("xyz", '[');
   for (const double number : sensor->xyz) json.addNumber("", number);
   json.close();

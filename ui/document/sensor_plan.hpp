@@ -4,15 +4,21 @@
 #include <QMetaType>
 #include <QString>
 #include <cmath>
+#include <optional>
 
 #include "core/math/transform.hpp"
 #include "ui/document/camera_view.hpp"
+#include "ui/document/sensor_lens.hpp"
 
 namespace abstand::ui {
 
+/// SensorPlan::sensor of a plan with the lens of a camera file.
+inline const QString kFileSensor = QStringLiteral("file");
+
 /// Kind and pose of a planned depth camera, which looks along a direction in the world.
 struct SensorPlan {
-  QString sensor{QStringLiteral("kinect")};  ///< as `--sensor` of `abstand coverage`
+  QString sensor{QStringLiteral("kinect")};  ///< as `--sensor` of `abstand coverage`, or kFileSensor
+  std::optional<SensorLens> lens;            ///< of the camera file that was read last
   Vector3d xyz{3.0, 0.0, 1.5};               ///< m, world
   double azimuth{kPi};                       ///< rad, of the direction, about z; 0: along x
   double elevation{0.0};                     ///< rad, of the direction, above the horizon
@@ -32,10 +38,25 @@ struct SensorPlan {
     return X;
   }
   bool operator==(const SensorPlan& other) const {
-    return sensor == other.sensor && xyz == other.xyz && azimuth == other.azimuth &&
+    return sensor == other.sensor && lens == other.lens && xyz == other.xyz && azimuth == other.azimuth &&
            elevation == other.elevation && roll == other.roll;
   }
 };
+
+/// `plan` with this optical frame (x right, y down, z forward) in the world. Where it looks along the
+/// vertical, the azimuth is 0.
+inline SensorPlan withPose(SensorPlan plan, const Transform& X_W) {
+  constexpr double kVertical = 1e-9;  // horizontal part of a direction that has no azimuth
+  const Vector3d ahead = X_W.linear().col(2);
+  const double across = std::hypot(ahead.x(), ahead.y());
+  plan.xyz = X_W.translation();
+  plan.azimuth = across > kVertical ? std::atan2(ahead.y(), ahead.x()) : 0.0;
+  plan.elevation = std::atan2(ahead.z(), across);
+  plan.roll = 0.0;
+  const Vector3d right = plan.X_W().linear().transpose() * X_W.linear().col(0);
+  plan.roll = std::atan2(right.y(), right.x());
+  return plan;
+}
 
 /// `plan` at the eye of a view, in its direction, level.
 inline SensorPlan fromView(SensorPlan plan, const CameraView& view) {

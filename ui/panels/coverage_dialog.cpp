@@ -112,13 +112,16 @@ CoverageDialog::CoverageDialog(const std::vector<SensorKind>& kinds, QWidget* pa
   busy_->setAccessibleName(tr("Progress"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* view = buttons->addButton(tr("From the &view"), QDialogButtonBox::ActionRole);
+  auto* file = buttons->addButton(tr("From a camera &file…"), QDialogButtonBox::ActionRole);
   auto* remove = buttons->addButton(tr("Re&move the sensor"), QDialogButtonBox::ActionRole);
   stop_ = buttons->addButton(tr("S&top"), QDialogButtonBox::ActionRole);
   view->setToolTip(tr("The sensor stands where the 3D view is seen from, and looks in its direction"));
-  for (QPushButton* button : {view, remove, stop_}) button->setAutoDefault(false);
+  file->setToolTip(tr("Lens and pose of a camera file, such as that of a calibration"));
+  for (QPushButton* button : {view, file, remove, stop_}) button->setAutoDefault(false);
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
   connect(editor_, &SensorEditor::edited, this, &CoverageDialog::planEdited);
   connect(view, &QPushButton::clicked, this, &CoverageDialog::viewWanted);
+  connect(file, &QPushButton::clicked, this, &CoverageDialog::fileWanted);
   connect(remove, &QPushButton::clicked, this, &CoverageDialog::removeWanted);
   connect(stop_, &QPushButton::clicked, this, &CoverageDialog::stop);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -46,6 +46,7 @@ class CoverageDialog : public QDialog {
   /// By the user.
   void planEdited(const abstand::ui::SensorPlan& plan);
   void viewWanted();    ///< the sensor is to stand where the 3D view is seen from
+  void fileWanted();    ///< lens and pose shall be those of a camera file
   void removeWanted();  ///< there is to be no sensor
   void stopped();
   void picked(double t);  ///< s

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include "ui/panels/lens_kind.hpp"
 #include "ui/style/calm_inputs.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/units.hpp"
@@ -22,7 +23,7 @@ double sensorFactor(int number) { return number < kFirstAngle ? lengthFactor() :
 }  // namespace
 
 SensorEditor::SensorEditor(const std::vector<SensorKind>& kinds, QWidget* parent)
-    : QWidget(parent), kinds_{new QComboBox(this)} {
+    : QWidget(parent), named_{static_cast<int>(kinds.size())}, kinds_{new QComboBox(this)} {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   for (const SensorKind& kind : kinds) kinds_->addItem(kind.title, kind.name);
@@ -82,9 +83,16 @@ void SensorEditor::applyUnits() {
   }
 }
 
+/// The lens of a camera file is a choice after the others, as long as the plan has one.
+void SensorEditor::showKind() {
+  while (kinds_->count() > named_) kinds_->removeItem(named_);
+  if (plan_.lens) kinds_->addItem(kindOf(*plan_.lens, kFileSensor).title, kFileSensor);
+  kinds_->setCurrentIndex(kinds_->findData(plan_.sensor));
+}
+
 void SensorEditor::show(const SensorPlan& plan) {
   plan_ = plan;
-  kinds_->setCurrentIndex(kinds_->findData(plan.sensor));
+  showKind();
   for (int number = 0; number < kNumbers; ++number) {
     QDoubleSpinBox* box = this->box(number);
     if (box->hasFocus() && box->findChild<QLineEdit*>()->isModified()) continue;

@@ -34,9 +34,11 @@ class SensorEditor : public QWidget {
  private:
   void take(int number, double shown);
   void applyUnits();
+  void showKind();
   double* numberOf(int number);
 
   SensorPlan plan_;
+  const int named_;  ///< kinds that a plan may always choose
   QComboBox* kinds_;
   std::array<QDoubleSpinBox*, kNumbers> boxes_{};
 };

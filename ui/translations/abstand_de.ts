@@ -195,13 +195,6 @@
     </message>
 </context>
 <context>
-    <name>abstand::studio::CoverageJob</name>
-    <message>
-        <source>%1: %2 x %3 pixels, %4 to %5 m</source>
-        <translation>%1: %2 x %3 Pixel, %4 bis %5 m</translation>
-    </message>
-</context>
-<context>
     <name>abstand::studio::LiveOpening</name>
     <message>
         <source>Address</source>
@@ -288,6 +281,10 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>%1 was placed in front of %2: see Inspector, Place</source>
         <translation>%1 steht jetzt vor %2: siehe Inspektor, Ort</translation>
+    </message>
+    <message>
+        <source>Open camera file</source>
+        <translation>Kameradatei öffnen</translation>
     </message>
 </context>
 <context>
@@ -3331,6 +3328,10 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Find the pose of a depth camera by the room, a person, a robot, a chessboard or points</source>
         <translation>Die Lage einer Tiefenkamera finden: mit dem Raum, einer Person, einem Roboter, einem Schachbrett oder Punkten</translation>
     </message>
+    <message>
+        <source>%1: %2 x %3 pixels, %4 to %5 m</source>
+        <translation>%1: %2 x %3 Pixel, %4 bis %5 m</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -3889,6 +3890,18 @@ B, die gemerkten Sicherheitsabstände: %2
         <source>remove the depth camera</source>
         <translation>Tiefenkamera entfernen</translation>
     </message>
+    <message>
+        <source>Open camera file</source>
+        <translation>Kameradatei öffnen</translation>
+    </message>
+    <message>
+        <source>Camera files (*.yaml *.yml)</source>
+        <translation>Kameradateien (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>depth camera of a file</source>
+        <translation>Tiefenkamera einer Datei</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::CoverageDialog</name>
@@ -3979,6 +3992,14 @@ B, die gemerkten Sicherheitsabstände: %2
     <message>
         <source>%1 % of the surface towards the camera, on average</source>
         <translation>%1 % der Oberfläche zur Kamera hin, im Mittel</translation>
+    </message>
+    <message>
+        <source>From a camera &amp;file…</source>
+        <translation>Aus einer &amp;Kameradatei…</translation>
+    </message>
+    <message>
+        <source>Lens and pose of a camera file, such as that of a calibration</source>
+        <translation>Objektiv und Lage einer Kameradatei, etwa der einer Kalibrierung</translation>
     </message>
 </context>
 <context>
