@@ -28,6 +28,7 @@
 #include "ui/language_commands.hpp"
 #include "ui/link_drag.hpp"
 #include "ui/link_poke.hpp"
+#include "ui/live_camera_commands.hpp"
 #include "ui/live_commands.hpp"
 #include "ui/margin_commands.hpp"
 #include "ui/menus.hpp"
@@ -202,6 +203,9 @@ void MainWindow::buildCommands() {
           &CalibrationCommands::open);
   connect(commands_.calibration, &CalibrationCommands::said, this, &MainWindow::say);
   connect(commands_.calibration, &CalibrationCommands::failed, this, &MainWindow::showProblem);
+  commands_.live_camera = new LiveCameraCommands(this);
+  connect((*actions_)[Id::kLiveCamera], &QAction::triggered, commands_.live_camera,
+          &LiveCameraCommands::open);
   connect(commands_.clouds, &CloudCommands::said, this, &MainWindow::say);
   connect(feed_, &MomentFeed::shown, commands_.clouds, &CloudCommands::refresh);
   commands_.live = new LiveCommands(*actions_, panels_, this);
@@ -248,6 +252,7 @@ void MainWindow::setSession(SessionPort* session) {
   QStringList robots;
   for (const view::RobotCard& robot : outline.robots) robots << QString::fromStdString(robot.name);
   commands_.calibration->setRobots(robots);
+  commands_.live_camera->setScene(document_->work().scene, outline);
   if (session_ && !(*actions_)[Id::kReact]->isChecked()) session_->setReact(false);
   if (session_ && !(*actions_)[Id::kReactionTorques]->isChecked()) session_->setTorques(false);
   if (session_) {

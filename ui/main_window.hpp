@@ -20,6 +20,7 @@ class Actions;
 class Autosave;
 class CameraCommands;
 class CalibrationCommands;
+class LiveCameraCommands;
 class CloudCommands;
 class CoverageCommands;
 class DockSet;
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
   LiveCommands& live() const { return *commands_.live; }
   ImportCommands& imports() const { return *commands_.imports; }
   CloudCommands& clouds() const { return *commands_.clouds; }
+  LiveCameraCommands& liveCamera() const { return *commands_.live_camera; }
   CalibrationCommands& calibration() const { return *commands_.calibration; }
   CoverageCommands& coverage() const { return *commands_.coverage; }
   SpeedCommands& speeds() const { return *commands_.speeds; }
@@ -186,6 +188,7 @@ class MainWindow : public QMainWindow {
     CloudCommands* clouds;
     CoverageCommands* coverage;
     CalibrationCommands* calibration;
+    LiveCameraCommands* live_camera;
   } commands_{};
   struct {
     Autosave* autosave{nullptr};

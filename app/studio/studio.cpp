@@ -23,6 +23,7 @@
 #include "ui/exchange_commands.hpp"
 #include "ui/file_commands.hpp"
 #include "ui/import_commands.hpp"
+#include "ui/live_camera_commands.hpp"
 #include "ui/live_commands.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/recording_review.hpp"
@@ -77,6 +78,7 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
   connectCoverage();
   connectCalibration();
   connectLive();
+  connectLiveCamera();
   connect(&watch_, &FileWatch::changed, this, [this](const QStringList& changed) {
     // What a server computes does not depend on the file any more.
     if (!record_ && (!request_ || request_->kind == Request::Kind::kFollow)) readAgain(changed);
@@ -151,6 +153,7 @@ void Studio::connectLive() {
           [this](const QString& file) { openMoments(file, QString()); });
   connect(&opening_, &LiveOpening::found, this, &Studio::openLive);
   connect(&opening_, &LiveOpening::failed, this, [this](const QString& problem) {
+    if (!record_) camera_.stop();
     window_.hideOpening();
     fail(problem);
   });
@@ -158,6 +161,26 @@ void Studio::connectLive() {
           [this](const QString& file) { window_.say(tr("Saved %1").arg(file)); });
   connect(&saving_, &MomentSaving::failed, this,
           [this](const QString& problem) { window_.showProblem(tr("Cannot save"), problem); });
+}
+
+void Studio::connectLiveCamera() {
+  ui::LiveCameraCommands& commands = window_.liveCamera();
+  connect(&commands, &ui::LiveCameraCommands::wanted, this, [this](const ui::LiveCameraRequest& request) {
+    ui::LiveCameraRequest absolute = request;
+    absolute.scene = absolutePath(request.scene);
+    camera_.start(commandLineProgram(), absolute, packages_);
+  });
+  connect(&commands, &ui::LiveCameraCommands::cancelled, &camera_, &LiveCamera::stop);
+  connect(&camera_, &LiveCamera::progressed, &commands, &ui::LiveCameraCommands::say);
+  connect(&camera_, &LiveCamera::failed, &commands, &ui::LiveCameraCommands::fail);
+  connect(&camera_, &LiveCamera::sees, this, [this](const QString& address, const QString& scene) {
+    window_.liveCamera().succeed();
+    window_.say(tr("Joint values of robots are received at %1 (UDP)").arg(address));
+    connectTo(address, scene);
+  });
+  connect(&camera_, &LiveCamera::ended, this, [this](const QString& problem) {
+    window_.showProblem(tr("The live depth camera ended"), problem);
+  });
 }
 
 void Studio::connectTo(const QString& address, const QString& scene) {

@@ -10,6 +10,7 @@
 #include "app/studio/calibration_job.hpp"
 #include "app/studio/coverage_job.hpp"
 #include "app/studio/file_watch.hpp"
+#include "app/studio/live_camera.hpp"
 #include "app/studio/live_opening.hpp"
 #include "app/studio/live_port.hpp"
 #include "app/studio/loader.hpp"
@@ -85,6 +86,7 @@ class Studio : public QObject {
   void openPairs(const QString& robot, const QString& file);
   void savePairs(const QString& robot, const QString& file);
   void connectLive();
+  void connectLiveCamera();
   void openLive(std::shared_ptr<LiveSource> source, const QString& scene);
   void disconnectLive();
   void fail(const QString& problem);
@@ -108,6 +110,7 @@ class Studio : public QObject {
   std::unique_ptr<CalibrationJob> calibration_;
   RangeJob range_;
   CoverageDesk coverage_;
+  LiveCamera camera_;
   LiveOpening opening_;
   std::shared_ptr<viewer::LiveRecord> record_;  // of port_, where it shows a server
   MomentSaving saving_;

@@ -141,6 +141,7 @@ void Studio::openProject(const ui::Project& project, const QString& file, bool m
 
 void Studio::cancel() {
   opening_.abandon();
+  if (!record_) camera_.stop();
   window_.hideOpening();
   if (!loader_.isLoading()) return;
   QApplication::restoreOverrideCursor();
@@ -160,6 +161,7 @@ void Studio::giveUp(const Request& request) {
 
 void Studio::close() {
   cancel();
+  camera_.stop();
   window_.setSession(nullptr);
   analysis_.close();
   coverage_.close();
@@ -272,6 +274,7 @@ void Studio::take(Loaded& loaded) {
           request->live ? whyNotShown(*request->live->record->card(), loaded.live->outline()) : QString();
       !why.isEmpty())
     return fail(tr("%1 cannot be shown with this scene. %2").arg(request->live->name, why));
+  if (!request->live || request->live->name != camera_.address()) camera_.stop();
   window_.setSession(nullptr);
   analysis_.close();
   coverage_.open(loaded.live->outline(), loaded.structures);

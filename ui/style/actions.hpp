@@ -18,6 +18,7 @@ enum class ActionId {
   kRecordingOptions,
   kReload,
   kConnect,
+  kLiveCamera,
   kDisconnect,
   kSaveMoments,
   kRecent1,

@@ -195,6 +195,25 @@
     </message>
 </context>
 <context>
+    <name>abstand::studio::LiveCamera</name>
+    <message>
+        <source>The program &quot;abstand&quot; is neither next to this program nor in PATH.</source>
+        <translation>Das Programm „abstand“ liegt weder neben diesem noch im PATH.</translation>
+    </message>
+    <message>
+        <source>Opening the scene…</source>
+        <translation>Die Szene wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera…</source>
+        <translation>Warten auf die Kamera…</translation>
+    </message>
+    <message>
+        <source>%1 ended with code %2</source>
+        <translation>%1 endete mit dem Code %2</translation>
+    </message>
+</context>
+<context>
     <name>abstand::studio::LiveOpening</name>
     <message>
         <source>Address</source>
@@ -285,6 +304,14 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>Open camera file</source>
         <translation>Kameradatei öffnen</translation>
+    </message>
+    <message>
+        <source>The live depth camera ended</source>
+        <translation>Die Live-Tiefenkamera wurde beendet</translation>
+    </message>
+    <message>
+        <source>Joint values of robots are received at %1 (UDP)</source>
+        <translation>Gelenkwerte von Robotern werden auf %1 (UDP) empfangen</translation>
     </message>
 </context>
 <context>
@@ -3332,6 +3359,14 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>%1: %2 x %3 pixels, %4 to %5 m</source>
         <translation>%1: %2 x %3 Pixel, %4 bis %5 m</translation>
     </message>
+    <message>
+        <source>Open a live depth camera…</source>
+        <translation>Live-Tiefenkamera öffnen…</translation>
+    </message>
+    <message>
+        <source>Let a Kinect at this computer move the person of a scene, and show the distances</source>
+        <translation>Die Person einer Szene von einer Kinect an diesem Rechner bewegen lassen und die Abstände zeigen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -4822,6 +4857,69 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Select one link of a robot first</source>
         <translation>Zuerst ein Glied eines Roboters auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>abstand::ui::LiveCameraDialog</name>
+    <message>
+        <source>Camera files (*.yaml *.yml)</source>
+        <translation>Kameradateien (*.yaml *.yml)</translation>
+    </message>
+    <message>
+        <source>Open a live depth camera</source>
+        <translation>Live-Tiefenkamera öffnen</translation>
+    </message>
+    <message>
+        <source>A Kinect v1 at this computer moves the person of a scene. Robots have no joint values unless another program sends them: they are shown as lost.</source>
+        <translation>Eine Kinect v1 an diesem Rechner bewegt die Person einer Szene. Roboter haben keine Gelenkwerte, solange kein anderes Programm sie sendet: Ihre Lage gilt als verloren.</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>S&amp;tart</source>
+        <translation>S&amp;tarten</translation>
+    </message>
+    <message>
+        <source>St&amp;op</source>
+        <translation>St&amp;opp</translation>
+    </message>
+    <message>
+        <source>Name in the scene of the person whom the camera sees</source>
+        <translation>Name der von der Kamera gesehenen Person in der Szene</translation>
+    </message>
+    <message>
+        <source>measured in the first images</source>
+        <translation>in den ersten Bildern gemessen</translation>
+    </message>
+    <message>
+        <source>Height of the person; a known height needs no measurement</source>
+        <translation>Körpergröße der Person; eine bekannte Größe muss nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>With the pose of the camera in the world of the scene: View, Calibrate a depth camera</source>
+        <translation>Mit der Lage der Kamera in der Welt der Szene: Ansicht, Tiefenkamera kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>&amp;Szene</translation>
+    </message>
+    <message>
+        <source>Camera &amp;file</source>
+        <translation>Kamera&amp;datei</translation>
+    </message>
+    <message>
+        <source>&amp;Person</source>
+        <translation>&amp;Person</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Abgebrochen.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,178 @@
+// "Open a live depth camera" in the window: fakenect plays a recording at its own rate through the driver's
+// interface.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <QAction>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <algorithm>
+#include <optional>
+
+#include "tests/ui/studio_window.hpp"
+#include "ui/live_camera_commands.hpp"
+#include "ui/panels/live_camera_dialog.hpp"
+#include "ui/style/actions.hpp"
+
+namespace abstand::studio {
+namespace studio_camera_test {
+
+constexpr int kLimitMs = 60000;       // nothing takes so long
+constexpr double kPersonMoves = 0.1;  // m, of a hand within the clip
+
+bool hasFakenect() { return std::string(ABSTAND_FAKENECT).size() > 0; }
+
+struct StudioCamera : StudioWindow {
+  StudioCamera() {
+    folder.write(
+        "visit.yaml",
+        "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nhumans:\n  - {name: visitor, height: 1.75}\n"
+        "objects:\n"
+        "  - {name: plate, shape: {cuboid: {size: [0.5, 0.5, 0.1]}}, pose: {xyz: [-1.5, 0, 0.5]}}\n");
+    qputenv("PATH",
+            std::filesystem::path(ABSTAND_PROGRAM).parent_path().string().c_str() + (":" + qgetenv("PATH")));
+    qputenv("ABSTAND_CACHE", (folder.path() / "cache").c_str());
+  }
+  ~StudioCamera() override {
+    qunsetenv("FAKENECT_PATH");
+    qunsetenv("LD_LIBRARY_PATH");
+  }
+  void plugIn() {
+    folder.write(
+        "shown.yaml",
+        "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nhumans:\n  - {name: visitor, height: 1.75}\n");
+    const std::string command = "'" ABSTAND_PROGRAM "' render-depth '" + in("shown.yaml").toStdString() +
+                                "' --recording '" +
+                                testing::projectFile("data/scenes/hug_reach.bvh").string() +
+                                "' --format freenect --body skin --room --rate 15 --end 3 --quiet --out '" +
+                                in("dump").toStdString() + "'";
+    ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+    // The driver says how its fake is found: by the loader's path, under the true library's name.
+    qputenv("FAKENECT_PATH", in("dump").toUtf8());
+    qputenv("LD_LIBRARY_PATH", std::filesystem::path(ABSTAND_FAKENECT).parent_path().c_str());
+  }
+  void openDialog() {
+    window.actions()[ui::ActionId::kLiveCamera]->trigger();
+    dialog = window.liveCamera().dialog();
+    ASSERT_TRUE(dialog);
+  }
+  ui::LiveCameraRequest request() const {
+    return {in("visit.yaml"), in("dump/camera.yaml"), QStringLiteral("visitor"), 1.75};
+  }
+  bool starts() {
+    dialog->setRequest(request(), {});
+    if (!dialog->startButton()->isEnabled()) return false;
+    return opens([this] { dialog->startButton()->click(); });
+  }
+  /// Of the person in the window; nullopt: it is not known where it is.
+  std::optional<Vector3d> seen(std::size_t part) const {
+    const auto& objects = window.moment().objects;
+    if (part >= objects.size() || objects[part].pose_state != scene::PoseState::kFresh) return {};
+    return objects[part].X_WB.translation();
+  }
+  bool isRunning(const char* word) {
+    QProcess list;
+    list.start("ps", {"--ppid", QString::number(QCoreApplication::applicationPid()), "-o", "args="});
+    list.waitForFinished();
+    return list.readAllStandardOutput().contains(word);
+  }
+  /// Of the dialog; it is deleted when it is closed.
+  bool answered() {
+    return QTest::qWaitFor([&] { return !window.liveCamera().dialog() || !dialog->waiting(); }, kLimitMs);
+  }
+
+  ui::LiveCameraDialog* dialog{nullptr};
+};
+
+TEST_F(StudioCamera, PersonMovesInTheWindow) {
+  if (!hasFakenect()) GTEST_SKIP() << "libfreenect0.5, which has fakenect";
+  plugIn();
+  openDialog();
+  ASSERT_TRUE(starts()) << problem
+                        << (window.liveCamera().dialog() ? dialog->sentence()->text().toStdString() : "");
+  EXPECT_FALSE(window.liveCamera().dialog() && window.liveCamera().dialog()->isVisible());
+  EXPECT_EQ(work().scene, in("visit.yaml"));
+  ASSERT_TRUE(window.moment().objects.size() > 2);
+  const std::size_t parts = window.moment().objects.size() - 1;  // the last object is the plate
+  // Each part's way while it is known where it is: the farthest of them moves as the hands of the recording
+  // do.
+  std::vector<std::optional<Vector3d>> first(parts);
+  double way = 0.0;
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (std::size_t i = 0; i < parts; ++i)
+          if (const auto at = seen(i)) {
+            if (!first[i]) first[i] = at;
+            way = std::max(way, (*at - *first[i]).norm());
+          }
+        return way > kPersonMoves;
+      },
+      kLimitMs))
+      << way;
+  // The person of the recording stands at the origin.
+  const auto pelvis = std::find_if(first.begin(), first.end(), [](const auto& p) { return p.has_value(); });
+  ASSERT_NE(pelvis, first.end());
+  EXPECT_LT((*pelvis)->head<2>().norm(), 1.5);
+
+  // The recording ends: the camera was unplugged. That is said, and nothing of the person counts as known.
+  QMessageBox* said = nullptr;
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return (said = window.findChild<QMessageBox*>()) != nullptr; }, kLimitMs));
+  EXPECT_TRUE(said->text().contains("found the camera disconnected")) << said->text().toStdString();
+  said->close();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        for (std::size_t i = 0; i < parts; ++i)
+          if (!scene::isPoseLost(window.moment().objects[i].pose_state)) return false;
+        return true;
+      },
+      kLimitMs));
+  // Another scene ends the server.
+  EXPECT_TRUE(isRunning("serve"));
+  ASSERT_TRUE(opens([&] { window.openFile(in("scene.yaml")); })) << problem;
+  EXPECT_FALSE(isRunning("serve"));
+}
+
+TEST_F(StudioCamera, WithoutCameraTheReasonIsOneLine) {
+  folder.write("nobody.yaml",
+               "width: 640\nheight: 480\nfx: 580\nfy: 580\ncx: 319.5\ncy: 239.5\n"
+               "depth_scale: 1000\nT_WC: {xyz: [3, 0, 1], rpy: [-1.5708, 0, 1.5708]}\n");
+  openDialog();
+  EXPECT_FALSE(dialog->startButton()->isEnabled()) << "without a camera file";
+  ui::LiveCameraRequest wanted = request();
+  wanted.camera = in("nobody.yaml");
+  dialog->setRequest(wanted, {});
+  dialog->startButton()->click();
+  ASSERT_TRUE(dialog->waiting());
+  ASSERT_TRUE(answered());
+  ASSERT_TRUE(window.liveCamera().dialog()) << "a camera is connected to this computer";
+  const QString sentence = dialog->sentence()->text();
+  EXPECT_TRUE(sentence.startsWith("live:kinect: error: found no ")) << sentence.toStdString();
+  EXPECT_FALSE(sentence.contains('\n'));
+  EXPECT_FALSE(isRunning("serve"));
+  EXPECT_TRUE(dialog->startButton()->isEnabled()) << "it can be tried again";
+  // A scene that cannot be read is said by the server.
+  wanted.scene = in("nothing.yaml");
+  dialog->setRequest(wanted, {});
+  dialog->startButton()->click();
+  ASSERT_TRUE(answered());
+  EXPECT_TRUE(dialog->sentence()->text().contains("nothing.yaml"))
+      << dialog->sentence()->text().toStdString();
+}
+
+TEST_F(StudioCamera, ClosingTheDialogStops) {
+  openDialog();
+  dialog->setRequest(request(), {});
+  dialog->startButton()->click();
+  EXPECT_TRUE(isRunning("serve"));
+  dialog->close();
+  EXPECT_FALSE(isRunning("serve"));
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  openDialog();
+  EXPECT_EQ(dialog->request().person, "visitor") << "the last question is offered again";
+}
+
+}  // namespace studio_camera_test
+}  // namespace abstand::studio
