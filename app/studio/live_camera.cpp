@@ -43,6 +43,7 @@ void endNow(std::unique_ptr<QProcess>& process) {
 LiveCamera::~LiveCamera() { stop(); }
 
 void LiveCamera::stop() {
+  still_.reset();
   endNow(tracker_);
   endNow(server_);
   address_.clear();
@@ -74,6 +75,15 @@ void LiveCamera::start(const QString& program, const ui::LiveCameraRequest& requ
   server_->setStandardOutputFile(QProcess::nullDevice());
   server_->setStandardInputFile(QProcess::nullDevice());
   server_->start(program_, words);
+}
+
+void LiveCamera::takeJoints(const std::vector<double>& joints) {
+  if (!sees_ || !request_.still || joints.empty()) return;
+  try {
+    still_ = std::make_unique<StillRobots>(address_, joints);
+  } catch (const std::exception& e) {
+    Q_EMIT ended(QString::fromUtf8(e.what()));
+  }
 }
 
 void LiveCamera::readServer() {

@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <memory>
 
+#include "app/studio/still_robots.hpp"
 #include "core/robot_file/mesh_reference.hpp"
 #include "ui/model/live_camera_request.hpp"
 
@@ -24,6 +25,9 @@ class LiveCamera : public QObject {
   void start(const QString& program, const ui::LiveCameraRequest& request,
              const robot_file::PackagePaths& packages);
   void stop();
+  /// After sees(). `joints`: rad or m, of all mechanisms where their motion begins; sent to the server where
+  /// the request says that robots stand still.
+  void takeJoints(const std::vector<double>& joints);
   /// Of the server, "127.0.0.1:40123"; empty: none is running.
   QString address() const { return address_; }
 
@@ -46,6 +50,7 @@ class LiveCamera : public QObject {
   ui::LiveCameraRequest request_;
   std::unique_ptr<QProcess> server_, tracker_;
   QString address_, server_said_, tracker_said_;
+  std::unique_ptr<StillRobots> still_;
   bool sees_{false};
 };
 

@@ -230,6 +230,7 @@ std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& r
   parts.link = std::move(request.live->link);
   parts.outline = loaded.live->outline();
   loaded.live->takeSnapshot(parts.sized);
+  if (request.live->name == camera_.address()) camera_.takeJoints(parts.sized.joint_positions);
   parts.notes = std::move(loaded.notes);
   parts.meshes = std::move(loaded.meshes);
   parts.structures = std::move(loaded.structures);

@@ -9,10 +9,12 @@
 #include <QProcess>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "tests/ui/studio_window.hpp"
 #include "ui/live_camera_commands.hpp"
+#include "ui/model/pair_level.hpp"
 #include "ui/panels/live_camera_dialog.hpp"
 #include "ui/style/actions.hpp"
 
@@ -59,7 +61,7 @@ struct StudioCamera : StudioWindow {
     ASSERT_TRUE(dialog);
   }
   ui::LiveCameraRequest request() const {
-    return {in("visit.yaml"), in("dump/camera.yaml"), QStringLiteral("visitor"), 1.75};
+    return {in("visit.yaml"), in("dump/camera.yaml"), QStringLiteral("visitor"), 1.75, false};
   }
   bool starts() {
     dialog->setRequest(request(), {});
@@ -133,6 +135,47 @@ TEST_F(StudioCamera, PersonMovesInTheWindow) {
   EXPECT_TRUE(isRunning("serve"));
   ASSERT_TRUE(opens([&] { window.openFile(in("scene.yaml")); })) << problem;
   EXPECT_FALSE(isRunning("serve"));
+}
+
+TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
+  if (!hasFakenect()) GTEST_SKIP() << "libfreenect0.5, which has fakenect";
+  plugIn();
+  folder.write("slide.mech", "chain\n    frame   1   0      0          d    0\nend_chain\n");
+  folder.write(
+      "robot.yaml",
+      "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\npairs: {default: between_groups, within_people: "
+      "exclude}\nmechanisms:\n  - name: slide\n    file: slide.mech\n"
+      "    base: {xyz: [-1.5, 0, 0]}\n    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.1}}}]\n"
+      "humans:\n  - {name: visitor, height: 1.75}\n");
+  const auto ball = [&] { return window.moment().objects.at(0); };
+  // Each part of the person has a pair with the ball, in their order.
+  const auto isKnown = [&] {
+    const view::SceneSnapshot& now = window.moment();
+    for (std::size_t k = 0; k < now.pairs.size(); ++k) {
+      const ui::PairLevel level = ui::pairLevel(now, now.pairs[k], {0, static_cast<int>(k) + 1});
+      if (level != ui::PairLevel::kLost && level != ui::PairLevel::kUnknown) return true;
+    }
+    return false;
+  };
+  for (const bool still : {false, true}) {
+    openDialog();
+    ui::LiveCameraRequest wanted = request();
+    wanted.scene = in("robot.yaml");
+    wanted.still = still;
+    dialog->setRequest(wanted, {});
+    ASSERT_TRUE(opens([this] { dialog->startButton()->click(); })) << problem;
+    if (still) {
+      // The server may count the robot as lost for a moment where the machine is busy.
+      EXPECT_TRUE(QTest::qWaitFor([&] { return isKnown(); }, kLimitMs)) << "the person comes to be seen";
+      EXPECT_NEAR(ball().X_WB.translation().x(), -1.5, 1e-9);
+    } else {
+      EXPECT_TRUE(QTest::qWaitFor([&] { return seen(1).has_value(); }, kLimitMs)) << "a part of the person";
+      EXPECT_TRUE(scene::isPoseLost(ball().pose_state));
+      EXPECT_EQ(window.moment().pairs.size() + 1, window.moment().objects.size());
+      EXPECT_FALSE(isKnown()) << "no pair counts as apart while the robot may be anywhere";
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
 }
 
 TEST_F(StudioCamera, WithoutCameraTheReasonIsOneLine) {

@@ -11,6 +11,7 @@ struct LiveCameraRequest {
   QString camera;      ///< camera file with the pose
   QString person;      ///< of the scene, whom the camera sees
   double height{0.0};  ///< m, of the person; 0: measured in the first images
+  bool still{false};   ///< robots stand still where their motion begins; false: nobody knows where they are
 };
 
 }  // namespace abstand::ui

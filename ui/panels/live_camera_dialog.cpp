@@ -1,5 +1,6 @@
 #include "ui/panels/live_camera_dialog.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -33,6 +34,7 @@ LiveCameraDialog::LiveCameraDialog(QWidget* parent)
                             tr("Camera files (*.yaml *.yml)"), this)},
       person_{new QComboBox(this)},
       height_{new NumberBox(this)},
+      still_{new QCheckBox(tr("&Robots stand still where their motion begins"), this)},
       sentence_{new QLabel(this)},
       busy_{new QProgressBar(this)} {
   setObjectName(QStringLiteral("live_camera_dialog"));
@@ -40,8 +42,8 @@ LiveCameraDialog::LiveCameraDialog(QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(kLiveCameraWidth);
   auto* head = new QLabel(
-      tr("A Kinect v1 at this computer moves the person of a scene. Robots have no joint values unless "
-         "another program sends them: they are shown as lost."),
+      tr("A Kinect v1 at this computer moves the person of a scene. Robots are lost until a program sends "
+         "their joint values, unless they stand still."),
       this);
   head->setWordWrap(true);
   sentence_->setWordWrap(true);
@@ -72,6 +74,7 @@ void LiveCameraDialog::buildFields() {
   person_->setToolTip(tr("Name in the scene of the person whom the camera sees"));
   height_->setObjectName(QStringLiteral("live_height"));
   height_->setSpecialValueText(tr("measured in the first images"));
+  still_->setToolTip(tr("The distances hold only if that is so: nothing measures the robots"));
   height_->setToolTip(tr("Height of the person; a known height needs no measurement"));
   camera_->setToolTip(
       tr("With the pose of the camera in the world of the scene: View, Calibrate a depth camera"));
@@ -81,6 +84,7 @@ void LiveCameraDialog::buildFields() {
   form->addRow(tr("Camera &file"), camera_);
   form->addRow(tr("&Person"), person_);
   form->addRow(tr("&Height"), height_);
+  form->addRow(QString(), still_);
   static_cast<QVBoxLayout*>(layout())->addLayout(form);
   for (const PathField* field : {scene_, camera_})
     connect(field, &PathField::changed, this, &LiveCameraDialog::checkFields);
@@ -110,12 +114,13 @@ void LiveCameraDialog::setRequest(const LiveCameraRequest& request, const QStrin
   person_->addItems(people);
   person_->setEditText(request.person);
   metres_ = request.height;
+  still_->setChecked(request.still);
   applyUnits();
   checkFields();
 }
 
 LiveCameraRequest LiveCameraDialog::request() const {
-  return {scene_->path(), camera_->path(), person_->currentText().trimmed(), metres_};
+  return {scene_->path(), camera_->path(), person_->currentText().trimmed(), metres_, still_->isChecked()};
 }
 
 void LiveCameraDialog::checkFields() {
@@ -127,7 +132,7 @@ void LiveCameraDialog::setWaiting(bool waiting) {
   waiting_ = waiting;
   busy_->setVisible(waiting);
   stop_->setEnabled(waiting);
-  for (QWidget* each : std::initializer_list<QWidget*>{scene_, camera_, person_, height_})
+  for (QWidget* each : std::initializer_list<QWidget*>{scene_, camera_, person_, height_, still_})
     each->setEnabled(!waiting);
   checkFields();
 }

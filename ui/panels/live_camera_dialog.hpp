@@ -5,6 +5,7 @@
 
 #include "ui/model/live_camera_request.hpp"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -47,6 +48,7 @@ class LiveCameraDialog : public QDialog {
   PathField *scene_, *camera_;
   QComboBox* person_;
   QDoubleSpinBox* height_;
+  QCheckBox* still_;
   QLabel* sentence_;
   QProgressBar* busy_;
   QPushButton *start_, *stop_;

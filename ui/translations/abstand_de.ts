@@ -4870,10 +4870,6 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <translation>Live-Tiefenkamera öffnen</translation>
     </message>
     <message>
-        <source>A Kinect v1 at this computer moves the person of a scene. Robots have no joint values unless another program sends them: they are shown as lost.</source>
-        <translation>Eine Kinect v1 an diesem Rechner bewegt die Person einer Szene. Roboter haben keine Gelenkwerte, solange kein anderes Programm sie sendet: Ihre Lage gilt als verloren.</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
@@ -4920,6 +4916,18 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     <message>
         <source>Stopped.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>&amp;Robots stand still where their motion begins</source>
+        <translation>&amp;Roboter stehen still, wo ihre Bewegung beginnt</translation>
+    </message>
+    <message>
+        <source>A Kinect v1 at this computer moves the person of a scene. Robots are lost until a program sends their joint values, unless they stand still.</source>
+        <translation>Eine Kinect v1 an diesem Rechner bewegt die Person einer Szene. Die Lage von Robotern gilt als verloren, bis ein Programm ihre Gelenkwerte sendet, außer sie stehen still.</translation>
+    </message>
+    <message>
+        <source>The distances hold only if that is so: nothing measures the robots</source>
+        <translation>Die Abstände gelten nur, wenn das so ist: Nichts misst die Roboter</translation>
     </message>
 </context>
 <context>
