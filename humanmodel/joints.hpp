@@ -53,11 +53,14 @@ struct SkeletonFrame {
   std::array<Vector3d, kJointCount> p;
   std::array<JointState, kJointCount> state;
   std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: unknown
+  /// m^2, of the error, in the axes of `p`; read by covarianceOf(). Zero: the spread in all directions.
+  std::array<Matrix3d, kJointCount> covariance;
 
   SkeletonFrame() {
     p.fill(Vector3d::Constant(kNaN));
     state.fill(JointState::kMissing);
     spread.fill(0.0);
+    covariance.fill(Matrix3d::Zero());
   }
   const Vector3d& operator[](Joint j) const { return p[static_cast<std::size_t>(j)]; }
   bool has(Joint j) const { return state[static_cast<std::size_t>(j)] != JointState::kMissing; }

@@ -1,9 +1,11 @@
 // Poses one frame: placing, holding and ageing of the parts.
 #include "humanmodel/poser.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/recording_lengths.hpp"
 
 namespace abstand::humanmodel {
@@ -25,6 +27,23 @@ bool usable(const SkeletonFrame& frame) {
 
 /// The joint that connects a part to its parent.
 Joint innerJoint(const HumanPart& part) { return part.part == BodyPart::kHead ? part.distal : part.proximal; }
+
+/// By how much a point on the surface of a part moves along the bone if the joints at both ends move one unit
+/// across it, in opposite directions: the part turns by 2 / length, the point is at most half its breadth off
+/// the bone.
+double turnShare(const HumanPart& part) {
+  return std::min(1.0, std::max(part.breadth, part.depth) / part.length);
+}
+
+/// The covariance with standard deviations of at least `share` times the largest, along all axes.
+Matrix3d withTurn(const Matrix3d& covariance, double share) {
+  if (!covariance.allFinite()) return covariance;
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance);
+  const double least = share * share * axes.eigenvalues()[2];
+  const Vector3d widened = axes.eigenvalues().array().max(least);
+  return axes.eigenvectors() * widened.asDiagonal() * axes.eigenvectors().transpose();
+}
+
 const Vector3d& innerPoint(const HumanPart& part) {
   return part.part == BodyPart::kHead ? part.p_distal : part.p_proximal;
 }
@@ -75,12 +94,13 @@ void Poser::pose(const SkeletonFrame& frame, HumanPose& out) {
       now_.X_WP[i].translation() = seen->p_WA - seen->R_WP * seen->p_PA;
       now_.state[i] = seen->quality == JointState::kTracked ? PartState::kTracked : PartState::kInferred;
       now_.age[i] = 0.0;
-      now_.spread[i] = spreadOf(part, frame);
+      stateError(part, frame);
     } else if (before_.state[i] != PartState::kNone) {
       if (good) now_.X_WP[i] = held(part);
       now_.state[i] = PartState::kHeld;
       now_.age[i] = before_.age[i] + dt;
       now_.spread[i] = before_.spread[i];
+      now_.covariance[i] = Matrix3d::Zero();
     }
   }
   out = now_;
@@ -135,23 +155,38 @@ bool Poser::anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const {
   return true;
 }
 
-double Poser::spreadOf(BodyPart part, const SkeletonFrame& frame) const {
+void Poser::stateError(BodyPart part, const SkeletonFrame& frame) {
   const HumanPart& p = model_->part(part);
+  const std::size_t i = index(part);
   double spread = 0.0;
-  for (const Joint j : {p.proximal, p.distal})
-    if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+  Matrix3d covariance = Matrix3d::Zero();
+  bool is_shaped = false;
+  const auto add = [&](const Joint j) {
+    if (!frame.has(j)) return;
+    spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+    covariance = enclosingCovariance(covariance, covarianceOf(frame, j));
+    is_shaped |= !frame.covariance[static_cast<std::size_t>(j)].isZero(0.0);
+  };
+  for (const Joint j : {p.proximal, p.distal}) add(j);
   if (part == BodyPart::kTorso)
     for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kShoulderLeft, Joint::kShoulderRight})
-      if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+      add(j);
   // Legs depend on the hips, even if the upper end of the trunk is known.
   const auto parent = parentOf(part);
   if (kindOf(part) == PartKind::kThigh) {
-    for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kPelvis})
-      if (frame.has(j)) spread = std::max(spread, frame.spread[static_cast<std::size_t>(j)]);
+    for (const Joint j : {Joint::kHipLeft, Joint::kHipRight, Joint::kPelvis}) add(j);
   } else if (parent) {
-    spread = std::max(spread, now_.spread[index(*parent)]);
+    const std::size_t carrier = index(*parent);
+    spread = std::max(spread, now_.spread[carrier]);
+    const bool of_carrier = !now_.covariance[carrier].isZero(0.0);
+    const double squared = now_.spread[carrier] * now_.spread[carrier];
+    covariance =
+        enclosingCovariance(covariance, of_carrier ? now_.covariance[carrier]
+                                                   : Matrix3d(Vector3d::Constant(squared).asDiagonal()));
+    is_shaped |= of_carrier;
   }
-  return spread;
+  now_.spread[i] = spread;
+  now_.covariance[i] = is_shaped ? withTurn(covariance, turnShare(p)) : Matrix3d::Zero();
 }
 
 bool Poser::seenNow(BodyPart part) const { return now_.state[index(part)] >= PartState::kInferred; }

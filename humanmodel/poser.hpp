@@ -20,12 +20,17 @@ struct HumanPose {
   /// m, as in SkeletonFrame, when it was last seen: maximum over its joints and the part that carries it (for
   /// a thigh: the hips), since errors propagate; 0: unknown.
   std::array<double, kBodyPartCount> spread;
+  /// m^2, axes of X_WP's world: an upper bound of the covariances of those joints. No point of a part that
+  /// was seen is displaced along a unit vector d by more than kSpreadQuantile times the smaller of `spread`
+  /// and sqrt(d . covariance d), if its joints are in their ellipsoids. Zero: `spread` in all directions.
+  std::array<Matrix3d, kBodyPartCount> covariance;
 
   HumanPose() {
     X_WP.fill(Transform::Identity());
     state.fill(PartState::kNone);
     age.fill(kInfinity);
     spread.fill(0.0);
+    covariance.fill(Matrix3d::Zero());
   }
 };
 
@@ -81,7 +86,7 @@ class Poser {
   bool anchor(BodyPart part, const SkeletonFrame& frame, Aim& aim) const;
 
   bool seenNow(BodyPart part) const;
-  double spreadOf(BodyPart part, const SkeletonFrame& frame) const;
+  void stateError(BodyPart part, const SkeletonFrame& frame);
   Matrix3d carried(BodyPart part) const;
   Transform held(BodyPart part) const;
   double liftOf(double hip_height, const SkeletonFrame& frame);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/scene/directed_uncertainty.hpp"
+
 namespace abstand::run {
 namespace {
 
@@ -102,7 +104,7 @@ void CsvOutputs::writePairs(double t, double shown, const session::Session& sess
     addVector(line_, r.witness_a);
     addVector(line_, r.witness_b);
     const PairId id(static_cast<std::uint32_t>(i));
-    addNumber(line_, scene.pairUncertainty(id));
+    addNumber(line_, scene::directedUncertainty(scene, id, r));
     if (live_) addNumber(line_, scene.ageOf(id, shown));
     line_ += '\n';
     pairs_->stream() << line_;

@@ -19,7 +19,7 @@ void Extremes::frame(double t, const std::vector<query::PairResult>& results,
     distance_.offer(r.distance, t, i);
     if (classes_[i] != PairClass::kOther)
       least_[static_cast<std::size_t>(classes_[i])].offer(r.distance, t, i);
-    lookAtClearance(id, t, r.distance);
+    lookAtClearance(id, t, r);
     const double force = r.force_a.norm();
     if (force > force_ || (force == force_ && t == force_t_ && i < force_pair_)) {
       force_ = force;
@@ -36,7 +36,7 @@ void Extremes::frame(double t, const std::vector<query::PairResult>& results,
   const scene::Scene& scene = session_.scene();
   for (std::uint32_t i = 0; i < scene.objectCount(); ++i)
     if (scene.object(ObjectId(i)).pose_uncertainty > 0.0)
-      for (const PairId id : scene.pairsOf(ObjectId(i))) lookAtClearance(id, t, results[id.index()].distance);
+      for (const PairId id : scene.pairsOf(ObjectId(i))) lookAtClearance(id, t, results[id.index()]);
 }
 
 void Extremes::finish(RunSummary& summary, RunMode mode) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/run/run_scene.hpp"
+#include "core/scene/directed_uncertainty.hpp"
 
 namespace abstand::run {
 
@@ -30,8 +31,9 @@ class Extremes {
     }
   };
   std::optional<RunSummary::Extreme> extreme(const Least& least) const;
-  void lookAtClearance(PairId id, double t, double distance) {
-    clearance_.offer(distance - session_.scene().pairUncertainty(id), t, id.index());
+  void lookAtClearance(PairId id, double t, const query::PairResult& result) {
+    const double uncertainty = scene::directedUncertainty(session_.scene(), id, result);
+    clearance_.offer(result.distance - uncertainty, t, id.index());
   }
 
   const session::Session& session_;

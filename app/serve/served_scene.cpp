@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/directed_uncertainty.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 
 namespace abstand::serve {
@@ -242,7 +243,7 @@ PairReport ServedScene::reportOf(PairId id) const {
   out.witness_b = pair.result.witness_b;
   if (out.trust == Trust::kNone || std::isnan(pair.result.distance)) return out;
   out.distance = pair.result.distance;
-  out.bound = pair.result.bound + session_->scene().pairUncertainty(id);
+  out.bound = pair.result.bound + scene::directedUncertainty(session_->scene(), id, pair.result);
   return out;
 }
 
@@ -271,7 +272,8 @@ void ServedScene::reportPairs() {
     const bool known = trustOf(scene.pairs()[i]) != Trust::kNone;
     Separation& least = separations_[static_cast<std::size_t>(s)];
     const double found = known ? rank : -kInfinity;
-    const double doubt = scene.pairs()[i].result.bound + scene.pairUncertainty(PairId(i));
+    const query::PairResult& result = scene.pairs()[i].result;
+    const double doubt = result.bound + scene::directedUncertainty(scene, PairId(i), result);
     least.proven = std::min(least.proven, known ? rank - doubt : -kInfinity);
     if (!(found < least.found)) continue;
     least.found = found;

@@ -184,7 +184,9 @@ void HumanDriver::growUncertainty(double t, scene::Scene& scene) const {
     const double age = pose_.age[i] + since;
     all[i] = humanmodel::partUncertainty(age, pose_.spread[i], speed);
     aged[i] = humanmodel::ageUncertainty(age, speed);
-    scene.setPoseUncertainty(*objects_[i], all[i], aged[i]);
+    const Matrix3d E_R = humanmodel::kSpreadQuantile * humanmodel::kSpreadQuantile * pose_.covariance[i];
+    scene.setPoseUncertainty(*objects_[i], all[i], aged[i],
+                             X_WR_.linear() * E_R * X_WR_.linear().transpose());
   }
   for (const Held& held : held_) {
     const std::size_t hand = humanmodel::index(held.hand);

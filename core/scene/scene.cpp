@@ -164,10 +164,12 @@ bool Scene::setPose(ObjectId id, const Transform& X_WB, double t, PoseState stat
   return true;
 }
 
-void Scene::setPoseUncertainty(ObjectId object, double radius, double from_age) noexcept {
+void Scene::setPoseUncertainty(ObjectId object, double radius, double from_age,
+                               const Matrix3d& ellipsoid) noexcept {
   Object& o = objects_[object.index()];
   o.pose_uncertainty = radius >= 0.0 ? radius : kInfinity;
   o.pose_age_uncertainty = from_age > 0.0 ? std::min(from_age, o.pose_uncertainty) : 0.0;
+  o.pose_ellipsoid = ellipsoid.allFinite() ? ellipsoid : Matrix3d::Zero();
 }
 
 void Scene::enqueueAll() {

@@ -73,9 +73,10 @@ class Scene {
   bool setPose(ObjectId object, const Transform& X_WB, double t, PoseState state = PoseState::kFresh);
 
   /// Uncertainty (m) of the last pose; negative values and NaN count as infinite. Distances, contacts and
-  /// forces remain those of the observed poses. `from_age`: its share due to the age of the pose. No
-  /// allocation, no throw.
-  void setPoseUncertainty(ObjectId object, double radius, double from_age = 0.0) noexcept;
+  /// forces remain those of the observed poses. `from_age`: its share due to the age of the pose.
+  /// `ellipsoid`: Object::pose_ellipsoid; ignored if it is not finite. No allocation, no throw.
+  void setPoseUncertainty(ObjectId object, double radius, double from_age = 0.0,
+                          const Matrix3d& ellipsoid = Matrix3d::Zero()) noexcept;
   /// m: by how much the bodies of a pair may be nearer than its distance; infinite for a paused pair.
   double pairUncertainty(PairId id) const {
     const Pair& pair = pairs_[id.index()];

@@ -34,6 +34,9 @@ struct Object {
   /// m: every point of the body is within this of its position by X_WB; added to the margins when distances
   /// are judged. Infinite: the position is unknown.
   double pose_uncertainty{0.0};
+  /// m^2, world axes: no point is displaced along a unit vector d by more than pose_age_uncertainty +
+  /// sqrt(d . E d), either. Zero: only the radius is known. directedUncertainty() uses it.
+  Matrix3d pose_ellipsoid{Matrix3d::Zero()};
   double pose_age_uncertainty{0.0};  ///< m: the share of pose_uncertainty that the age of the pose adds
   long rejected_poses{0};       ///< poses that were not finite or not a rotation; the last valid one was kept
   double t{0.0};                ///< s, of X_WB

@@ -50,7 +50,9 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
     throw UsageError(
         "found neither both hips nor both shoulders, expected one pair: the person cannot be "
         "mirrored");
+  const Matrix3d reflection = Matrix3d::Identity() - 2.0 * plane->n * plane->n.transpose();
   for (SkeletonFrame& frame : frames) {
+    for (Matrix3d& covariance : frame.covariance) covariance = reflection * covariance * reflection;
     for (std::size_t i = 0; i < humanmodel::kJointCount; ++i)
       if (frame.has(static_cast<Joint>(i)))
         frame.p[i] -= 2.0 * (plane->n.dot(frame.p[i]) - plane->d) * plane->n;
@@ -59,6 +61,7 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
       std::swap(frame.p[l], frame.p[r]);
       std::swap(frame.state[l], frame.state[r]);
       std::swap(frame.spread[l], frame.spread[r]);
+      std::swap(frame.covariance[l], frame.covariance[r]);
     }
   }
 }

@@ -21,6 +21,8 @@ struct PointFrame {
   std::vector<Vector3d> p;
   std::vector<humanmodel::JointState> state;
   std::vector<double> spread;  ///< standard deviation along the worst axis; 0 or empty: unknown
+  /// As SkeletonFrame::covariance, in the file's axes and units squared; empty: no point has one.
+  std::vector<Matrix3d> covariance;
 
   /// Sets all `points` to missing, t = 0.
   void clear(std::size_t points) {
@@ -28,8 +30,12 @@ struct PointFrame {
     p.assign(points, Vector3d::Constant(kNaN));
     state.assign(points, humanmodel::JointState::kMissing);
     spread.assign(points, 0.0);
+    covariance.clear();
   }
   double spreadOf(std::size_t point) const { return point < spread.size() ? spread[point] : 0.0; }
+  Matrix3d covarianceOf(std::size_t point) const {
+    return point < covariance.size() ? covariance[point] : Matrix3d::Zero();
+  }
   void set(std::size_t point, const Vector3d& p_FP,
            humanmodel::JointState s = humanmodel::JointState::kTracked) {
     p[point] = p_FP;

@@ -24,6 +24,9 @@ Named splitName(std::string_view cell) {
   const auto dot = cell.find_last_of("._");
   if (dot == std::string_view::npos || dot == 0) return {cell, -1};
   const std::string field = text::lowerCase(cell.substr(dot + 1));
+  for (std::size_t k = 0; k < kCovarianceColumns.size(); ++k)
+    if (field == kCovarianceColumns[k].name)
+      return {cell.substr(0, dot), kCovarianceField + static_cast<int>(k)};
   const int f = field == "x"            ? 0
                 : field == "y"          ? 1
                 : field == "z"          ? 2
@@ -77,14 +80,14 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
   if (!time) throw ParseError(cells.pos(), "found " + text::inQuotes(cell) + ", expected the column 't'");
   out.time = *time;
 
-  std::vector<std::array<bool, 5>> seen;
+  std::vector<std::array<bool, kFields>> seen;
   std::vector<SourcePos> places;
   std::unordered_map<std::string, std::size_t> index;
   while (cells.next(cell)) {
     const Named named = splitName(cell);
     if (named.field < 0)
       throw ParseError(cells.pos(), "found the column " + text::inQuotes(cell) +
-                                        ", expected JOINT.x, .y, .z, .confidence or .spread");
+                                        ", expected JOINT.x, .y, .z, .confidence, .spread or .cxx to .cyz");
     const auto [at, is_new] = index.emplace(std::string(named.joint), out.joints.size());
     if (is_new) {
       out.joints.emplace_back(named.joint);
@@ -109,6 +112,11 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
           "found the joint " + text::inQuotes(out.joints[j]) + ", expected one of docs/recordings.md",
           near.empty() ? "" : "did you mean '" + near + "'?");
     }
+    const auto covariances = std::count(seen[j].begin() + kCovarianceField, seen[j].end(), true);
+    out.has_covariances |= covariances != 0;
+    if (covariances != 0 && (covariances != kFields - kCovarianceField || !seen[j][kSpreadField]))
+      throw ParseError({file, 1}, "found only some columns of the covariance of " + out.joints[j] +
+                                      ", expected .spread, .cxx, .cyy, .czz, .cxy, .cxz and .cyz");
     if (!seen[j][0] || !seen[j][1] || !seen[j][2])
       throw ParseError({file, 1}, "found only some columns of " + out.joints[j] + ", expected .x, .y and .z");
   }

@@ -26,6 +26,12 @@ double spreadOf(const Cells& cells, double v) {
   throw ParseError(cells.pos(), "found the spread " + formatDouble(v) + ", expected 0 or more");
 }
 
+void setElement(const CovarianceColumn& at, double v, Matrix3d& covariance) {
+  covariance(at.row, at.column) = covariance(at.column, at.row) = v;
+}
+
+bool isStated(const Matrix3d& covariance) { return !covariance.isZero(0.0); }
+
 }  // namespace
 
 void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
@@ -36,14 +42,20 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
                       return f.state[j] != humanmodel::JointState::kMissing;
                     }))
       joints.push_back(j);
-  std::array<bool, humanmodel::kJointCount> has_spread{};
+  std::array<bool, humanmodel::kJointCount> has_spread{}, has_covariance{};
   for (const auto& f : recording.frames)
-    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) has_spread[j] |= f.spread[j] > 0.0;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      has_covariance[j] |= isStated(f.covariance[j]);
+      has_spread[j] |= f.spread[j] > 0.0 || has_covariance[j];
+    }
   out << 't';
   for (const auto j : joints) {
     for (const char* field : {".x", ".y", ".z", ".confidence"})
       out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << field;
     if (has_spread[j]) out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << ".spread";
+    for (const CovarianceColumn& column : kCovarianceColumns)
+      if (has_covariance[j])
+        out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << '.' << column.name;
   }
   out << '\n';
   for (const auto& f : recording.frames) {
@@ -53,6 +65,10 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
       for (int k = 0; k < 3; ++k) out << ',' << (known ? formatDouble(f.p[j][k]) : "");
       out << ',' << formatDouble(confidenceOf(f.state[j]));
       if (has_spread[j]) out << ',' << (known ? formatDouble(f.spread[j]) : "");
+      const bool has_shape = known && isStated(f.covariance[j]);
+      for (const CovarianceColumn& at : kCovarianceColumns)
+        if (has_covariance[j])
+          out << ',' << (has_shape ? formatDouble(f.covariance[j](at.row, at.column)) : "");
     }
     out << '\n';
   }
@@ -112,6 +128,7 @@ bool SkeletonCsvReader::next(PointFrame& frame) {
 
 void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
   frame.clear(head_.joints.size());
+  if (head_.has_covariances) frame.covariance.assign(head_.joints.size(), Matrix3d::Zero());
   confidence_.assign(head_.joints.size(), kTrackedConfidence);
   std::string_view cell;
   const std::string cell_count = std::to_string(head_.columns.size() + 1) + " cells";
@@ -123,6 +140,9 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
       confidence_[c.joint] = v;
     else if (c.field == kSpreadField)
       frame.spread[c.joint] = spreadOf(cells, v);
+    else if (c.field >= kCovarianceField)
+      setElement(kCovarianceColumns[static_cast<std::size_t>(c.field - kCovarianceField)], v,
+                 frame.covariance[c.joint]);
     else
       frame.p[c.joint][c.field] = v;
   }

@@ -19,7 +19,8 @@ inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kMi
 /// Header `t,JOINT.x,JOINT.y,JOINT.z,JOINT.confidence,...` for every joint in any frame; then one line for
 /// each frame, s and metres, z up, numbers with the digits that read back to the same double. A joint missing
 /// in a frame has empty cells and confidence 0. A joint with a known spread in any frame also has a column
-/// JOINT.spread, m, 0 if unknown.
+/// JOINT.spread, m, 0 if unknown; one with a covariance in any frame columns JOINT.cxx, .cyy, .czz, .cxy,
+/// .cxz, .cyz, m^2, empty in frames without one: the error then is isotropic.
 void writeSkeletonCsv(std::ostream& out, const Recording& recording);
 /// The same to a file, completely or not at all. Throws UsageError if it cannot be written.
 void writeSkeletonCsv(const std::filesystem::path& file, const Recording& recording);

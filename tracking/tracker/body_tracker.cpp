@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "tracking/tracker/joint_uncertainty.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -135,8 +136,8 @@ void BodyTracker::resume(const RigPose& pose) {
 
 void BodyTracker::widenHands(const std::array<double, 2>& extent) {
   using enum humanmodel::Joint;
-  body_.frame.spread[static_cast<std::size_t>(kHandLeft)] += extent[0] / humanmodel::kSpreadQuantile;
-  body_.frame.spread[static_cast<std::size_t>(kHandRight)] += extent[1] / humanmodel::kSpreadQuantile;
+  humanmodel::addRadius(body_.frame, kHandLeft, extent[0]);
+  humanmodel::addRadius(body_.frame, kHandRight, extent[1]);
 }
 
 void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
@@ -308,7 +309,7 @@ void BodyTracker::finish(double t) {
   stateSpreads(t);
 }
 
-/// Of joints that are seen: trackedSpreads() and JointMotion. Of others: HiddenSpread, and what the last
+/// Of joints that are seen: trackedCovariances() and JointMotion. Of others: HiddenSpread, and what the last
 /// joint of the limb that is seen is off by, as all places are counted from there.
 void BodyTracker::stateSpreads(double t) {
   humanmodel::SkeletonFrame& frame = body_.frame;
@@ -319,29 +320,36 @@ void BodyTracker::stateSpreads(double t) {
     if (visible[s] < kSeenShare) visible[s] = 1.0;  // the free space says more than how little is seen
   }
   space_.update(seen_, body_.X_WS, seen);
-  hidden_.see(t, seen, space_.extent());
+  hidden_.see(t, seen, space_.extent(), space_.shape());
   motion_.see(t, frame);
-  const auto tracked = trackedSpreads(*rig_, fit_.problem(), body_.misfit.residual, visible, body_.gap);
+  const JointCovariances tracked =
+      trackedCovariances(*rig_, fit_.problem(), body_.misfit.residual, visible, body_.gap);
+  JointCovariances covariance = tracked;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
     const double stature = (is_seen ? kOfStatureSeen : kOfStatureHidden) * stature_deviation_;
-    frame.spread[j] = std::hypot(tracked[j], stature, is_seen ? motion_.spread()[j] : hidden_.spread()[j]);
-    if (!is_seen) frame.state[j] = humanmodel::JointState::kInferred;
+    const double all_around = is_seen ? std::hypot(stature, motion_.spread()[j]) : stature;
+    covariance[j].diagonal().array() += all_around * all_around;
+    if (is_seen) continue;
+    covariance[j] += hidden_.covariance()[j];
+    frame.state[j] = humanmodel::JointState::kInferred;
   }
   for (const std::array<humanmodel::Joint, 4>& limb : kLimbJoints) {
-    double attached = 0.0;
+    Matrix3d attached = Matrix3d::Zero();
     for (const humanmodel::Joint joint : limb) {
       const auto j = static_cast<std::size_t>(joint);
       if (frame.state[j] == humanmodel::JointState::kInferred)
-        frame.spread[j] += attached;
+        covariance[j] = humanmodel::sumEnclosing(covariance[j], attached);
       else
         attached = tracked[j];
     }
   }
-  if (facing_known_) return;
-  const humanmodel::SkeletonFrame other = flippedFacing(frame);
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-    frame.spread[j] += (frame.p[j] - other.p[j]).norm() / humanmodel::kSpreadQuantile;
+  const humanmodel::SkeletonFrame other = facing_known_ ? frame : flippedFacing(frame);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
+    humanmodel::setCovariance(frame, static_cast<humanmodel::Joint>(j),
+                              humanmodel::sumEnclosing(covariance[j], offset * offset.transpose()));
+  }
 }
 
 }  // namespace abstand::tracking

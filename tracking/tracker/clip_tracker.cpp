@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "core/base/error.hpp"
+#include "humanmodel/joint_covariance.hpp"
 #include "tracking/depth/people/camera_watch.hpp"
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/people_across.hpp"
@@ -49,7 +50,7 @@ void widenByLag(double lag, std::vector<humanmodel::SkeletonFrame>& frames) {
     const auto joint = static_cast<humanmodel::Joint>(j);
     if (!frame.has(joint) || !last.has(joint)) continue;
     const double moved = (frame.p[j] - last.p[j]).norm() * lag / (frame.t - last.t);
-    frame.spread[j] = std::hypot(frame.spread[j], moved);
+    humanmodel::addSpread(frame, joint, moved);
   }
 }
 
@@ -255,7 +256,8 @@ void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, dou
     humanmodel::SkeletonFrame none;
     none.t = t;
     person.frames.push_back(body ? body->frame : none);
-    for (double& spread : person.frames.back().spread) spread = std::hypot(spread, track.camera.spread);
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      humanmodel::addSpread(person.frames.back(), static_cast<humanmodel::Joint>(j), track.camera.spread);
   }
   if (!body || !body->found) return;
   ++person.found;

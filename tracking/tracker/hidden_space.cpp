@@ -1,5 +1,6 @@
 #include "tracking/tracker/hidden_space.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +9,10 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kInFront = 0.05;  // m, before what is measured
-constexpr int kTries = 8;          // directions for a link of a sample until one is within the joint limits
+constexpr double kInFront = 0.05;   // m, before what is measured
+constexpr double kThinnest = 0.02;  // m, RMS of the samples along an axis, for its direction
+constexpr std::array kPowers{0.25, 0.5, 0.75, 1.0};
+constexpr int kTries = 8;  // directions for a link of a sample until one is within the joint limits
 // Largest angle between a forearm or a calf and its parent, and of a hand to its forearm; range of the angle
 // of a foot to its calf. As the rig's limits.
 const double kMinFlexed = std::cos(unit::deg(155)), kMinHand = std::cos(unit::deg(75)),
@@ -31,6 +34,7 @@ bool isAllowed(const BodyRig& rig, const Limb& limb, int link, const Vector3d& d
 }  // namespace
 
 HiddenSpace::HiddenSpace(const BodyRig& rig) : rig_{&rig} {
+  shape_.fill(Matrix3d::Zero());
   for (std::size_t link = 0; link < direction_.size(); ++link) {
     Random random(1, link);
     for (Vector3d& d : direction_[link]) d = random.direction();
@@ -51,6 +55,7 @@ bool HiddenSpace::isFree(const BodyObservation& seen, const Vector3d& p_W) {
 
 void HiddenSpace::update(const BodyObservation& seen, const RigPlacement& X_WS, SeenSegments visible) {
   extent_.fill(kInfinity);
+  shape_.fill(Matrix3d::Zero());
   for (const Limb& limb : kLimbs) sample(seen, X_WS, visible, limb);
 }
 
@@ -89,16 +94,43 @@ void HiddenSpace::sample(const BodyObservation& seen, const RigPlacement& X_WS, 
     }
     if (!is_possible) continue;
     for (std::size_t k = static_cast<std::size_t>(first); k < links; ++k)
-      distance_[k][count] = (end[k] - X_WS[index(segments[k])] * rig.p_joint[joints[k]]).norm();
+      offset_[k][count] = end[k] - X_WS[index(segments[k])] * rig.p_joint[joints[k]];
     ++count;
   }
   if (count < kFewest) return;
-  const auto place = static_cast<std::ptrdiff_t>(kShare * static_cast<double>(count - 1));
   for (std::size_t k = static_cast<std::size_t>(first); k < links; ++k) {
-    std::nth_element(distance_[k].begin(), distance_[k].begin() + place,
-                     distance_[k].begin() + static_cast<std::ptrdiff_t>(count));
-    if (!isVisible(visible, segments[k])) extent_[joints[k]] = distance_[k][static_cast<std::size_t>(place)];
+    if (isVisible(visible, segments[k])) continue;
+    for (std::size_t i = 0; i < count; ++i) distance_[i] = offset_[k][i].norm();
+    extent_[joints[k]] = shareOf(count);
+    shape_[joints[k]] = shapeOf(k, count, extent_[joints[k]]);
   }
+}
+
+/// Quantile kShare of the first `count` distances, which are reordered.
+double HiddenSpace::shareOf(std::size_t count) {
+  const auto place = static_cast<std::ptrdiff_t>(kShare * static_cast<double>(count - 1));
+  std::nth_element(distance_.begin(), distance_.begin() + place,
+                   distance_.begin() + static_cast<std::ptrdiff_t>(count));
+  return distance_[static_cast<std::size_t>(place)];
+}
+
+Matrix3d HiddenSpace::shapeOf(std::size_t link, std::size_t count, double extent) const {
+  const auto& all = offset_[link];
+  Matrix3d moment = Matrix3d::Zero();
+  for (std::size_t i = 0; i < count; ++i) moment += all[i] * all[i].transpose();
+  moment /= static_cast<double>(count);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(moment);
+  const Vector3d root = axes.eigenvalues().cwiseMax(kThinnest * kThinnest).cwiseSqrt();
+  Vector3d best = Vector3d::Constant(extent);
+  for (const double power : kPowers) {
+    const Vector3d half = root.array().pow(power);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      farthest = std::max(farthest, (axes.eigenvectors().transpose() * all[i]).cwiseQuotient(half).norm());
+    const Vector3d semi = (farthest * half).cwiseMax(kThin);
+    if (semi.sum() < best.sum()) best = semi;
+  }
+  return axes.eigenvectors() * best.cwiseAbs2().asDiagonal() * axes.eigenvectors().transpose();
 }
 
 }  // namespace abstand::tracking

@@ -27,16 +27,28 @@ class HiddenSpace {
   /// with fewer than kFewest such samples.
   const std::array<double, humanmodel::kJointCount>& extent() const { return extent_; }
 
+  /// m^2, world: ellipsoid about the fitted joint, all e with e . S^-1 e <= 1. S is proportional to a power
+  /// from 0.25 to 1 of the second moments of the samples about the joint, and holds all of them; or it is the
+  /// ball of the extent: the one with the smallest sum of semi-axes. None is shorter than kThin. Zero without
+  /// an extent.
+  const JointCovariances& shape() const { return shape_; }
+
   static constexpr int kFewest = 8;
+  /// m, shortest semi-axis: the free space is known to the cells of the observation.
+  static constexpr double kThin = 0.12;
 
  private:
   static bool isFree(const BodyObservation& seen, const Vector3d& p_W);
+  double shareOf(std::size_t count);
+  Matrix3d shapeOf(std::size_t link, std::size_t count, double extent) const;
   void sample(const BodyObservation& seen, const RigPlacement& X_WS, SeenSegments visible, const Limb& limb);
 
   const BodyRig* rig_;
   std::array<std::array<Vector3d, kSamples>, 3> direction_;  ///< unit vectors, for each link of a chain
-  std::array<std::array<double, kSamples>, 3> distance_{};   ///< m, of the samples left, by link
+  std::array<std::array<Vector3d, kSamples>, 3> offset_;     ///< m, of the samples left, by link
+  std::array<double, kSamples> distance_{};
   std::array<double, humanmodel::kJointCount> extent_{};
+  JointCovariances shape_;
 };
 
 }  // namespace abstand::tracking

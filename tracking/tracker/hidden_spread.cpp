@@ -40,18 +40,22 @@ std::array<double, humanmodel::kJointCount> hiddenPathLengths(const BodyRig& rig
   return lengths;
 }
 
-void HiddenSpread::see(double t, SeenSegments seen, const Extents& extent) {
+void HiddenSpread::see(double t, SeenSegments seen, const Extents& extent, const JointCovariances& shape) {
   const auto lengths = hiddenPathLengths(*rig_, seen);
   for (std::size_t s = 0; s < kRigSegments; ++s)
     if (has(seen, s)) last_seen_[s] = t;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig_->carrier[j]);
-    if (has(seen, s)) {
-      spread_[j] = 0.0;
-      continue;
-    }
+    covariance_[j].setZero();
+    spread_[j] = 0.0;
+    if (has(seen, s)) continue;
     const double moved = kMin + (t - last_seen_[s]) * humanmodel::kPersonSpeed;
-    spread_[j] = std::max(kMin, std::min({moved, 2.0 * lengths[j], extent[j]})) / humanmodel::kSpreadQuantile;
+    const double bound = std::min(moved, 2.0 * lengths[j]);
+    spread_[j] = std::max(kMin, std::min(bound, extent[j])) / humanmodel::kSpreadQuantile;
+    if (extent[j] < bound && extent[j] > kMin)
+      covariance_[j] = shape[j] / (humanmodel::kSpreadQuantile * humanmodel::kSpreadQuantile);
+    else
+      covariance_[j].diagonal().setConstant(spread_[j] * spread_[j]);
   }
 }
 

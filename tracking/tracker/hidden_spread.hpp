@@ -1,7 +1,7 @@
 // Uncertainty of joints of occluded segments.
 #pragma once
 
-#include "tracking/body/body_rig.hpp"
+#include "tracking/body/joint_spread.hpp"
 
 namespace abstand::tracking {
 
@@ -18,27 +18,33 @@ std::array<double, humanmodel::kJointCount> hiddenPathLengths(const BodyRig& rig
 /// kMin.
 /// - Bones: estimate and truth are within hiddenPathLengths() of the visible segment, so at most twice that
 ///   apart.
-/// - Free space: `extent` of HiddenSpace.
+/// - Free space: `extent` of HiddenSpace, with its shape.
 /// Does not allocate or throw.
 class HiddenSpread {
  public:
-  explicit HiddenSpread(const BodyRig& rig) : rig_{&rig} { last_seen_.fill(-kInfinity); }
+  explicit HiddenSpread(const BodyRig& rig) : rig_{&rig} {
+    last_seen_.fill(-kInfinity);
+    covariance_.fill(Matrix3d::Zero());
+  }
 
   using Extents = std::array<double, humanmodel::kJointCount>;  ///< m, infinite: unknown
   /// m, smallest distance, right after a joint was seen: little of its segment was seen then.
   static constexpr double kMin = 0.25;
 
   /// Records the visible segments of the image at `t` (s).
-  void see(double t, SeenSegments seen, const Extents& extent);
-  /// After see(): standard deviation (m) of each joint along its worst axis, such that kSpreadQuantile times
-  /// it is the distance above; 0 for joints of visible segments. Without the error of the visible segment
-  /// itself.
+  /// `shape`: of HiddenSpace; used where `extent` is the smallest bound and not below kMin.
+  void see(double t, SeenSegments seen, const Extents& extent, const JointCovariances& shape);
+  /// After see(): standard deviation (m) of each joint, such that kSpreadQuantile times it is the distance
+  /// above; 0 for joints of visible segments. Without the error of the visible segment itself.
   const Extents& spread() const { return spread_; }
+  /// Likewise the covariance (m^2, world): isotropic with that spread, or of the shape.
+  const JointCovariances& covariance() const { return covariance_; }
 
  private:
   const BodyRig* rig_;
   std::array<double, kRigSegments> last_seen_;  ///< s; -infinity: never
   Extents spread_{};
+  JointCovariances covariance_;
 };
 
 }  // namespace abstand::tracking

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/body/joint_spread.hpp"
-
 namespace abstand::tracking {
 namespace {
 
@@ -14,9 +12,10 @@ constexpr double kDeviationsPerResidual = 3.0;  // times the residual: standard 
 // which the term begins, at the second it is whole.
 constexpr double kTouchFrom = 0.04, kTouchWhole = 0.0;
 
-/// For each joint: constant term, and terms for an invisible segment and for one that touches another; m.
+/// For each joint: constant terms along the axes of its segment (x forward, y left, z along a limb or the
+/// trunk, when standing), and terms for an invisible segment and for one that touches another; m.
 struct Terms {
-  double shape, hidden{0.0}, touch{0.0};
+  double forward, left, along, hidden{0.0}, touch{0.0};
 };
 
 Terms termsOf(humanmodel::Joint joint) {
@@ -25,59 +24,62 @@ Terms termsOf(humanmodel::Joint joint) {
     case kPelvis:
     case kSpine:
     case kThorax:
-      return {0.050};
+      return {0.035, 0.025, 0.050};
     case kNeck:
-      return {0.047};
+      return {0.032, 0.022, 0.047};
     case kHead:
-      return {0.027, 0.10};
+      return {0.020, 0.014, 0.027, 0.10};
     case kHeadTop:
-      return {0.037, 0.20};
+      return {0.037, 0.020, 0.037, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
-      return {0.040, 0.08};
+      return {0.040, 0.040, 0.040, 0.08};
     case kElbowLeft:
     case kElbowRight:
-      return {0.032, 0.12};
+      return {0.032, 0.032, 0.032, 0.12};
     case kWristLeft:
     case kWristRight:
-      return {0.027, 0.25, 0.14};
+      return {0.027, 0.027, 0.027, 0.25, 0.14};
     case kHandLeft:
     case kHandRight:
-      return {0.030, 0.15, 0.28};
+      return {0.030, 0.030, 0.030, 0.15, 0.28};
     case kHipLeft:
     case kHipRight:
-      return {0.030, 0.06};
+      return {0.030, 0.024, 0.030, 0.06};
     case kKneeLeft:
     case kKneeRight:
-      return {0.028, 0.03};
+      return {0.028, 0.022, 0.028, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
-      return {0.033, 0.25, 0.10};
+      return {0.030, 0.018, 0.033, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.038, 0.15};
+      return {0.038, 0.038, 0.038, 0.15};
     case kCount:
       break;
   }
-  return {0.0};
+  return {0.0, 0.0, 0.0};
 }
 
 }  // namespace
 
-std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
-                                                           double residual,
-                                                           const std::array<double, kRigSegments>& visible,
-                                                           const std::array<double, kRigSegments>& gap) {
-  std::array<double, humanmodel::kJointCount> spread = jointSpreads(rig, problem, problem.information());
+JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& problem, double residual,
+                                    const std::array<double, kRigSegments>& visible,
+                                    const std::array<double, kRigSegments>& gap) {
+  JointCovariances covariance = jointCovariances(rig, problem, problem.information());
+  const double variance = kDeviationsPerResidual * residual * kDeviationsPerResidual * residual;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig.carrier[j]);
     const double hidden = 1.0 - visible[s];
     const double touch = std::clamp((kTouchFrom - gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
-    spread[j] = std::hypot(std::hypot(terms.shape, kDeviationsPerResidual * residual * spread[j]),
-                           hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch);
+    const double all_around = std::hypot(hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch);
+    const Vector3d shape(terms.forward, terms.left, terms.along);
+    const Matrix3d R_WS = problem.placement()[s].linear();
+    covariance[j] = variance * covariance[j] + R_WS * shape.cwiseAbs2().asDiagonal() * R_WS.transpose() +
+                    Matrix3d(Vector3d::Constant(all_around * all_around).asDiagonal());
   }
-  return spread;
+  return covariance;
 }
 
 }  // namespace abstand::tracking

@@ -1,26 +1,25 @@
 // Uncertainty of joints of visible segments.
 #pragma once
 
-#include "tracking/body/body_solver.hpp"
+#include "tracking/body/joint_spread.hpp"
 
 namespace abstand::tracking {
 
-/// Standard deviation (m) of each joint along its worst axis, of the raw error; four independent terms:
-/// - Model difference: recordings define joints differently, and bodies differ from the model: a constant for
-///   each joint.
-/// - Fit: covariance of the last fit (jointSpreads) times `residual` (m, RMS of the points), times 3, as
-///   errors of neighbouring points are correlated.
+/// Covariance (m^2, world) of each joint's raw error; four independent terms:
+/// - Model difference: recordings define joints differently, and bodies differ from the model: constants for
+///   each joint, along the axes of its segment. Errors along a limb or the trunk are up to twice those
+///   across.
+/// - Fit: covariance of the last fit (jointCovariances) times the square of 3 `residual` (m, RMS of the
+///   points), as errors of neighbouring points are correlated.
 /// - Occlusion: the less of a segment is visible, the likelier it is fitted to something else: a constant for
 ///   each joint times (1 - `visible`)^1.5 of its segment.
 /// - Touch: a hand on the trunk or on a thigh and a foot at the other leg are hardly told from these: a
-/// constant
-///   for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on.
+///   constant for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on.
 /// The constants were chosen on the simulated captures and postures that also judge them
 /// (tests/tracking/tracker); smaller first ones would do there, but hold less of recordings that were held
 /// out (docs/tracking.md). Does not allocate or throw.
-std::array<double, humanmodel::kJointCount> trackedSpreads(const BodyRig& rig, const BodySolver& problem,
-                                                           double residual,
-                                                           const std::array<double, kRigSegments>& visible,
-                                                           const std::array<double, kRigSegments>& gap);
+JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& problem, double residual,
+                                    const std::array<double, kRigSegments>& visible,
+                                    const std::array<double, kRigSegments>& gap);
 
 }  // namespace abstand::tracking

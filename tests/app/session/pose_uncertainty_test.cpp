@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/run/distance_check.hpp"
+#include "core/scene/directed_uncertainty.hpp"
+#include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/support/paths.hpp"
@@ -140,6 +142,57 @@ TEST(PoseUncertainty, RunReportsMinClearance) {
   ASSERT_TRUE(before.min_distance && before.min_clearance);
   EXPECT_EQ(before.min_clearance->value, -kInfinity);  // of the calf
   EXPECT_EQ(before.min_clearance->a, "p/calf_right");
+}
+
+/// The same person, whose trunk is known to kAlong towards the ball and to kAcross otherwise; the recording
+/// is turned into the scene by 90 degrees.
+TEST(PoseUncertainty, CountsAlongTheNearestPoints) {
+  constexpr double kAlong = 0.01, kAcross = 0.10;  // m, standard deviations
+  constexpr double kHull = 1e-4;                   // m; voxels of 5 cm at a pose of decimals
+  const ScratchFolder folder;
+  tracking::Recording recording;
+  recording.frames = {humanmodel::makeHuman({}).rest, humanmodel::makeHuman({}).rest};
+  recording.frames[1].t = 1.0;
+  for (humanmodel::SkeletonFrame& f : recording.frames)
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (f.has(static_cast<humanmodel::Joint>(j)))
+        humanmodel::setCovariance(f, static_cast<humanmodel::Joint>(j),
+                                  Vector3d(kAcross, kAlong, kAcross).cwiseAbs2().asDiagonal());
+  tracking::writeSkeletonCsv(folder.path() / "r.csv", recording);
+  const auto scene =
+      folder.write("scene.yaml",
+                   "abstand: 1\ndefaults: {voxel: 0.05, point: 0.05, outer_layers: 1}\n"
+                   "humans:\n  - {name: p, height: 1.75, recording: {file: r.csv, place: {xyz: [0, 0, 0], "
+                   "yaw: 1.5707963267948966}}}\n"
+                   "objects:\n  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [3, "
+                   "0, 1.2]}}\npairs: {default: between_groups}\n");
+  session::SessionOptions options;
+  options.threads = 1;
+  options.cache = false;
+  session::Session turned(scene_file::loadScene(scene), options);
+  turned.step(0.0);
+  const scene::Scene& s = turned.scene();
+  const auto widest = humanmodel::kSpreadQuantile * kAcross;
+  bool torso = false;
+  for (std::uint32_t i = 0; i < s.pairs().size(); ++i) {
+    const scene::Object &a = s.object(s.pairs()[i].a), &b = s.object(s.pairs()[i].b);
+    if (a.spec.name != "p/torso" && b.spec.name != "p/torso") continue;
+    torso = true;
+    EXPECT_NEAR(s.pairUncertainty(PairId(i)), widest, kRounding);
+    const scene::Object& person = a.spec.name == "p/torso" ? a : b;
+    // What was y in the recording is x here, up to the turn of the trunk's breadth.
+    const double along = scene::reachAlong(person, Vector3d::UnitX());
+    EXPECT_GE(along, humanmodel::kSpreadQuantile * kAlong);
+    EXPECT_LT(along, 0.8 * widest);
+    EXPECT_NEAR(scene::reachAlong(person, Vector3d::UnitZ()), widest, kRounding);
+    EXPECT_LT(scene::directedUncertainty(s, PairId(i), s.result(PairId(i))), 0.85 * widest);
+  }
+  EXPECT_TRUE(torso);
+  run::RunOptions run;
+  run.end = 0.5;
+  const run::RunSummary summary = run::runScene(turned, run);
+  ASSERT_TRUE(summary.min_clearance && summary.min_distance);
+  EXPECT_GT(summary.min_clearance->value, summary.min_distance->value - 0.95 * widest + kHull);
 }
 
 TEST(PoseUncertainty, AllocatesNothing) {

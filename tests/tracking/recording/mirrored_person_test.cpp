@@ -4,6 +4,7 @@
 
 #include "core/base/error.hpp"
 #include "humanmodel/human_model.hpp"
+#include "humanmodel/joint_covariance.hpp"
 
 namespace abstand::tracking {
 namespace mirrored_person_test {
@@ -24,7 +25,9 @@ std::vector<humanmodel::SkeletonFrame> raisedHand() {
     f.set(Joint::kHipRight, {2.1, 3, 1});
     f.set(Joint::kHandLeft, {1.6, 3, 0.8});
     f.set(Joint::kHandRight, {2.4, 3.2, 0.8 + 0.2 * i}, humanmodel::JointState::kInferred);
-    f.spread[static_cast<std::size_t>(Joint::kHandRight)] = 0.02;
+    Matrix3d covariance = Vector3d(4e-4, 2e-4, 1e-4).asDiagonal();
+    covariance(0, 1) = covariance(1, 0) = 1e-4;
+    humanmodel::setCovariance(f, Joint::kHandRight, covariance);
     frames.push_back(f);
   }
   return frames;
@@ -40,7 +43,11 @@ TEST(MirroredPerson, SwapsHands) {
     EXPECT_TRUE(f[Joint::kPelvis].isApprox(Vector3d(2, 3, 1), kRounding)) << "stays in place";
     EXPECT_TRUE(f[Joint::kHipLeft].isApprox(Vector3d(1.9, 3, 1), kRounding)) << "faces the same way";
     EXPECT_EQ(f.state[static_cast<std::size_t>(Joint::kHandLeft)], humanmodel::JointState::kInferred);
-    EXPECT_EQ(f.spread[static_cast<std::size_t>(Joint::kHandLeft)], 0.02);
+    // Mirrored across x = 2: the product of x and y changes its sign.
+    const Matrix3d C = humanmodel::covarianceOf(f, Joint::kHandLeft);
+    EXPECT_NEAR(C(0, 0), 4e-4, kRounding);
+    EXPECT_NEAR(C(0, 1), -1e-4, kRounding);
+    EXPECT_NEAR(C(1, 1), 2e-4, kRounding);
     EXPECT_FALSE(f.has(Joint::kHead)) << "what is missing stays missing";
   }
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.hpp"
+#include "humanmodel/joint_covariance.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_pose.hpp"
 #include "tracking/registry/open_recording.hpp"
@@ -46,6 +47,50 @@ TEST(SkeletonCsv, RoundTripsBitExactly) {
       for (int k = 0; k < 3 && a.state[j] != humanmodel::JointState::kMissing; ++k)
         EXPECT_EQ(std::bit_cast<std::uint64_t>(a.p[j][k]), std::bit_cast<std::uint64_t>(b.p[j][k]));
     }
+  }
+}
+
+TEST(SkeletonCsv, CovariancesRoundTripAndAreTheSpreadWithoutTheirColumns) {
+  Matrix3d stated;
+  stated << 0.04, 0.01, -0.002, 0.01, 0.02, 0.003, -0.002, 0.003, 0.01;
+  Recording written;
+  for (int i = 0; i < 3; ++i) {
+    humanmodel::SkeletonFrame f;
+    f.t = 0.1 * i;
+    f.set(humanmodel::Joint::kNeck, {1, 2, 3});
+    f.set(humanmodel::Joint::kPelvis, {1, 2, 2});
+    if (i != 1) humanmodel::setCovariance(f, humanmodel::Joint::kNeck, stated);
+    if (i == 1) f.spread[static_cast<std::size_t>(humanmodel::Joint::kNeck)] = 0.05;
+    written.frames.push_back(f);
+  }
+  std::ostringstream out;
+  writeSkeletonCsv(out, written);
+  EXPECT_THAT(out.str(), HasSubstr("neck.spread,neck.cxx,neck.cyy,neck.czz,neck.cxy,neck.cxz,neck.cyz\n"));
+  EXPECT_EQ(out.str().find("pelvis.c"), out.str().find("pelvis.confidence")) << "none for the pelvis";
+  const Recording read = readSkeletonCsv(out.str(), "t.csv");
+  const Recording upright = [&] {
+    RecordingOptions options;
+    options.up = "y";
+    return readSkeletonCsv(out.str(), "t.csv", options);
+  }();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Matrix3d expected = i == 1 ? Matrix3d(Vector3d::Constant(0.05 * 0.05).asDiagonal()) : stated;
+    EXPECT_TRUE(humanmodel::covarianceOf(read.frames[i], humanmodel::Joint::kNeck).isApprox(expected, 1e-15));
+    EXPECT_TRUE(humanmodel::covarianceOf(read.frames[i], humanmodel::Joint::kPelvis).isZero(0.0));
+  }
+  // The point turns about x from y up to z up, and its ellipsoid with it.
+  const Matrix3d R = Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_TRUE(upright.frames[0][humanmodel::Joint::kNeck].isApprox(R * Vector3d(1, 2, 3), 1e-12));
+  EXPECT_TRUE(humanmodel::covarianceOf(upright.frames[0], humanmodel::Joint::kNeck)
+                  .isApprox(R * stated * R.transpose(), 1e-12));
+}
+
+TEST(SkeletonCsv, RefusesPartOfACovariance) {
+  try {
+    readSkeletonCsv("t,neck.x,neck.y,neck.z,neck.spread,neck.cxx\n0,1,2,3,0.1,0.01\n", "t.csv");
+    FAIL();
+  } catch (const ParseError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("found only some columns of the covariance of neck"));
   }
 }
 

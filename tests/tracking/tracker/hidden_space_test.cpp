@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
 
@@ -15,6 +18,9 @@ constexpr SeenSegments kAll = (1u << kRigSegments) - 1u;
 constexpr SeenSegments kNoForearm =
     kAll & ~(1u << index(RigSegment::kForearmLeft)) & ~(1u << index(RigSegment::kHandLeft));
 constexpr double kSampled = 0.06;  // m, of the quantile of 128 samples on a sphere with a radius of 0.25 m
+
+constexpr double kShareSampled = 0.06;  // of 128 samples, of which some are free, against all dense ones
+constexpr double kRounding = 1e-12;
 
 std::size_t at(Joint joint) { return static_cast<std::size_t>(joint); }
 
@@ -47,25 +53,33 @@ struct Stand {
   }
 };
 
-/// kShare quantile of the distances to the estimate of wrists on the sphere about the elbow that are no more
-/// than 155 degrees from the upper arm's direction and for which `is_free` holds at wrist and middle.
+/// Offsets from the estimate of wrists on the sphere about the elbow that are no more than 155 degrees from
+/// the upper arm's direction and for which `is_free` holds at wrist and middle.
 template <typename Free>
-double denseExtent(const Stand& stand, const Free& is_free) {
+std::vector<Vector3d> denseOffsets(const Stand& stand, const Free& is_free) {
   const Transform& X_WU = stand.X_WS[index(RigSegment::kUpperArmLeft)];
   const Vector3d elbow = stand.X_WS[index(RigSegment::kForearmLeft)].translation();
   const Vector3d upper = (elbow - X_WU.translation()).normalized();
   const double length = stand.rig.p_joint[at(Joint::kWristLeft)].norm();
   const Vector3d wrist =
       stand.X_WS[index(RigSegment::kForearmLeft)] * stand.rig.p_joint[at(Joint::kWristLeft)];
-  std::vector<double> distance;
+  std::vector<Vector3d> offset;
   for (int i = 0; i < 200; ++i)
     for (int k = 0; k < 200; ++k) {
       const double z = (i + 0.5) / 100.0 - 1.0, a = 2.0 * kPi * k / 200.0, r = std::sqrt(1.0 - z * z);
       const Vector3d d(r * std::cos(a), r * std::sin(a), z);
       if (d.dot(upper) < std::cos(unit::deg(155.0))) continue;
       if (is_free(elbow + length * d) && is_free(elbow + 0.5 * length * d))
-        distance.push_back((elbow + length * d - wrist).norm());
+        offset.push_back(elbow + length * d - wrist);
     }
+  return offset;
+}
+
+/// kShare quantile of their lengths.
+template <typename Free>
+double denseExtent(const Stand& stand, const Free& is_free) {
+  std::vector<double> distance;
+  for (const Vector3d& offset : denseOffsets(stand, is_free)) distance.push_back(offset.norm());
   std::sort(distance.begin(), distance.end());
   return distance.empty()
              ? kInfinity
@@ -98,6 +112,17 @@ TEST(HiddenSpace, LeavesOutWhatACameraSeesToBeEmpty) {
   const double dense = denseExtent(stand, is_free);
   ASSERT_TRUE(std::isfinite(dense));
   EXPECT_NEAR(space.extent()[at(Joint::kWristLeft)], dense, 1.5 * kSampled);
+  // The ellipsoid holds the same share as the ball, and is thinner: the strip is narrow.
+  const Matrix3d& shape = space.shape()[at(Joint::kWristLeft)];
+  std::size_t within = 0;
+  const std::vector<Vector3d> offsets = denseOffsets(stand, is_free);
+  for (const Vector3d& offset : offsets) within += offset.dot(shape.inverse() * offset) <= 1.0;
+  EXPECT_GE(static_cast<double>(within),
+            (HiddenSpace::kShare - kShareSampled) * static_cast<double>(offsets.size()));
+  const Vector3d semi = Eigen::SelfAdjointEigenSolver<Matrix3d>(shape).eigenvalues().cwiseSqrt();
+  EXPECT_GE(semi[0] + kRounding, HiddenSpace::kThin);
+  EXPECT_LT(semi[0], 0.7 * dense);
+  EXPECT_LT(semi.sum(), 3.0 * dense) << "the sum of the semi-axes is not above that of the ball";
 }
 
 TEST(HiddenSpace, KeepsWhatSomethingNearerHides) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "tests/support/no_alloc.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
@@ -21,6 +22,11 @@ HiddenSpread::Extents anySpace() {
   HiddenSpread::Extents extent;
   extent.fill(kInfinity);
   return extent;
+}
+JointCovariances noShape() {
+  JointCovariances shape;
+  shape.fill(Matrix3d::Zero());
+  return shape;
 }
 
 SeenSegments without(std::initializer_list<RigSegment> hidden) {
@@ -100,14 +106,14 @@ TEST(HiddenSpread, GrowsFromMinToSpaceOfLimb) {
   const auto wrist = static_cast<std::size_t>(humanmodel::Joint::kWristLeft),
              elbow = static_cast<std::size_t>(humanmodel::Joint::kElbowLeft),
              head = static_cast<std::size_t>(humanmodel::Joint::kHead);
-  hidden.see(0.0, without({}), anySpace());
+  hidden.see(0.0, without({}), anySpace(), noShape());
   for (const double s : hidden.spread()) EXPECT_EQ(s, 0.0);
   const SeenSegments seen = without({kUpperArmLeft, kForearmLeft, kHandLeft});
   const double space = 2.0 * hiddenPathLengths(rig(), seen)[wrist];
   double last = 0.0;
   for (int i = 1; i <= 60; ++i) {
     const double t = i / 30.0;
-    hidden.see(t, seen, anySpace());
+    hidden.see(t, seen, anySpace(), noShape());
     const double reach = humanmodel::partUncertainty(0.0, hidden.spread()[wrist]);
     EXPECT_GE(reach + kRounding, HiddenSpread::kMin);
     EXPECT_GE(humanmodel::partUncertainty(0.0, hidden.spread()[elbow]) + kRounding, HiddenSpread::kMin);
@@ -119,7 +125,7 @@ TEST(HiddenSpread, GrowsFromMinToSpaceOfLimb) {
     last = reach;
   }
   EXPECT_NEAR(last, space, kRounding);
-  hidden.see(2.1, without({}), anySpace());
+  hidden.see(2.1, without({}), anySpace(), noShape());
   EXPECT_EQ(hidden.spread()[wrist], 0.0);
 }
 
@@ -127,12 +133,39 @@ TEST(HiddenSpread, IsMaxForLimbNeverSeen) {
   HiddenSpread hidden(rig());
   const SeenSegments seen = without({RigSegment::kThighLeft, RigSegment::kCalfLeft, RigSegment::kFootLeft});
   const HiddenSpread::Extents any = anySpace();
+  const JointCovariances none = noShape();
   testing::NoAlloc guard;
-  hidden.see(0.0, seen, any);
+  hidden.see(0.0, seen, any, none);
   EXPECT_EQ(guard.count(), 0);
   const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
   EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]),
               2.0 * hiddenPathLengths(rig(), seen)[ankle], kRounding);
+}
+
+TEST(HiddenSpread, HasTheShapeOfTheFreeSpaceWhereThatIsTheSmallestBound) {
+  HiddenSpread hidden(rig());
+  const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
+  const SeenSegments seen = without({RigSegment::kCalfLeft, RigSegment::kFootLeft});
+  HiddenSpread::Extents extent = anySpace();
+  JointCovariances shape = noShape();
+  shape[ankle] = Vector3d(0.16, 0.04, 0.09).asDiagonal();
+  const auto semiAxis = [&](const Vector3d& d) {
+    return humanmodel::reachAlong(hidden.covariance()[ankle], d);
+  };
+  extent[ankle] = 0.3;
+  hidden.see(0.0, seen, extent, shape);
+  EXPECT_NEAR(semiAxis(Vector3d::UnitX()), 0.4, kRounding);
+  EXPECT_NEAR(semiAxis(Vector3d::UnitY()), 0.2, kRounding);
+  // Bones: nowhere farther than twice their length, which is less than the extent.
+  extent[ankle] = 10.0;
+  hidden.see(0.1, seen, extent, shape);
+  EXPECT_NEAR(semiAxis(Vector3d::UnitY()), 2.0 * hiddenPathLengths(rig(), seen)[ankle], kRounding);
+  // Little of the segment was seen when it was seen last.
+  extent[ankle] = 0.1;
+  hidden.see(0.2, seen, extent, shape);
+  EXPECT_NEAR(semiAxis(Vector3d::UnitY()), HiddenSpread::kMin, kRounding);
+  hidden.see(0.3, without({}), extent, shape);
+  EXPECT_TRUE(hidden.covariance()[ankle].isZero(0.0));
 }
 
 TEST(HiddenSpread, IsNoLargerThanTheFreeSpace) {
@@ -140,10 +173,10 @@ TEST(HiddenSpread, IsNoLargerThanTheFreeSpace) {
   const auto ankle = static_cast<std::size_t>(humanmodel::Joint::kAnkleLeft);
   HiddenSpread::Extents extent = anySpace();
   extent[ankle] = 0.3;
-  hidden.see(0.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent);
+  hidden.see(0.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent, noShape());
   EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), 0.3, kRounding);
   extent[ankle] = 0.0;
-  hidden.see(1.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent);
+  hidden.see(1.0, without({RigSegment::kCalfLeft, RigSegment::kFootLeft}), extent, noShape());
   EXPECT_NEAR(humanmodel::partUncertainty(0.0, hidden.spread()[ankle]), HiddenSpread::kMin, kRounding);
 }
 

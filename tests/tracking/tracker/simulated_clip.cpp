@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 
+#include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
@@ -203,10 +204,17 @@ double JointErrors::quantile(const std::vector<double>& errors, double share) {
 void JointErrors::Stated::add(const Stated& other) {
   error.insert(error.end(), other.error.begin(), other.error.end());
   reach.insert(reach.end(), other.reach.begin(), other.reach.end());
+  largest.insert(largest.end(), other.largest.begin(), other.largest.end());
   joint.insert(joint.end(), other.joint.begin(), other.joint.end());
 }
 
 double JointErrors::Stated::within() const { return withinPlus({}); }
+
+double JointErrors::Stated::withinLargest() const { return Stated{error, largest, {}, joint}.within(); }
+
+double JointErrors::Stated::medianRatioOfLargest() const {
+  return Stated{error, largest, {}, joint}.medianRatio();
+}
 
 double JointErrors::Stated::withinPlus(const std::array<double, humanmodel::kJointCount>& term) const {
   std::size_t within = 0;
@@ -251,7 +259,10 @@ JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
         frame.state[j] == humanmodel::JointState::kInferred ? errors.inferred : errors.tracked;
     stated.error.push_back(error.norm());
     stated.joint.push_back(j);
-    stated.reach.push_back(humanmodel::partUncertainty(0.0, frame.spread[j]));
+    const Matrix3d covariance = humanmodel::covarianceOf(frame, static_cast<humanmodel::Joint>(j));
+    stated.reach.push_back(
+        humanmodel::radiusToward(covariance, error.norm() > 0.0 ? error.normalized() : Vector3d::UnitX()));
+    stated.largest.push_back(humanmodel::partUncertainty(0.0, frame.spread[j]));
   });
   std::sort(errors.raw.begin(), errors.raw.end());
   std::sort(errors.aligned.begin(), errors.aligned.end());

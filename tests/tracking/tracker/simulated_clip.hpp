@@ -65,16 +65,21 @@ struct JointErrors {
       aligned;               ///< sorted; each joint's mean offset, in axes that turn with the hips, taken off
   double longest_swap{0.0};  ///< s for which the body would fit better with left and right exchanged
   std::size_t lost{0};       ///< images without the body
-  /// Raw errors of joints that were tracked, and of those that were inferred, against partUncertainty() of
-  /// the spread that is stated.
+  /// Raw errors of joints that were tracked, and of those that were inferred, against the covariance that is
+  /// stated.
   struct Stated {
-    std::vector<double> error, reach;  ///< m, of the same joints
-    std::vector<std::size_t> joint;    ///< of each
+    std::vector<double> error;
+    /// m, of the same joints: size of the stated ellipsoid in the direction of the error, and its largest
+    /// semi-axis, which is the pose uncertainty.
+    std::vector<double> reach, largest;
+    std::vector<std::size_t> joint;  ///< of each
     void add(const Stated& other);
     double within() const;  ///< share of the errors that are no larger than the reach; 1 without joints
     /// Likewise, of a reach that is larger by a term (m) for each joint.
     double withinPlus(const std::array<double, humanmodel::kJointCount>& term) const;
     double medianRatio() const;  ///< median of reach / error; NaN without joints
+    double withinLargest() const;
+    double medianRatioOfLargest() const;
   };
   Stated tracked, inferred;
   /// m, mean of tracked minus true position in axes that turn with the hips, z up; zero without a value.
