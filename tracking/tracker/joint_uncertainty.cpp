@@ -12,6 +12,26 @@ constexpr double kDeviationsPerResidual = 3.0;  // times the residual: standard 
 // which the term begins, at the second it is whole.
 constexpr double kTouchFrom = 0.04, kTouchWhole = 0.0;
 
+// rad, angle of a thigh to the trunk: below the first, they begin to hide each other; at the second, the
+// thigh lies on the trunk. m: error of the hips and of the knee then. The back of a person who bends so is
+// round, that of the model is straight.
+constexpr double kFoldFrom = 1.05, kFoldWhole = 0.35, kFolded = 0.06;
+
+/// 0 to 1, how much a thigh is folded onto the trunk.
+double foldOf(const BodyRig& rig, const RigPlacement& X_WS, RigSegment thigh) {
+  const Vector3d up = X_WS[index(RigSegment::kChest)].linear().col(2);
+  const Vector3d down = X_WS[index(thigh)].linear() * rig[thigh].along;
+  const double angle = std::acos(std::clamp(up.dot(down), -1.0, 1.0));
+  return std::clamp((kFoldFrom - angle) / (kFoldFrom - kFoldWhole), 0.0, 1.0);
+}
+
+/// Likewise for the joints of a segment: the pelvis and the thighs.
+double foldAt(const std::array<double, 2>& fold, RigSegment s) {
+  if (s == RigSegment::kThighLeft) return fold[0];
+  if (s == RigSegment::kThighRight) return fold[1];
+  return s == RigSegment::kPelvis ? std::max(fold[0], fold[1]) : 0.0;
+}
+
 /// For each joint: constant terms along the axes of its segment (x forward, y left, z along a limb or the
 /// trunk, when standing), and terms for an invisible segment and for one that touches another; m.
 struct Terms {
@@ -68,12 +88,16 @@ JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& proble
                                     const std::array<double, kRigSegments>& gap) {
   JointCovariances covariance = jointCovariances(rig, problem, problem.information());
   const double variance = kDeviationsPerResidual * residual * kDeviationsPerResidual * residual;
+  const std::array<double, 2> fold{foldOf(rig, problem.placement(), RigSegment::kThighLeft),
+                                   foldOf(rig, problem.placement(), RigSegment::kThighRight)};
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig.carrier[j]);
+    const double folded = kFolded * foldAt(fold, rig.carrier[j]);
     const double hidden = 1.0 - visible[s];
     const double touch = std::clamp((kTouchFrom - gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
-    const double all_around = std::hypot(hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch);
+    const double all_around =
+        std::hypot(hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch, folded);
     const Vector3d shape(terms.forward, terms.left, terms.along);
     const Matrix3d R_WS = problem.placement()[s].linear();
     covariance[j] = variance * covariance[j] + R_WS * shape.cwiseAbs2().asDiagonal() * R_WS.transpose() +

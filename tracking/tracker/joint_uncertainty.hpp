@@ -5,7 +5,7 @@
 
 namespace abstand::tracking {
 
-/// Covariance (m^2, world) of each joint's raw error; four independent terms:
+/// Covariance (m^2, world) of each joint's raw error; five independent terms:
 /// - Model difference: recordings define joints differently, and bodies differ from the model: constants for
 ///   each joint, along the axes of its segment. Errors along a limb or the trunk are up to twice those
 ///   across.
@@ -15,6 +15,9 @@ namespace abstand::tracking {
 ///   each joint times (1 - `visible`)^1.5 of its segment.
 /// - Touch: a hand on the trunk or on a thigh and a foot at the other leg are hardly told from these: a
 ///   constant for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on.
+/// - Fold: the hips, and the knee of a thigh, are up to 0.2 m off where the thigh lies on the trunk: a term
+/// that
+///   begins at an angle of 60 degrees between both and is whole at 20.
 /// The constants were chosen on the simulated captures and postures that also judge them
 /// (tests/tracking/tracker); smaller first ones would do there, but hold less of recordings that were held
 /// out (docs/tracking.md). Does not allocate or throw.

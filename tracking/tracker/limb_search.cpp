@@ -117,6 +117,12 @@ bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries
     attempt(p + kUnderSkin * (p - seen.views()[points_.view[i]].eye()).normalized(),
             uniform(random, -1.5, 1.5));
   }
+  if (limb.bend < 0.0) {
+    const BodyRig& rig = fit_->rig();
+    const Vector3d hip = X_WS[index(rig[limb.upper].parent)] * rig[limb.upper].p_parent;
+    const double length = rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm();
+    attempt(hip - length * Vector3d::UnitZ(), 0.0);
+  }
   return found;
 }
 

@@ -42,8 +42,9 @@ class LimbSearch {
  public:
   explicit LimbSearch(DepthFit& fit) : fit_{&fit} {}
 
-  /// Tries `tries` random positions around the wrist with standard deviation `spread` (m), and positions of
-  /// points that no segment explains. `pose` changes only if one is better; returns whether it did.
+  /// Tries `tries` random positions around the wrist with standard deviation `spread` (m), positions of
+  /// points that no segment explains, and for a leg the straight one below the hip, on which a person stands.
+  /// `pose` changes only if one is better; returns whether it did.
   bool search(const BodyObservation& seen, const Limb& limb, int tries, double spread,
               std::mt19937_64& random, RigPose& pose);
 
