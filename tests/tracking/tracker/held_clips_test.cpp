@@ -86,6 +86,8 @@ TEST_P(HeldClips, CertifiedDistanceOfTheHandIncludesTheThing) {
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(HeldOut, HeldClips, ::testing::ValuesIn(testing::heldOutHeldScenes()),
+                         [](const auto& one) { return one.param.name; });
 INSTANTIATE_TEST_SUITE_P(Things, HeldClips, ::testing::ValuesIn(testing::heldScenes()),
                          [](const auto& one) { return one.param.name; });
 

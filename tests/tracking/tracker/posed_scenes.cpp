@@ -233,6 +233,31 @@ std::vector<PosedScene> heldScenes() {
           {"carton_camera_at_2_6_m", carry, {2.8, 0.0, 2.6}, look, {}, 0, carton}};
 }
 
+std::vector<PosedScene> heldOutHeldScenes() {
+  using enum HeldBox::Grip;
+  constexpr double kSmall = 1.58, kTall = 1.92;
+  const std::vector<Posture> lift{standing(0.0),
+                                  {.t = 1.2, .reach = 0.30, .aside = 0.35, .low = 1.3},
+                                  {.t = 2.2, .reach = 0.45, .aside = 0.30, .low = 1.0},
+                                  standing(3.0)};
+  const std::vector<Posture> serve{{.t = 0.0, .reach = 0.35, .aside = 0.20, .low = 1.05},
+                                   {.t = 1.5, .reach = 0.45, .aside = 0.20, .low = 1.0},
+                                   {.t = 3.0, .reach = 0.35, .aside = 0.20, .low = 1.05}};
+  const Vector3d aside{2.5, 0.9, 1.5}, front{2.7, -0.5, 1.3}, look{0.0, 0.0, 0.9};
+  // A stick across the palm, 0.2 m below and 0.7 m above the fist; a tray; a bucket.
+  const std::vector<HeldBox> stick{{kLeft, {-0.08, -0.015, -0.20}, {-0.05, 0.015, 0.70}}};
+  const std::vector<HeldBox> tray{{kBoth, {-0.05, -0.22, -0.02}, {0.28, 0.22, 0.03}}};
+  const std::vector<HeldBox> bucket{{kLeft, {0.02, -0.13, -0.13}, {0.30, 0.13, 0.13}}};
+  std::vector<PosedScene> scenes;
+  for (const double stature : {kSmall, kTall}) {
+    const std::string of = stature == kSmall ? "_small" : "_tall";
+    scenes.push_back({"stick" + of, lift, aside, look, {}, 21, stick, stature});
+    scenes.push_back({"tray" + of, serve, front, look, {}, 22, tray, stature});
+    scenes.push_back({"bucket" + of, lift, front, look, {}, 23, bucket, stature});
+  }
+  return scenes;
+}
+
 SimulatedClip simulate(const PosedScene& scene) {
   const double scale = scene.stature / kPosedStature;
   std::vector<humanmodel::SkeletonFrame> frames = posedFrames(scene.postures);

@@ -28,6 +28,9 @@ std::vector<PosedScene> heldOutScenes();
 /// People who hold bars and boxes.
 std::vector<PosedScene> heldScenes();
 
+/// Other people with other things; no constant of the tracker was chosen with them.
+std::vector<PosedScene> heldOutHeldScenes();
+
 /// In a room, 320 x 240.
 SimulatedClip simulate(const PosedScene& scene);
 

@@ -18,7 +18,10 @@ constexpr double kYoung = 1.0;  // s
 // the back of a chair, or a part of the other.
 constexpr double kSplit = 0.4, kSplitLow = 0.8;
 constexpr float kLowestOfNew = 1.2f;  // m
-constexpr double kLyingReach = 0.7;   // m, from the middle of a person who lies
+// m^2: a new person this near (kSplitLow) to another has so much of a body of its own; a bucket that is
+// lifted has less. Half of a trunk that faces the camera.
+constexpr double kBodyBeside = 0.15;
+constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
 
 std::size_t pixelsOf(const DepthCamera& camera) {
@@ -165,8 +168,11 @@ void PeopleFinder::follow(double t) {
     const Place place = middleOfBody(plan_, head.place);
     bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
     const double apart = plan_.cell(head.cell).top < kLowestOfNew ? kSplitLow : kSplit;
-    for (const Track& track : tracks_)
-      is_new = is_new && !(track.here && track.id < first_new && (track.place - place).norm() < apart);
+    for (const Track& track : tracks_) {
+      if (!track.here || track.id >= first_new) continue;
+      const double distance = (track.place - place).norm();
+      is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
+    }
     if (!is_new) continue;
     Track track;
     track.id = next_id_++;
