@@ -22,8 +22,9 @@ constexpr int kBadImages = 5;
 // places of hidden ones follow from the lengths of the bones.
 constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
-constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
-constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have turned around
+constexpr double kStands = 0.5;     // s; legs that were not seen for longer are those of a person who stands
+constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
+constexpr double kTurns = 1.0;      // s; a person out of sight for longer may have turned around
 
 /// Initial posture of a search.
 struct StartPosture {
@@ -121,6 +122,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
       seen_.unmarkStanding();
       find();
     }
+    appeared_t_ = t;
   }
   finish(t);
   return body_;
@@ -310,7 +312,8 @@ void BodyTracker::finish(double t) {
 }
 
 /// Of joints that are seen: trackedCovariances() and JointMotion. Of others: HiddenSpread, and what the last
-/// joint of the limb that is seen is off by, as all places are counted from there.
+/// joint of the limb that is seen is off by, as all places are counted from there. The ellipsoids of a person
+/// who was just found, or whom the body explains badly, are balls.
 void BodyTracker::stateSpreads(double t) {
   humanmodel::SkeletonFrame& frame = body_.frame;
   SeenSegments seen = 0;
@@ -322,8 +325,12 @@ void BodyTracker::stateSpreads(double t) {
   space_.update(seen_, body_.X_WS, seen);
   hidden_.see(t, seen, space_.extent(), space_.shape());
   motion_.see(t, frame);
-  const JointCovariances tracked =
-      trackedCovariances(*rig_, fit_.problem(), body_.misfit.residual, visible, body_.gap);
+  const double is_new = std::clamp(1.0 - (t - appeared_t_) / kConfirmed, 0.0, 1.0);
+  const double doubt_hidden = std::max(is_new, doubtOfExplained(body_.misfit.explained));
+  const double doubt_seen = std::max(is_new, doubtOf(body_.misfit));
+  const JointCovariances tracked = trackedCovariances(
+      *rig_, fit_.problem(),
+      {.residual = body_.misfit.residual, .doubt = doubt_seen, .visible = visible, .gap = body_.gap});
   JointCovariances covariance = tracked;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
@@ -347,8 +354,10 @@ void BodyTracker::stateSpreads(double t) {
   const humanmodel::SkeletonFrame other = facing_known_ ? frame : flippedFacing(frame);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
+    const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());
+    const bool is_hidden = frame.state[j] == humanmodel::JointState::kInferred;
     humanmodel::setCovariance(frame, static_cast<humanmodel::Joint>(j),
-                              humanmodel::sumEnclosing(covariance[j], offset * offset.transpose()));
+                              rounded(both, is_hidden ? doubt_hidden : doubt_seen));
   }
 }
 

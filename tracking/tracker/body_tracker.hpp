@@ -84,6 +84,7 @@ class BodyTracker {
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body
+  double appeared_t_{-kInfinity};        ///< s, the first image since the person was found
   double legs_seen_t_{-kInfinity};       ///< s, last image with a calf or a foot
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "humanmodel/joint_covariance.hpp"
+
 namespace abstand::tracking {
 namespace {
 
@@ -16,6 +18,12 @@ constexpr double kTouchFrom = 0.04, kTouchWhole = 0.0;
 // thigh lies on the trunk. m: error of the hips and of the knee then. The back of a person who bends so is
 // round, that of the model is straight.
 constexpr double kFoldFrom = 1.05, kFoldWhole = 0.35, kFolded = 0.06;
+
+// Shares of the points: at the first, the doubt begins; at the second, it is whole.
+constexpr double kExplainedWell = 0.97, kExplainedBadly = 0.95;
+// m, likewise. A skin body close to the model, in full view, has 0.010 to 0.011; the captures of quick
+// motions and real people 0.013 to 0.016.
+constexpr double kResidualSmall = 0.0100, kResidualLarge = 0.0128;
 
 /// 0 to 1, how much a thigh is folded onto the trunk.
 double foldOf(const BodyRig& rig, const RigPlacement& X_WS, RigSegment thigh) {
@@ -33,9 +41,10 @@ double foldAt(const std::array<double, 2>& fold, RigSegment s) {
 }
 
 /// For each joint: constant terms along the axes of its segment (x forward, y left, z along a limb or the
-/// trunk, when standing), and terms for an invisible segment and for one that touches another; m.
+/// trunk, when standing), the share of them that a good fit leaves, and terms for an invisible segment and
+/// for one that touches another; m.
 struct Terms {
-  double forward, left, along, hidden{0.0}, touch{0.0};
+  double forward, left, along, good{1.0}, hidden{0.0}, touch{0.0};
 };
 
 Terms termsOf(humanmodel::Joint joint) {
@@ -46,35 +55,35 @@ Terms termsOf(humanmodel::Joint joint) {
     case kThorax:
       return {0.035, 0.025, 0.050};
     case kNeck:
-      return {0.032, 0.022, 0.047};
+      return {0.032, 0.022, 0.047, 0.7};
     case kHead:
-      return {0.020, 0.014, 0.027, 0.10};
+      return {0.020, 0.014, 0.027, 0.5, 0.10};
     case kHeadTop:
-      return {0.037, 0.020, 0.037, 0.20};
+      return {0.037, 0.020, 0.037, 0.6, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
-      return {0.040, 0.040, 0.040, 0.08};
+      return {0.040, 0.040, 0.040, 0.5, 0.08};
     case kElbowLeft:
     case kElbowRight:
-      return {0.032, 0.032, 0.032, 0.12};
+      return {0.032, 0.032, 0.032, 0.5, 0.12};
     case kWristLeft:
     case kWristRight:
-      return {0.027, 0.027, 0.027, 0.25, 0.14};
+      return {0.027, 0.027, 0.027, 0.5, 0.25, 0.14};
     case kHandLeft:
     case kHandRight:
-      return {0.030, 0.030, 0.030, 0.15, 0.28};
+      return {0.030, 0.030, 0.030, 0.5, 0.15, 0.28};
     case kHipLeft:
     case kHipRight:
-      return {0.030, 0.024, 0.030, 0.06};
+      return {0.030, 0.024, 0.030, 0.5, 0.06};
     case kKneeLeft:
     case kKneeRight:
-      return {0.028, 0.022, 0.028, 0.03};
+      return {0.028, 0.022, 0.028, 0.8, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
-      return {0.030, 0.018, 0.033, 0.25, 0.10};
+      return {0.030, 0.018, 0.033, 0.5, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.038, 0.038, 0.038, 0.15};
+      return {0.038, 0.038, 0.038, 0.6, 0.15};
     case kCount:
       break;
   }
@@ -83,22 +92,38 @@ Terms termsOf(humanmodel::Joint joint) {
 
 }  // namespace
 
-JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& problem, double residual,
-                                    const std::array<double, kRigSegments>& visible,
-                                    const std::array<double, kRigSegments>& gap) {
+double doubtOfExplained(double explained) {
+  return std::clamp((kExplainedWell - explained) / (kExplainedWell - kExplainedBadly), 0.0, 1.0);
+}
+
+double doubtOf(const DepthMisfit& misfit) {
+  const double of_residual =
+      std::clamp((misfit.residual - kResidualSmall) / (kResidualLarge - kResidualSmall), 0.0, 1.0);
+  return std::max(of_residual, doubtOfExplained(misfit.explained));
+}
+
+Matrix3d rounded(const Matrix3d& covariance, double doubt) {
+  if (doubt <= 0.0 || !covariance.allFinite()) return covariance;
+  const double largest = humanmodel::worstDeviation(covariance);
+  return (1.0 - doubt) * covariance + Matrix3d(Vector3d::Constant(doubt * largest * largest).asDiagonal());
+}
+
+JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& problem, const FitState& state) {
   JointCovariances covariance = jointCovariances(rig, problem, problem.information());
-  const double variance = kDeviationsPerResidual * residual * kDeviationsPerResidual * residual;
+  const double of_fit = kDeviationsPerResidual * state.residual;
+  const double variance = of_fit * of_fit;
   const std::array<double, 2> fold{foldOf(rig, problem.placement(), RigSegment::kThighLeft),
                                    foldOf(rig, problem.placement(), RigSegment::kThighRight)};
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig.carrier[j]);
     const double folded = kFolded * foldAt(fold, rig.carrier[j]);
-    const double hidden = 1.0 - visible[s];
-    const double touch = std::clamp((kTouchFrom - gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
+    const double hidden = 1.0 - state.visible[s];
+    const double touch = std::clamp((kTouchFrom - state.gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
     const double all_around =
         std::hypot(hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch, folded);
-    const Vector3d shape(terms.forward, terms.left, terms.along);
+    const double share = terms.good + (1.0 - terms.good) * state.doubt;
+    const Vector3d shape = share * Vector3d(terms.forward, terms.left, terms.along);
     const Matrix3d R_WS = problem.placement()[s].linear();
     covariance[j] = variance * covariance[j] + R_WS * shape.cwiseAbs2().asDiagonal() * R_WS.transpose() +
                     Matrix3d(Vector3d::Constant(all_around * all_around).asDiagonal());

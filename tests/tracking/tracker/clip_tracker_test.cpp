@@ -22,6 +22,9 @@ using testing::JointErrors;
 constexpr double kOfKinect = 0.070;  // m
 // Raw: the sensor means other points by its joints.
 constexpr double kRawOfKinect = 0.120;  // m
+// Share of the raw errors within the reach. Measured: 0.851 and 0.876; 0.801 and 0.845 with the ellipsoids of
+// good fits: the offsets between the definitions are not along the axes of the segments.
+constexpr double kWithinOfKinect = 0.849;
 
 /// Joints that a Kinect's skeleton puts into its camera's axes (x right, y up, z away, as the reader gives
 /// them: z up, y towards the camera), in the world of the track.
@@ -66,6 +69,7 @@ TEST_P(UtdMhad, TrackingMatchesKinect) {
       errors.tracked.within(), errors.inferred.within());
   EXPECT_LE(JointErrors::mean(errors.raw), kRawOfKinect);
   EXPECT_LE(JointErrors::mean(errors.aligned), kOfKinect);
+  EXPECT_GE(errors.tracked.within(), kWithinOfKinect);
   EXPECT_EQ(errors.lost, 0u);
   EXPECT_LE(errors.longest_swap, 0.2);
 }
