@@ -23,7 +23,7 @@ constexpr double kFoldFrom = 1.05, kFoldWhole = 0.35, kFolded = 0.06;
 constexpr double kExplainedWell = 0.97, kExplainedBadly = 0.95;
 // m, likewise. A skin body close to the model, in full view, has 0.010 to 0.011; the captures of quick
 // motions and real people 0.013 to 0.016.
-constexpr double kResidualSmall = 0.0100, kResidualLarge = 0.0128;
+constexpr double kResidualSmall = 0.0100, kResidualLarge = 0.0125;
 
 /// 0 to 1, how much a thigh is folded onto the trunk.
 double foldOf(const BodyRig& rig, const RigPlacement& X_WS, RigSegment thigh) {
@@ -57,9 +57,9 @@ Terms termsOf(humanmodel::Joint joint) {
     case kNeck:
       return {0.032, 0.022, 0.047, 0.7};
     case kHead:
-      return {0.020, 0.014, 0.027, 0.5, 0.10};
+      return {0.020, 0.014, 0.027, 0.7, 0.10};
     case kHeadTop:
-      return {0.037, 0.020, 0.037, 0.6, 0.20};
+      return {0.037, 0.020, 0.037, 0.7, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
       return {0.040, 0.040, 0.040, 0.5, 0.08};
@@ -68,7 +68,7 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.032, 0.032, 0.032, 0.5, 0.12};
     case kWristLeft:
     case kWristRight:
-      return {0.027, 0.027, 0.027, 0.5, 0.25, 0.14};
+      return {0.027, 0.027, 0.027, 0.9, 0.25, 0.14};
     case kHandLeft:
     case kHandRight:
       return {0.030, 0.030, 0.030, 0.5, 0.15, 0.28};
@@ -77,13 +77,13 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.030, 0.024, 0.030, 0.5, 0.06};
     case kKneeLeft:
     case kKneeRight:
-      return {0.028, 0.022, 0.028, 0.8, 0.03};
+      return {0.028, 0.022, 0.028, 0.75, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
       return {0.030, 0.018, 0.033, 0.5, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.038, 0.038, 0.038, 0.6, 0.15};
+      return {0.038, 0.038, 0.038, 0.65, 0.15};
     case kCount:
       break;
   }
