@@ -294,6 +294,7 @@ void MainWindow::openPanels(const view::SceneOutline& outline) {
   panels_.notes->open(session_ ? session_->notes() : kNoNotes);
   docks_->notes->setWindowTitle(panels_.notes->title());
   panels_.recordings->showChoice(document_->work().recordings, document_->work().recording);
+  panels_.timeline->setRecordings(outline.recordings);
   panels_.inspector->setWork(document_->work());
   panels_.separation->setSettings(document_->work().separation);
   panels_.reactions->setReactions(document_->work().reactions);

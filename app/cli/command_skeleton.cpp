@@ -81,6 +81,7 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"frames", recording.frames.size()},
           {"rate", known(r.rate)},
           {"rate_reason", r.rate_reason},
+          {"clock_start", known(recording.clock_start)},
           {"duration", r.duration},
           {"units_guess", r.units.name},
           {"units_reason", r.units.reason},

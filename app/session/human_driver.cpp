@@ -32,6 +32,7 @@ std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescriptio
   }
   const double start = recording.frames.front().t;
   for (auto& frame : recording.frames) frame.t = start + (frame.t - start) / d.recording.speed;
+  if (d.recording.speed != 1.0) recording.clock_start = kNaN;
   return recording;
 }
 

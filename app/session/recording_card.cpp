@@ -13,6 +13,7 @@ view::RecordingCard recordingCard(const std::string& person, const std::filesyst
   card.duration = report.duration;
   card.rate = report.rate;
   card.rate_reason = report.rate_reason;
+  card.clock_start = recording.clock_start;
   card.units = {report.units.name, report.units.reason, report.units.guessed};
   card.up = {report.up.axis, report.up.reason, report.up.guessed};
   card.sides = {report.sides.found, report.sides.reason, false};

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/math/transform.hpp"
+
 namespace abstand::view {
 
 /// A value that a reader found or guessed, and why.
@@ -22,6 +24,7 @@ struct RecordingCard {
   double duration{0.0};  ///< s
   double rate{0.0};      ///< Hz
   std::string rate_reason;
+  double clock_start{kNaN};  ///< s since 1970 UTC at t = 0; NaN: not known
   ReadValue units, up;
   ReadValue sides;      ///< left and right: "agree", "mirrored" or "unknown"
   double stature{0.0};  ///< m

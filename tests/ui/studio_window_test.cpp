@@ -5,13 +5,18 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QToolButton>
+#include <ctime>
 
+#include "core/base/number.hpp"
+#include "core/base/text_file.hpp"
 #include "ui/document/project_file.hpp"
 #include "ui/model/playback.hpp"
 #include "ui/model/selection.hpp"
 #include "ui/panels/margin_panel.hpp"
 #include "ui/panels/margin_row.hpp"
+#include "ui/panels/timeline_panel.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/format.hpp"
 
 namespace abstand::studio {
 namespace studio_window_test {
@@ -155,6 +160,30 @@ TEST_F(StudioWindow, RecordingAloneShowsPerson) {
   EXPECT_EQ(work().recording, in("walk.csv"));
   EXPECT_TRUE(window.panels().margins->groupRow("person"));
   ASSERT_TRUE(opens([&] { window.openFile(in("turn.csv")); })) << problem;
+}
+
+TEST_F(StudioWindow, TimeOfDayIsShownWhereItIsKnown) {
+  const ui::TimelinePanel& timeline = *window.panels().timeline;
+  QAction* by_clock = window.actions()[ui::ActionId::kClockTime];
+  ASSERT_TRUE(opens([&] { window.openFile(in("walk.csv")); })) << problem;
+  EXPECT_FALSE(by_clock->isEnabled()) << "its times begin at 0";
+  std::string text = readFile(folder.path() / "walk.csv");
+  constexpr std::time_t kStart = 1764150000;
+  for (std::size_t line = text.find('\n') + 1; line < text.size(); line = text.find('\n', line) + 1) {
+    const std::size_t comma = text.find(',', line);
+    text.replace(line, comma - line, formatDouble(kStart + std::stod(text.substr(line, comma - line))));
+  }
+  folder.write("dated.csv", text);
+  ASSERT_TRUE(opens([&] { window.openFile(in("dated.csv")); })) << problem;
+  ASSERT_TRUE(by_clock->isEnabled());
+  EXPECT_EQ(timeline.timeLabel()->text(), ui::secondsWithUnit(0.0));
+  by_clock->setChecked(true);
+  char expected[16];
+  std::strftime(expected, sizeof expected, "%H:%M:%S", std::localtime(&kStart));
+  EXPECT_EQ(timeline.timeLabel()->text(), QString(expected) + ".000");
+  EXPECT_TRUE(timeline.timeLabel()->toolTip().contains("2025")) << "the date is in the tip";
+  window.actions()[ui::ActionId::kClockTime]->setChecked(false);
+  EXPECT_EQ(timeline.timeLabel()->text(), ui::secondsWithUnit(0.0));
 }
 
 TEST_F(StudioWindow, RobotAloneIsScene) {

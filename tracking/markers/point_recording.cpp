@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/block_list.hpp"
+#include "core/base/clock_range.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/math/quantile.hpp"
@@ -178,6 +179,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
     const double start = raw.frames.front().t;
     for (auto& f : raw.frames) f.t -= start;
     raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
+    if (start >= kEarliestClock) raw.clock_start = start;
   }
   raw.warnings = reader.warnings();
   raw.notes = facts.notes;

@@ -226,9 +226,11 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   report.format = raw.format;
   report.rate = raw.rate;
   report.rate_reason = raw.rate_reason;
+  out.clock_start = raw.clock_start;
   if (options.rate > 0.0) {
     report.rate = options.rate;
     report.rate_reason = "given by the user";
+    out.clock_start = kNaN;
     for (std::size_t i = 0; i < raw.frames.size(); ++i)
       raw.frames[i].t = static_cast<double>(i) / options.rate;
   }

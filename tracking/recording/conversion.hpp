@@ -24,6 +24,7 @@ struct RawRecording {
       frames;        ///< canonical joints in the file's axes and units; at least one
   double rate{0.0};  ///< Hz
   std::string rate_reason;
+  double clock_start{kNaN};        ///< as Recording::clock_start
   std::optional<UnitChoice> unit;  ///< if stated by the file or its format; otherwise it is guessed
   std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;

@@ -91,6 +91,7 @@ struct Recording {
 
   /// The frame at time t: the recorded one at or just before it (no interpolation), clamped at both ends.
   const humanmodel::SkeletonFrame& at(double t) const;
+  double clock_start{kNaN};  ///< s since 1970 UTC at t = 0; NaN: the file does not say
 };
 
 }  // namespace abstand::tracking

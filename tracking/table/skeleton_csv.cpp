@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <ostream>
 
+#include "core/base/clock_range.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/output_file.hpp"
@@ -24,6 +26,15 @@ double confidenceOf(humanmodel::JointState s) {
 double spreadOf(const Cells& cells, double v) {
   if (v >= 0.0 && v <= kLargestCoordinate) return v;
   throw ParseError(cells.pos(), "found the spread " + formatDouble(v) + ", expected 0 or more");
+}
+
+/// s, since any moment or since 1970 UTC.
+double secondsOf(const Cells& cells, std::string_view cell) {
+  const std::optional<double> t = parseDouble(cell);
+  if (t && *t >= kLatestClock)
+    throw ParseError(cells.pos(), "found the time " + text::inQuotes(cell) +
+                                      ", expected seconds, at most 1e11: since the start or since 1970");
+  return t && *t >= kEarliestClock ? *t : cells.number(cell);
 }
 
 void setElement(const CovarianceColumn& at, double v, Matrix3d& covariance) {
@@ -115,13 +126,15 @@ bool SkeletonCsvReader::next(PointFrame& frame) {
   Cells cells(line, file_, lines_.number());
   std::string_view cell;
   cells.next(cell);
-  const double t = cells.number(cell);
+  const bool counts = head_.time == CsvTime::kFrames;
+  const double t = counts ? cells.number(cell) : secondsOf(cells, cell);
+  if (frames_ == 0 && !counts && t >= kEarliestClock) facts_.from_first_frame = true;
   parsePoints(cells, frame);
   if (frames_ > 0 && t <= last_t_)
     throw ParseError({file_, lines_.number(), 1}, "found t = " + formatDouble(t) + " after " +
                                                       formatDouble(last_t_) + ", expected t to rise");
   last_t_ = t;
-  frame.t = head_.time == CsvTime::kFrames ? static_cast<double>(frames_) / kAssumedRate : t;
+  frame.t = counts ? static_cast<double>(frames_) / kAssumedRate : t;
   ++frames_;
   return true;
 }

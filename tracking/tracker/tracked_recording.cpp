@@ -62,6 +62,7 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
   r.format = "depth-" + facts.format;
   r.rate = facts.rate;
   r.rate_reason = facts.rate_reason;
+  recording.clock_start = facts.clock_start;
   r.duration = recording.frames.empty() ? 0.0 : recording.frames.back().t - recording.frames.front().t;
   r.units.name = "m";
   r.units.reason = "of the depth camera: " + facts.camera_reason;

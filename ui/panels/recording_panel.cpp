@@ -11,7 +11,9 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
+#include "ui/style/clock_text.hpp"
 #include "ui/style/format.hpp"
 #include "ui/style/theme.hpp"
 
@@ -64,6 +66,7 @@ void addRows(QTreeWidget* tree, const view::RecordingCard& card) {
            card.rate > 0.0 ? RecordingPanel::tr("%1 Hz").arg(QLocale().toString(card.rate, 'g', 5))
                            : RecordingPanel::tr("not known"),
            text(card.rate_reason));
+  if (std::isfinite(card.clock_start)) rows.add(RecordingPanel::tr("Recorded"), dateText(card.clock_start));
   rows.add(RecordingPanel::tr("Units"), card.units);
   rows.add(RecordingPanel::tr("Vertical axis"), card.up);
   rows.add(RecordingPanel::tr("Left and right"), card.sides);

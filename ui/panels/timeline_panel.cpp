@@ -1,6 +1,7 @@
 // Transport buttons, speed, time, the scrub bar and the lanes.
 #include "ui/panels/timeline_panel.hpp"
 
+#include <QAction>
 #include <QComboBox>
 #include <QDoubleValidator>
 #include <QFontDatabase>
@@ -10,6 +11,8 @@
 #include <QLocale>
 #include <QStyle>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 
 #include "ui/model/event_text.hpp"
 #include "ui/model/playback.hpp"
@@ -19,6 +22,7 @@
 #include "ui/panels/time_minimap.hpp"
 #include "ui/panels/time_strip.hpp"
 #include "ui/style/actions.hpp"
+#include "ui/style/clock_text.hpp"
 #include "ui/style/elided_label.hpp"
 #include "ui/style/format.hpp"
 
@@ -53,7 +57,8 @@ TimelinePanel::TimelinePanel(const Actions& actions, Playback& playback, const R
       no_lanes_{new QLabel(this)},
       speed_{new QComboBox(this)},
       time_{new QLabel(this)},
-      frame_{new QLabel(this)} {
+      frame_{new QLabel(this)},
+      by_clock_{actions[ActionId::kClockTime]} {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(2);
@@ -151,6 +156,8 @@ void TimelinePanel::buildTransport(const Actions& actions) {
   row->addWidget(frame_);
   row->addSpacing(8);
   row->addWidget(time_);
+  by_clock_->setEnabled(false);
+  connect(by_clock_, &QAction::toggled, this, &TimelinePanel::showTime);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
@@ -164,6 +171,15 @@ void TimelinePanel::showReview() {
 
 void TimelinePanel::refresh(const view::SceneSnapshot& snapshot) {
   if (stops_.add(snapshot)) strip_->setStops(stops_.spans());
+}
+
+void TimelinePanel::setRecordings(const std::vector<view::RecordingCard>& cards) {
+  const auto dated = std::find_if(cards.begin(), cards.end(), [](const view::RecordingCard& card) {
+    return std::isfinite(card.clock_start);
+  });
+  clock_start_ = dated == cards.end() ? kNaN : dated->clock_start;
+  by_clock_->setEnabled(std::isfinite(clock_start_));
+  showTime();
 }
 
 void TimelinePanel::goToTyped() {
@@ -183,11 +199,15 @@ void TimelinePanel::showTime() {
   lanes_->setTime(playback_.time());
   minimap_->setTime(playback_.time());
   compare_->setTime(playback_.time());
-  time_->setText(secondsWithUnit(playback_.time()));
+  const bool has_clock = std::isfinite(clock_start_), by_clock = has_clock && by_clock_->isChecked();
+  const auto shown = [&](double t) { return by_clock ? clockText(clock_start_ + t) : secondsWithUnit(t); };
+  time_->setText(shown(playback_.time()));
   frame_->setText(tr("frame %1 / %2").arg(playback_.frame() + 1).arg(playback_.frameCount()));
-  time_->setToolTip(frame_->text());
+  QStringList forms{frame_->text(), secondsWithUnit(playback_.time())};
+  if (has_clock) forms << dateText(clock_start_ + playback_.time());
+  time_->setToolTip(forms.join(QLatin1Char('\n')));
   // Room for the longest text, so that what stands beside it keeps its place.
-  const int widest = time_->fontMetrics().horizontalAdvance(secondsWithUnit(playback_.end()));
+  const int widest = time_->fontMetrics().horizontalAdvance(shown(playback_.end()));
   // Of fixed size, so that a new text does not lay out the whole window anew.
   time_->setFixedSize(widest + 4, time_->fontMetrics().height() + 4);
   const QString count = QString::number(playback_.frameCount());

@@ -5,6 +5,7 @@
 
 #include "ui/model/stop_spans.hpp"
 
+class QAction;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -31,6 +32,8 @@ class TimelinePanel : public QWidget {
                 QWidget* parent = nullptr);
   /// What robots that react do at this moment.
   void refresh(const view::SceneSnapshot& snapshot);
+  /// Of the people that are shown: the first that states when it was recorded makes the times of day.
+  void setRecordings(const std::vector<view::RecordingCard>& cards);
   /// When robots stood, as far as it was played.
   const std::vector<StopSpan>& stops() const { return stops_.spans(); }
   TimeStrip* strip() const { return strip_; }
@@ -40,6 +43,8 @@ class TimelinePanel : public QWidget {
   /// Where a time is typed.
   QLineEdit* timeField() const { return go_to_; }
   QLabel* whatIf() const { return what_if_; }
+  /// The time that is shown.
+  QLabel* timeLabel() const { return time_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -66,6 +71,8 @@ class TimelinePanel : public QWidget {
   QComboBox* speed_;
   QLabel* time_;
   QLabel* frame_;
+  QAction* by_clock_;
+  double clock_start_{kNaN};  // s since 1970 UTC at t = 0
 };
 
 }  // namespace abstand::ui

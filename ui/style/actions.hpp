@@ -91,6 +91,7 @@ enum class ActionId {
   kUnpinPlots,
   kMetres,
   kRadians,
+  kClockTime,
   kFindPair,
   kDarkTheme,
   kSystemTheme,

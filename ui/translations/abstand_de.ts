@@ -3367,6 +3367,14 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Let a Kinect at this computer move the person of a scene, and show the distances</source>
         <translation>Die Person einer Szene von einer Kinect an diesem Rechner bewegen lassen und die Abstände zeigen</translation>
     </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Uhrzeit</translation>
+    </message>
+    <message>
+        <source>Show when a moment was recorded, by the clock, instead of the time since the start</source>
+        <translation>Die Uhrzeit der Aufnahme statt der Zeit seit dem Anfang zeigen</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -6069,6 +6077,10 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
     <message>
         <source>Of the recordings that were opened together; margins, view and selection stay</source>
         <translation>Von den zusammen geöffneten Aufnahmen; Abstände, Ansicht und Auswahl bleiben</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgenommen</translation>
     </message>
 </context>
 <context>

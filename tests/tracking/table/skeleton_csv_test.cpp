@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <sstream>
 
 #include "core/base/error.hpp"
@@ -135,6 +136,46 @@ TEST(SkeletonCsv, RejectsBadFilesWithPosition) {
       EXPECT_EQ(e.pos().line, c.line) << e.what();
       EXPECT_EQ(e.pos().column, c.column) << e.what();
     }
+  }
+}
+
+constexpr char kDated[] =
+    "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n"
+    "1764150000.25,0,0,1,0,0,1.5\n"
+    "1764150000.5,0,0,1,0,0,1.5\n";
+
+TEST(SkeletonCsv, TimesSince1970BeginAtZero) {
+  const testing::ScratchFolder folder;
+  folder.write("dated.csv", kDated);
+  const Recording read = openRecording(folder.path() / "dated.csv");
+  EXPECT_EQ(read.clock_start, 1764150000.25);
+  ASSERT_EQ(read.frames.size(), 2u);
+  EXPECT_EQ(read.frames[0].t, 0.0);
+  EXPECT_EQ(read.frames[1].t, 0.25);
+  EXPECT_THAT(read.report.rate_reason, HasSubstr("here at 0"));
+  RecordingOptions options;
+  options.rate = 10.0;
+  EXPECT_TRUE(std::isnan(openRecording(folder.path() / "dated.csv", options).clock_start))
+      << "the user's times are not those of the clock";
+}
+
+TEST(SkeletonCsv, TimesSinceTheStartStay) {
+  const testing::ScratchFolder folder;
+  folder.write("plain.csv", "t,pelvis.x,pelvis.y,pelvis.z\n5.5,0,0,1\n6,0,0,1\n");
+  const Recording read = openRecording(folder.path() / "plain.csv");
+  EXPECT_TRUE(std::isnan(read.clock_start));
+  EXPECT_EQ(read.frames[0].t, 5.5);
+}
+
+TEST(SkeletonCsv, MillisecondsSince1970AreRefused) {
+  const testing::ScratchFolder folder;
+  folder.write("ms.csv", "t,pelvis.x,pelvis.y,pelvis.z\n1764150000250,0,0,1\n");
+  try {
+    openRecording(folder.path() / "ms.csv");
+    FAIL() << "expected an error";
+  } catch (const ParseError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("expected seconds"));
+    EXPECT_EQ(e.pos().line, 2);
   }
 }
 

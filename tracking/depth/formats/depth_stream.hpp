@@ -22,6 +22,7 @@ struct DepthFacts {
   std::string format;         ///< as in README.md
   double rate{0.0};           ///< Hz, from the median step; 0: a single frame
   std::string rate_reason;    ///< source of the times
+  double clock_start{kNaN};   ///< s since 1970 UTC at t = 0; NaN: not known
   std::string camera_reason;  ///< source of the intrinsics
   bool camera_known{false};   ///< the intrinsics are from a file; otherwise guessed or fitted
   bool pose_known{false};     ///< camera().X_WC is from a file; otherwise the identity, without meaning

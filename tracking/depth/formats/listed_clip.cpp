@@ -1,6 +1,7 @@
 // Clips with a list of times and files: simulated ones, and those of the TUM RGB-D benchmark.
 #include <string_view>
 
+#include "core/base/clock_range.hpp"
 #include "core/base/error.hpp"
 #include "core/base/number.hpp"
 #include "core/base/text_file.hpp"
@@ -125,6 +126,7 @@ DepthSource openListedClip(const std::filesystem::path& folder, const DepthStrea
     const double start = is_own ? 0.0 : listed.front().t;
     for (const Listed& l : listed) source.t.push_back(l.t - start);
     source.facts.rate_reason = "the times of " + list.filename().string();
+    if (start >= kEarliestClock && start < kLatestClock) source.facts.clock_start = start;
   }
   if (repeated > 0)
     source.facts.notes.push_back(std::to_string(repeated) +

@@ -80,6 +80,7 @@ TEST(DepthStream, ReadsTumLayout) {
       "# depth maps\n# timestamp filename\n1305031102.160407 depth/1.png\n1305031102.194330 depth/2.png\n");
   const auto stream = tracking::openDepthStream(folder.path());
   EXPECT_EQ(stream->facts().format, "tum");
+  EXPECT_GT(stream->facts().clock_start, 1.0e9) << "its times are those of a clock";
   EXPECT_EQ(stream->camera().fx, 525.0);
   EXPECT_NEAR(stream->times()[1], 0.033923, 1e-6);
   EXPECT_EQ(numbers(*stream), (std::vector<int>{1, 2}));
