@@ -6,11 +6,14 @@
 #include <QAction>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProcess>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include "tests/ui/studio_window.hpp"
 #include "ui/live_camera_commands.hpp"
@@ -74,11 +77,19 @@ struct StudioCamera : StudioWindow {
     if (part >= objects.size() || objects[part].pose_state != scene::PoseState::kFresh) return {};
     return objects[part].X_WB.translation();
   }
-  bool isRunning(const char* word) {
-    QProcess list;
-    list.start("ps", {"--ppid", QString::number(QCoreApplication::applicationPid()), "-o", "args="});
-    list.waitForFinished();
-    return list.readAllStandardOutput().contains(word);
+  /// Whether a program that this one has started has the word in its command line.
+  static bool isRunning(const std::string& word) {
+    const std::string own = std::to_string(QCoreApplication::applicationPid());
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      std::string stat, line;
+      std::getline(std::ifstream(entry.path() / "stat"), stat);
+      std::getline(std::ifstream(entry.path() / "cmdline"), line);
+      // proc(5): "pid (name) state ppid ...".
+      std::istringstream rest(stat.substr(std::min(stat.size(), stat.rfind(')') + 1)));
+      std::string state, parent;
+      if (rest >> state >> parent && parent == own && line.find(word) != std::string::npos) return true;
+    }
+    return false;
   }
   /// Of the dialog; it is deleted when it is closed.
   bool answered() {
@@ -209,7 +220,7 @@ TEST_F(StudioCamera, ClosingTheDialogStops) {
   openDialog();
   dialog->setRequest(request(), {});
   dialog->startButton()->click();
-  EXPECT_TRUE(isRunning("serve"));
+  EXPECT_TRUE(QTest::qWaitFor([] { return isRunning("serve"); }, kLimitMs));
   dialog->close();
   EXPECT_FALSE(isRunning("serve"));
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
