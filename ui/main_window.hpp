@@ -18,9 +18,8 @@ namespace abstand::ui {
 
 class Actions;
 class Autosave;
-class CameraCommands;
 class CalibrationCommands;
-class LiveCameraCommands;
+class CameraCommands;
 class CloudCommands;
 class CoverageCommands;
 class DockSet;
@@ -30,6 +29,7 @@ class FileCommands;
 class ImportCommands;
 class LinkDrag;
 class LinkPoke;
+class LiveCameraCommands;
 class LiveCommands;
 class LogBook;
 class MarginCommands;

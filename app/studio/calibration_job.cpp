@@ -6,8 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/base/error.hpp"
-#include "core/base/number.hpp"
+#include "app/studio/answer_number.hpp"
 #include "humanmodel/part_uncertainty.hpp"
 
 namespace abstand::studio {
@@ -16,17 +15,7 @@ namespace {
 
 constexpr int kCalibrated = 0;
 constexpr int kPoseNumbers = 12;  // of T_WC, row by row
-
-QString calibrationNumber(double value) { return QString::fromStdString(formatDouble(value)); }
-
-/// Throws UsageError.
-double calibrationValue(const QJsonObject& json, const char* key) {
-  const QJsonValue value = json.value(QLatin1String(key));
-  if (!value.isDouble())
-    throw UsageError(std::string("found no number `") + key +
-                     "` in the answer of abstand calibrate, expected one");
-  return value.toDouble();
-}
+constexpr const char* kCalibrate = "abstand calibrate";
 
 struct FactKey {
   const char* key;
@@ -53,12 +42,12 @@ ui::CalibrationAnswer calibrationOf(const QByteArray& json) {
   ui::CalibrationAnswer answer;
   for (int i = 0; i < 3; ++i) answer.xyz[i] = pose[4 * i + 3].toDouble();
   answer.in_pixels = document.contains(QLatin1String("rms_px"));
-  answer.residual = calibrationValue(document, answer.in_pixels ? "rms_px" : "rms");
-  answer.spread = calibrationValue(document, "spread");
+  answer.residual = numberIn(document, answer.in_pixels ? "rms_px" : "rms", kCalibrate);
+  answer.spread = numberIn(document, "spread", kCalibrate);
   answer.widening = humanmodel::kSpreadQuantile * answer.spread;
   for (const FactKey& fact : kFactKeys) {
     if (!document.contains(QLatin1String(fact.key))) continue;
-    ui::CalibrationFact found{fact.kind, calibrationValue(document, fact.key), {}};
+    ui::CalibrationFact found{fact.kind, numberIn(document, fact.key, kCalibrate), {}};
     if (fact.where) {
       const QJsonValue where = document.value(QLatin1String(fact.where));
       found.where =
@@ -105,11 +94,10 @@ QStringList CalibrationJob::words() const {
     case Mode::kChessboard: {
       QStringList board;
       for (const Vector3d& numbers : {request_.board_xyz, request_.board_rpy})
-        for (const double number : numbers) board << calibrationNumber(number);
+        for (const double number : numbers) board << argumentOf(number);
       words << QStringLiteral("--chessboard") << request_.images << QStringLiteral("--squares")
             << QStringLiteral("%1x%2").arg(request_.columns).arg(request_.rows) << QStringLiteral("--square")
-            << calibrationNumber(request_.square)
-            << QStringLiteral("--board=") + board.join(QLatin1Char(','));
+            << argumentOf(request_.square) << QStringLiteral("--board=") + board.join(QLatin1Char(','));
       break;
     }
     case Mode::kPoints:

@@ -189,11 +189,9 @@ void CoverageDesk::close() {
 void CoverageDesk::retire() {
   if (!job_) return;
   job_->disconnect(this);
-  CoverageJob* ending = job_.get();
-  ending_[ending] = std::move(job_);
-  // Queued: a signal's sender must outlive it.
-  connect(
-      ending, &CoverageJob::ended, this, [this, ending] { ending_.erase(ending); }, Qt::QueuedConnection);
+  CoverageJob* ending = job_.release();
+  ending->setParent(this);
+  connect(ending, &CoverageJob::ended, ending, &QObject::deleteLater);
   ending->stop();
 }
 

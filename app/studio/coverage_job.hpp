@@ -104,7 +104,6 @@ class CoverageDesk : public QObject {
 
   CoverageJob::Made made_;
   std::unique_ptr<CoverageJob> job_;
-  std::map<CoverageJob*, std::unique_ptr<CoverageJob>> ending_;
 };
 
 }  // namespace abstand::studio

@@ -6,7 +6,7 @@
 #include <QRegularExpression>
 #include <csignal>
 
-#include "core/base/number.hpp"
+#include "app/studio/answer_number.hpp"
 
 namespace abstand::studio {
 
@@ -102,8 +102,7 @@ void LiveCamera::track() {
                     QStringLiteral("--camera"), request_.camera,
                     QStringLiteral("--send"),   address_,
                     QStringLiteral("--as"),     request_.person};
-  if (request_.height > 0.0)
-    words << QStringLiteral("--height") << QString::fromStdString(formatDouble(request_.height));
+  if (request_.height > 0.0) words << QStringLiteral("--height") << argumentOf(request_.height);
   tracker_ = std::make_unique<BoundProcess>();
   connect(tracker_.get(), &QProcess::readyReadStandardError, this, &LiveCamera::readTracker);
   connect(tracker_.get(), qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,

@@ -40,8 +40,7 @@ QJsonArray pointOf(double t, double resident, double allocated) {
   return {rounded(t, 0), rounded(resident, 1), rounded(allocated, 1)};
 }
 
-}  // namespace
-
+/// Slope of the least-squares line through the points (x, y); 0 for fewer than two x.
 double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
   const double n = static_cast<double>(x.size());
   const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
@@ -53,6 +52,8 @@ double slopeOf(const std::vector<double>& x, const std::vector<double>& y) {
   }
   return xx > 0.0 ? xy / xx : 0.0;
 }
+
+}  // namespace
 
 Soak::Soak(ui::MainWindow& window, double seconds, QObject* parent)
     : QObject(parent), window_(window), seconds_(seconds) {

@@ -43,7 +43,4 @@ class Soak : public QObject {
   long pictures_{0}, acted_{0}, opened_{0};
 };
 
-/// Slope of the least-squares line through the points (x, y); 0 for fewer than two x.
-double slopeOf(const std::vector<double>& x, const std::vector<double>& y);
-
 }  // namespace abstand::studio

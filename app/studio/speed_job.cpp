@@ -4,8 +4,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/base/error.hpp"
-#include "core/base/number.hpp"
+#include "app/studio/answer_number.hpp"
 #include "humanmodel/body_part.hpp"
 
 namespace abstand::studio {
@@ -13,38 +12,28 @@ namespace abstand::studio {
 namespace {
 
 constexpr int kSpeedsDone = 0, kSpeedsNotProven = 1, kSpeedsPartlyDone = 5;
-
-QString speedNumber(double value) { return QString::fromStdString(formatDouble(value)); }
+constexpr const char* kTune = "abstand tune";
 
 /// What differs from the usual terms, for `--separation`.
 QStringList separationTerms(const ui::SeparationSettings& settings) {
   QStringList terms;
   config::eachChangedNumber(settings.options, [&](const char* name, double value) {
-    terms << QString::fromLatin1(name) + QLatin1Char('=') + speedNumber(value);
+    terms << QString::fromLatin1(name) + QLatin1Char('=') + argumentOf(value);
   });
   return terms;
 }
 
-/// A number of the answer. Throws UsageError.
-double numberIn(const QJsonObject& json, const char* key) {
-  const QJsonValue value = json.value(QLatin1String(key));
-  if (!value.isDouble())
-    throw UsageError(std::string("found no number `") + key +
-                     "` in the answer of abstand tune, expected one");
-  return value.toDouble();
-}
-
 ui::SpeedRow speedRowOf(const QJsonObject& json) {
   ui::SpeedRow row;
-  row.t0 = numberIn(json, "t0");
-  row.t1 = numberIn(json, "t1");
-  row.scale = numberIn(json, "speed_scale");
-  row.by_separation = numberIn(json, "by_separation");
-  row.by_contact = numberIn(json, "by_contact");
+  row.t0 = numberIn(json, "t0", kTune);
+  row.t1 = numberIn(json, "t1", kTune);
+  row.scale = numberIn(json, "speed_scale", kTune);
+  row.by_separation = numberIn(json, "by_separation", kTune);
+  row.by_contact = numberIn(json, "by_contact", kTune);
   const QJsonValue limit = json.value(QLatin1String("limited_by"));
   if (!limit.isObject()) return row;
   row.limited = true;
-  row.t = numberIn(limit.toObject(), "t");
+  row.t = numberIn(limit.toObject(), "t", kTune);
   row.part = limit[QLatin1String("part")].toString();
   row.by_contact_limit = limit[QLatin1String("kind")].toString() == QLatin1String("contact");
   return row;
@@ -62,9 +51,9 @@ ui::SpeedProposal speedsOf(const QByteArray& json, const QString& said) {
   if (proposal.rows.empty())
     throw UsageError("found no program of a robot that moves, expected one: speeds are for its segments");
   const QJsonObject times = answer.value(QLatin1String("cycle_time")).toObject();
-  proposal.recorded = numberIn(times, "as_recorded");
+  proposal.recorded = numberIn(times, "as_recorded", kTune);
   proposal.permitted =
-      times.value(QLatin1String("permitted")).isNull() ? kInfinity : numberIn(times, "permitted");
+      times.value(QLatin1String("permitted")).isNull() ? kInfinity : numberIn(times, "permitted", kTune);
   if (!answer.contains(QLatin1String("proof"))) return proposal;
   for (const QJsonValue& motion : answer.value(QLatin1String("proof")).toArray())
     if (const QString file = motion[QLatin1String("file")].toString(); !file.isEmpty())
@@ -91,7 +80,7 @@ void SpeedJob::start() {
   process_.start([this] {
     QStringList words = call_.words();
     words << QStringLiteral("--json") << QStringLiteral("--speed-rule") << request_.rule
-          << QStringLiteral("--segment") << speedNumber(request_.segment);
+          << QStringLiteral("--segment") << argumentOf(request_.segment);
     if (!separation_.isEmpty()) words << QStringLiteral("--separation") << separation_;
     if (!clamped_.isEmpty()) words << QStringLiteral("--clamped") << clamped_;
     if (!request_.folder.isEmpty()) words << QStringLiteral("--speed-profile") << request_.folder;

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "app/scene_file/scene_description.hpp"
+#include "app/studio/answer_number.hpp"
 #include "app/studio/scene_of_file.hpp"
 #include "app/studio/scene_of_work.hpp"
 #include "core/base/error.hpp"
@@ -14,12 +15,6 @@
 #include "core/base/output_file.hpp"
 
 namespace abstand::studio {
-
-namespace {
-
-QString number(double value) { return QString::fromStdString(formatDouble(value)); }
-
-}  // namespace
 
 QString commandLineProgram() {
   const QFileInfo beside(QDir(QCoreApplication::applicationDirPath()).filePath(QStringLiteral("abstand")));
@@ -62,7 +57,7 @@ QStringList TuneCall::words() const {
   if (work_.reading.cut_things) words << QStringLiteral("--cut-things");
   config::eachChangedNumber(work_.what_if, [&](const char* name, double value) {
     words << QStringLiteral("--") + QString::fromLatin1(name).replace(QLatin1Char('_'), QLatin1Char('-'))
-          << number(value);
+          << argumentOf(value);
   });
   for (const auto& folder : packages_.folders)
     words << QStringLiteral("--package-path") << QFile::decodeName(folder.c_str());
