@@ -41,7 +41,7 @@ Matrix3d covarianceOf(const SkeletonFrame& frame, Joint joint) {
 void setCovariance(SkeletonFrame& frame, Joint joint, const Matrix3d& covariance) {
   const auto j = static_cast<std::size_t>(joint);
   frame.spread[j] = worstDeviation(covariance);
-  frame.covariance[j] = Matrix3d::Zero();
+  if (frame.covariance.isStated()) frame.covariance[j] = Matrix3d::Zero();
   if (std::isfinite(frame.spread[j])) frame.covariance[j] = 0.5 * (covariance + covariance.transpose());
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -46,6 +47,43 @@ std::optional<Joint> parseJoint(std::string_view name);
 /// missing: no data in this frame. inferred: guessed by the tracker. tracked: measured.
 enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
 
+/// A matrix for each joint, all zero at first, when it takes no memory of its own: few recordings state any.
+/// Copies are deep. The first write allocates.
+class JointMatrices {
+ public:
+  JointMatrices() = default;
+  JointMatrices(const JointMatrices& other)
+      : all_(other.all_ ? std::make_unique<All>(*other.all_) : nullptr) {}
+  JointMatrices(JointMatrices&&) noexcept = default;
+  JointMatrices& operator=(const JointMatrices& other) {
+    if (all_ && other.all_)
+      *all_ = *other.all_;
+    else
+      all_ = other.all_ ? std::make_unique<All>(*other.all_) : nullptr;
+    return *this;
+  }
+  JointMatrices& operator=(JointMatrices&&) noexcept = default;
+  ~JointMatrices() = default;
+
+  /// Any was written.
+  bool isStated() const { return all_ != nullptr; }
+  const Matrix3d& operator[](std::size_t joint) const {
+    static const Matrix3d kZero = Matrix3d::Zero();
+    return all_ ? (*all_)[joint] : kZero;
+  }
+  Matrix3d& operator[](std::size_t joint) {
+    if (!all_) {
+      all_ = std::make_unique<All>();
+      all_->fill(Matrix3d::Zero());
+    }
+    return (*all_)[joint];
+  }
+
+ private:
+  using All = std::array<Matrix3d, kJointCount>;
+  std::unique_ptr<All> all_;
+};
+
 /// Joints of a person at one time: world axes after conversion (z up, metres, right-handed). A missing joint
 /// is NaN and never used as a position.
 struct SkeletonFrame {
@@ -54,13 +92,12 @@ struct SkeletonFrame {
   std::array<JointState, kJointCount> state;
   std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: unknown
   /// m^2, of the error, in the axes of `p`; read by covarianceOf(). Zero: the spread in all directions.
-  std::array<Matrix3d, kJointCount> covariance;
+  JointMatrices covariance;
 
   SkeletonFrame() {
     p.fill(Vector3d::Constant(kNaN));
     state.fill(JointState::kMissing);
     spread.fill(0.0);
-    covariance.fill(Matrix3d::Zero());
   }
   const Vector3d& operator[](Joint j) const { return p[static_cast<std::size_t>(j)]; }
   bool has(Joint j) const { return state[static_cast<std::size_t>(j)] != JointState::kMissing; }

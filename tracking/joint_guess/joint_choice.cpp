@@ -69,7 +69,7 @@ humanmodel::SkeletonFrame pickJoints(const PointFrame& from, const JointMatch& m
     else if (from.state[i] != humanmodel::JointState::kMissing) {
       frame.set(static_cast<humanmodel::Joint>(j), from.p[i], from.state[i]);
       frame.spread[j] = from.spreadOf(i);
-      frame.covariance[j] = from.covarianceOf(i);
+      if (!from.covariance.empty()) frame.covariance[j] = from.covarianceOf(i);
     }
   }
   return frame;

@@ -25,7 +25,7 @@ void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d
       if (f.state[j] != humanmodel::JointState::kMissing) {
         f.p[j] = scale * (R * f.p[j]);
         f.spread[j] *= scale;
-        f.covariance[j] = scale * scale * R * f.covariance[j] * R.transpose();
+        if (f.covariance.isStated()) f.covariance[j] = scale * scale * R * f.covariance[j] * R.transpose();
       }
 }
 
@@ -166,7 +166,7 @@ void swapSides(RawRecording& raw) {
         std::swap(f.p[j], f.p[j + 4]);
         std::swap(f.state[j], f.state[j + 4]);
         std::swap(f.spread[j], f.spread[j + 4]);
-        std::swap(f.covariance[j], f.covariance[j + 4]);
+        if (f.covariance.isStated()) std::swap(f.covariance[j], f.covariance[j + 4]);
       };
       swap(raw.rest);
       for (auto& f : raw.frames) swap(f);

@@ -52,7 +52,8 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
         "mirrored");
   const Matrix3d reflection = Matrix3d::Identity() - 2.0 * plane->n * plane->n.transpose();
   for (SkeletonFrame& frame : frames) {
-    for (Matrix3d& covariance : frame.covariance) covariance = reflection * covariance * reflection;
+    for (std::size_t j = 0; frame.covariance.isStated() && j < humanmodel::kJointCount; ++j)
+      frame.covariance[j] = (reflection * frame.covariance[j] * reflection).eval();
     for (std::size_t i = 0; i < humanmodel::kJointCount; ++i)
       if (frame.has(static_cast<Joint>(i)))
         frame.p[i] -= 2.0 * (plane->n.dot(frame.p[i]) - plane->d) * plane->n;
@@ -61,7 +62,7 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
       std::swap(frame.p[l], frame.p[r]);
       std::swap(frame.state[l], frame.state[r]);
       std::swap(frame.spread[l], frame.spread[r]);
-      std::swap(frame.covariance[l], frame.covariance[r]);
+      if (frame.covariance.isStated()) std::swap(frame.covariance[l], frame.covariance[r]);
     }
   }
 }

@@ -88,10 +88,10 @@ struct RecordingReport {
 struct Recording {
   RecordingReport report;
   std::vector<humanmodel::SkeletonFrame> frames;  ///< t increases; canonical joints, metres, z up
+  double clock_start{kNaN};                       ///< s since 1970 UTC at t = 0; NaN: the file does not say
 
   /// The frame at time t: the recorded one at or just before it (no interpolation), clamped at both ends.
   const humanmodel::SkeletonFrame& at(double t) const;
-  double clock_start{kNaN};  ///< s since 1970 UTC at t = 0; NaN: the file does not say
 };
 
 }  // namespace abstand::tracking

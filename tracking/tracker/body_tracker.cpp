@@ -291,6 +291,7 @@ void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
 }
 
 void BodyTracker::finish(double t) {
+  if (body_.frame.covariance.isStated()) memory_ = std::move(body_.frame.covariance);
   body_.frame = humanmodel::SkeletonFrame{};
   body_.frame.t = t;
   body_.visible.fill(0.0);
@@ -352,6 +353,7 @@ void BodyTracker::stateSpreads(double t) {
     }
   }
   const humanmodel::SkeletonFrame other = facing_known_ ? frame : flippedFacing(frame);
+  frame.covariance = std::move(memory_);  // all are written below
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
     const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());

@@ -81,6 +81,7 @@ class BodyTracker {
   JointMotion motion_;
   std::mt19937_64 random_;
   TrackedBody body_;
+  humanmodel::JointMatrices memory_;                         ///< of body_.frame, while it states none
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body

@@ -165,6 +165,7 @@ TEST(SkeletonCsv, TimesSinceTheStartStay) {
   const Recording read = openRecording(folder.path() / "plain.csv");
   EXPECT_TRUE(std::isnan(read.clock_start));
   EXPECT_EQ(read.frames[0].t, 5.5);
+  EXPECT_FALSE(read.frames[0].covariance.isStated()) << "what is not stated takes no memory";
 }
 
 TEST(SkeletonCsv, MillisecondsSince1970AreRefused) {
