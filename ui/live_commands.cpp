@@ -13,6 +13,7 @@
 #include "ui/panels/margin_tools.hpp"
 #include "ui/panels/person_editor.hpp"
 #include "ui/panels/recording_panel.hpp"
+#include "ui/panels/robot_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/style/actions.hpp"
 
@@ -63,7 +64,7 @@ void LiveCommands::askFile() {
 void LiveCommands::open(SessionPort* session) {
   session_ = session;
   const auto live = session ? session->live() : std::nullopt;
-  allowEdits(!live);
+  allowEdits(!live, !live || live->can_reset);
   const bool connected = live && live->state != LiveStatus::State::kFile;
   actions_[Id::kDisconnect]->setEnabled(connected);
   actions_[Id::kSaveMoments]->setEnabled(connected);
@@ -80,7 +81,7 @@ void LiveCommands::refresh() {
   if (std::exchange(was_stale_, stale) != stale) Q_EMIT said(liveText(*live));
 }
 
-void LiveCommands::allowEdits(bool allowed) {
+void LiveCommands::allowEdits(bool allowed, bool can_reset) {
   for (const Taken& taken : taken_) {
     taken.action->setEnabled(taken.enabled);
     taken.action->setToolTip(taken.tip);
@@ -91,6 +92,7 @@ void LiveCommands::allowEdits(bool allowed) {
     panel->setEnabled(allowed);
     panel->setToolTip(allowed ? QString() : tr("The server decides this; here it is only shown."));
   }
+  panels_.robots->allowReset(can_reset);
   panels_.inspector->joints()->setEnabled(allowed);
   panels_.inspector->person()->setEnabled(allowed);
   if (allowed) return;
@@ -100,7 +102,8 @@ void LiveCommands::allowEdits(bool allowed) {
     action->setToolTip(
         tr("%1\nNot here: what is shown comes from a server, which decides.").arg(action->toolTip()));
   };
-  for (const Id id : kEditing) take(actions_[id]);
+  for (const Id id : kEditing)
+    if (id != Id::kResetStops || !can_reset) take(actions_[id]);
   for (const auto& entry : actions_.all())
     if (entry.group == ActionGroup::kMargins) take(entry.action);
 }

@@ -37,7 +37,7 @@ class LiveCommands : public QObject {
  private:
   void ask();
   void askFile();
-  void allowEdits(bool allowed);
+  void allowEdits(bool allowed, bool can_reset);
 
   const Actions& actions_;
   const PanelSet& panels_;

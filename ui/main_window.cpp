@@ -231,6 +231,7 @@ void MainWindow::setSession(SessionPort* session) {
   commands_.videos->cancel();
   commands_.speeds->close();
   if (session_) kept_selection_.keep(*selection_, session_->outline());
+  commands_.live->open(nullptr);  // before others enable the actions that it took
   session_ = session;
   selection_->clear();
   feed_->attach(session_);

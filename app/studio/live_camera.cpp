@@ -86,6 +86,10 @@ void LiveCamera::takeJoints(const std::vector<double>& joints) {
   }
 }
 
+void LiveCamera::resetStops() {
+  if (still_) still_->resetStops();
+}
+
 void LiveCamera::readServer() {
   server_said_ += QString::fromUtf8(server_->readAllStandardError());
   if (!address_.isEmpty()) return;

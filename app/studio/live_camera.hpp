@@ -28,6 +28,9 @@ class LiveCamera : public QObject {
   /// After sees(). `joints`: rad or m, of all mechanisms where their motion begins; sent to the server where
   /// the request says that robots stand still.
   void takeJoints(const std::vector<double>& joints);
+  /// This object speaks for the robots of the server, and may thus reset their stops.
+  bool canReset() const { return still_ != nullptr; }
+  void resetStops();
   /// Of the server, "127.0.0.1:40123"; empty: none is running.
   QString address() const { return address_; }
 

@@ -20,11 +20,13 @@ StillRobots::StillRobots(const QString& server, std::vector<double> joints)
       socket_(serve::parseAddress("127.0.0.1:0", "client")),
       packet_(serve::jointsBytes(joints_.size())),
       answer_(serve::kMaxPacketBytes) {
-  connect(&timer_, &QTimer::timeout, this, &StillRobots::send);
+  connect(&timer_, &QTimer::timeout, this, [this] { send(0); });
   timer_.start(kSendEveryMs);
 }
 
-void StillRobots::send() {
+void StillRobots::resetStops() { send(serve::kFlagReset); }
+
+void StillRobots::send(std::uint32_t flags) {
   const std::span<std::byte> bytes(packet_);
   serve::store(bytes, 0, serve::kPacketMagic);
   serve::store(bytes, 4, serve::kProtocol);
@@ -32,7 +34,7 @@ void StillRobots::send() {
   serve::store(bytes, 8, sequence_++);
   serve::store(bytes, 12, serve::kAllMechanisms);
   serve::store(bytes, 16, static_cast<std::uint64_t>(kMicroseconds * viewer::steadySeconds()));
-  serve::store(bytes, 24, std::uint32_t{0});
+  serve::store(bytes, 24, flags);
   serve::store(bytes, 28, static_cast<std::uint32_t>(packet_.size()));
   for (std::size_t i = 0; i < joints_.size(); ++i)
     serve::store(bytes, serve::kHeaderBytes + sizeof(double) * i, joints_[i]);

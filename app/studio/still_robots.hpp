@@ -17,8 +17,11 @@ class StillRobots : public QObject {
   /// `joints`: rad or m, of all mechanisms of the scene, not empty. Throws UsageError.
   StillRobots(const QString& server, std::vector<double> joints);
 
+  /// Asks the server once to let every robot that waits for a reset go on; it refuses while a cause lasts.
+  void resetStops();
+
  private:
-  void send();
+  void send(std::uint32_t flags);
 
   serve::Address server_;
   std::vector<double> joints_;

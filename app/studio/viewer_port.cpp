@@ -40,6 +40,7 @@ int nearestOf(const view::SceneSnapshot& s) {
 void adapt(view::SceneOutline& outline) {
   outline.recordings.clear();
   outline.falls = false;
+  outline.cannot_react.clear();
   outline.reacting.clear();
   outline.reactions.clear();
   for (view::RobotCard& robot : outline.robots) {
@@ -128,7 +129,12 @@ std::optional<ui::LiveStatus> ViewerPort::live() const {
   status.kept = kept.last - kept.first;
   status.bytes = kept.bytes;
   status.left_out = link.left_out;
+  status.can_reset = my_.reset != nullptr;
   return status;
+}
+
+void ViewerPort::resetStops() {
+  if (my_.reset) my_.reset();
 }
 
 void ViewerPort::toLive() {

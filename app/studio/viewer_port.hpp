@@ -32,6 +32,7 @@ class ViewerPort final : public ui::SessionPort {
     std::shared_ptr<const ui::PreparedMeshes> meshes;
     Structures structures;
     bool other_file{false};
+    std::function<void()> reset;  ///< of the stops of the robots; null: only the server decides
   };
   /// `clock`: s, steady; that of the link.
   explicit ViewerPort(Parts parts, std::function<double()> clock = viewer::steadySeconds);
@@ -49,11 +50,11 @@ class ViewerPort final : public ui::SessionPort {
   void play(bool on) override;
   void step(int frames) override;
   void seek(double t) override;
+  void resetStops() override;
   void setSpeed(double factor) override;
   void setLoop(bool) override {}
   // The server decides.
   void setReact(bool) override {}
-  void resetStops() override {}
   void setMargin(int, double) override {}
   void setClassMargin(view::PairClass, std::optional<double>) override {}
   void setTorques(bool) override {}

@@ -156,7 +156,8 @@ TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
       "robot.yaml",
       "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\npairs: {default: between_groups, within_people: "
       "exclude}\nmechanisms:\n  - name: slide\n    file: slide.mech\n"
-      "    base: {xyz: [-1.5, 0, 0]}\n    links: [{name: ball, frame: 1, shape: {sphere: {radius: 0.1}}}]\n"
+      "    base: {xyz: [-1.5, 0, 0]}\n    reaction: {stop: {distance: 0.02}}\n    links: [{name: ball, "
+      "frame: 1, shape: {sphere: {radius: 0.1}}}]\n"
       "humans:\n  - {name: visitor, height: 1.75}\n");
   const auto ball = [&] { return window.moment().objects.at(0); };
   // Each part of the person has a pair with the ball, in their order.
@@ -168,6 +169,8 @@ TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
     }
     return false;
   };
+  const auto state = [&] { return window.moment().robots.at(0).state; };
+  QAction* reset = window.actions()[ui::ActionId::kResetStops];
   for (const bool still : {false, true}) {
     openDialog();
     ui::LiveCameraRequest wanted = request();
@@ -179,10 +182,20 @@ TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
       // The server may count the robot as lost for a moment where the machine is busy.
       EXPECT_TRUE(QTest::qWaitFor([&] { return isKnown(); }, kLimitMs)) << "the person comes to be seen";
       EXPECT_NEAR(ball().X_WB.translation().x(), -1.5, 1e-9);
+      // Until its joint values and the person came, the robot had to stop.
+      EXPECT_TRUE(QTest::qWaitFor([&] { return state() == safety::StopState::kWaitingForReset; }, kLimitMs));
+      ASSERT_TRUE(reset->isEnabled());
+      EXPECT_TRUE(QTest::qWaitFor(
+          [&] {
+            reset->trigger();
+            return state() == safety::StopState::kRunning;
+          },
+          kLimitMs));
     } else {
       EXPECT_TRUE(QTest::qWaitFor([&] { return seen(1).has_value(); }, kLimitMs)) << "a part of the person";
       EXPECT_TRUE(scene::isPoseLost(ball().pose_state));
       EXPECT_EQ(window.moment().pairs.size() + 1, window.moment().objects.size());
+      EXPECT_FALSE(reset->isEnabled()) << "this window does not speak for the robot";
       EXPECT_FALSE(isKnown()) << "no pair counts as apart while the robot may be anywhere";
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);

@@ -89,8 +89,9 @@ QString nearestMomentText(const RecordingReview& review, double t) {
 }
 
 QString outcomeText(const margin::MarginOutcome& outcome) {
-  return tr("%1 stops, %2 % of the time; %3 false, %4 missed")
-      .arg(outcome.stops)
+  const int stops = static_cast<int>(outcome.stops);
+  return QCoreApplication::translate("abstand::ui", "%n stops, %1 % of the time; %2 false, %3 missed",
+                                     nullptr, stops)
       .arg(fixed(100.0 * outcome.stoppedShare(), 1))
       .arg(outcome.false_stops)
       .arg(outcome.missed_stops);

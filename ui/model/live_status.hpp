@@ -23,6 +23,7 @@ struct LiveStatus {
   double kept{0.0};        ///< s that can be shown again
   std::size_t bytes{0};    ///< that they take
   unsigned left_out{0};    ///< moments that the other program left out, as we were too slow
+  bool can_reset{false};   ///< SessionPort::resetStops() reaches the robots
 };
 
 }  // namespace abstand::ui

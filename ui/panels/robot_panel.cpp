@@ -164,7 +164,7 @@ void RobotPanel::refresh(const view::SceneOutline& outline, const view::SceneSna
                         ? robot.cause.pair
                         : -1);
   }
-  reset_->setEnabled(waits);
+  reset_->setEnabled(waits && can_reset_);
   if (reacting) addEntries(outline, snapshot);
 }
 

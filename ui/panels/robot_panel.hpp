@@ -29,6 +29,8 @@ class RobotPanel : public QWidget {
 
   void open(const view::SceneOutline& outline);
   void refresh(const view::SceneOutline& outline, const view::SceneSnapshot& snapshot);
+  /// Whether a reset reaches the robots that are shown; at first: it does.
+  void allowReset(bool allowed) { can_reset_ = allowed; }
   const QPlainTextEdit* log() const { return log_; }
 
  Q_SIGNALS:
@@ -49,6 +51,7 @@ class RobotPanel : public QWidget {
 
   QLabel* head_;
   QPushButton* reset_;
+  bool can_reset_{true};
   QVBoxLayout* cards_layout_;
   std::vector<Card> cards_;
   QPlainTextEdit* log_;

@@ -161,11 +161,11 @@
     </message>
     <message>
         <source>Laws</source>
-        <translation>Gesetze</translation>
+        <translation>Regelgesetze</translation>
     </message>
     <message>
         <source>Show or hide the laws of the robots that react</source>
-        <translation>Gesetze der reagierenden Roboter ein- oder ausblenden</translation>
+        <translation>Regelgesetze der reagierenden Roboter ein- oder ausblenden</translation>
     </message>
 </context>
 <context>
@@ -370,10 +370,6 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
     <message>
         <source>; the pose is lost</source>
         <translation>; die Pose ist verloren</translation>
-    </message>
-    <message>
-        <source>%1 stops, %2 % of the time; %3 false, %4 missed</source>
-        <translation>Stopps: %1, %2 % der Zeit; Fehlauslösungen: %3, verpasste Stopps: %4</translation>
     </message>
     <message>
         <source>So far: %1</source>
@@ -3375,6 +3371,13 @@ einzuhaltender Abstand %3, Wiederanlaufzeit %4 s, Kalibrierfehler %5, Alter der 
         <source>Show when a moment was recorded, by the clock, instead of the time since the start</source>
         <translation>Die Uhrzeit der Aufnahme statt der Zeit seit dem Anfang zeigen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n stops, %1 % of the time; %2 false, %3 missed</source>
+        <translation>
+            <numerusform>%n Stopp, %1 % der Zeit; Fehlauslösungen: %2, verpasste Stopps: %3</numerusform>
+            <numerusform>%n Stopps, %1 % der Zeit; Fehlauslösungen: %2, verpasste Stopps: %3</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::Actions</name>
@@ -4848,7 +4851,7 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
     </message>
     <message>
         <source>%1 does not yield to a poke: its law Torque is off (panel Laws)</source>
-        <translation>%1 weicht einem Stoß nicht aus: sein Gesetz Moment ist aus (Feld Gesetze)</translation>
+        <translation>%1 weicht einem Stoß nicht aus: sein Regelgesetz Moment ist aus (Feld Regelgesetze)</translation>
     </message>
     <message>
         <source>%1 does not yield to a poke: reaction torques are off</source>
@@ -5901,15 +5904,15 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
     </message>
     <message>
         <source>Robot whose laws are shown</source>
-        <translation>Roboter, dessen Gesetze zu sehen sind</translation>
+        <translation>Roboter, dessen Regelgesetze zu sehen sind</translation>
     </message>
     <message>
         <source>All laws and numbers of this robot as in the scene file</source>
-        <translation>Alle Gesetze und Zahlen dieses Roboters wie in der Szenendatei</translation>
+        <translation>Alle Regelgesetze und Zahlen dieses Roboters wie in der Szenendatei</translation>
     </message>
     <message>
         <source>Laws and numbers</source>
-        <translation>Gesetze und Zahlen</translation>
+        <translation>Regelgesetze und Zahlen</translation>
     </message>
     <message>
         <source>back to the scene file</source>
@@ -5921,7 +5924,7 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
     </message>
     <message>
         <source>The laws are those of the server.</source>
-        <translation>Es gelten die Gesetze des Servers.</translation>
+        <translation>Es gelten die Regelgesetze des Servers.</translation>
     </message>
     <message>
         <source>As in the scene file</source>
@@ -6338,7 +6341,7 @@ Runde setzen die Roboter auf ihre Pläne zu dieser Zeit, und von dort reagieren 
     </message>
     <message>
         <source>laws of %1: %2</source>
-        <translation>Gesetze von %1: %2</translation>
+        <translation>Regelgesetze von %1: %2</translation>
     </message>
     <message>
         <source>The server decides where everything stands</source>

@@ -27,6 +27,13 @@
             <numerusform>%n pairs of people and robots are not checked, and are not part of it.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n stops, %1 % of the time; %2 false, %3 missed</source>
+        <translation>
+            <numerusform>%n stop, %1 % of the time; %2 false, %3 missed</numerusform>
+            <numerusform>%n stops, %1 % of the time; %2 false, %3 missed</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::MainWindow</name>
