@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "app/cli/version.hpp"
+#include "app/studio/heap_care.hpp"
 #include "app/studio/probe.hpp"
 #include "app/studio/soak.hpp"
 #include "app/studio/studio.hpp"
@@ -297,6 +298,7 @@ int main(int argc, char** argv) {
     ui::applyLanguage(words, languageFor(words.arguments()));
     if (!parse(words.arguments(), args)) return kWrongUsage;
   }
+  studio::limitArenas();
   QApplication app(argc, argv);
   ui::applyLanguage(app, args.language);
   if (!args.screenshot.isEmpty()) {

@@ -19,8 +19,8 @@ namespace {
 
 using Id = ui::ActionId;
 
-constexpr int kActionMs = 1000;
-constexpr int kSamples = 120;                            // over the whole time
+constexpr int kActionMs = 125;  // an hour then has the commands of eight hours with one each second
+constexpr int kSamples = 120;   // over the whole time
 constexpr double kFilling = 600.0, kFillingShare = 0.1;  // s, and of a short time: caches fill up in it
 constexpr long kActionsPerOpening =
     97;  // no multiple of the round below: the scene opens anew at each of its steps

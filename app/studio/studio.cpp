@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/studio/avi_file.hpp"
+#include "app/studio/heap_care.hpp"
 #include "app/studio/import_reader.hpp"
 #include "app/studio/pair_file.hpp"
 #include "app/studio/studio_request.hpp"
@@ -41,6 +42,8 @@
 namespace abstand::studio {
 
 namespace {
+
+constexpr int kSettledMs = 5000;  // after an opening
 
 /// Those of the project's table; null where it is not installed.
 std::shared_ptr<const contact::ContactLimits> contactLimits() {
@@ -91,6 +94,8 @@ Studio::Studio(ui::MainWindow& window, const robot_file::PackagePaths& packages)
           [this](const ui::Work& before, const ui::Work& after) { followWork(before, after); });
   connect(&loader_, &Loader::progressed, &window, &ui::MainWindow::showOpening);
   connect(&loader_, &Loader::finished, this, [this](const auto& loaded) { take(*loaded); });
+  // When what was shown before, and what the opening needed, is free.
+  connect(this, &Studio::ready, this, [this] { QTimer::singleShot(kSettledMs, this, releaseFreeHeap); });
 }
 
 Studio::~Studio() { window_.setSession(nullptr); }

@@ -6,6 +6,7 @@
 
 #include "ui/model/event_text.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/icons.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/style/units.hpp"
 
@@ -104,7 +105,7 @@ QVariant EventTableModel::data(const QModelIndex& index, int role) const {
     case kSortRole:
       return key(event, index.column());
     case Qt::DecorationRole:
-      return index.column() == kKind ? QVariant(kindColour(event.kind)) : QVariant();
+      return index.column() == kKind ? QVariant(swatch(kindColour(event.kind))) : QVariant();
     case Qt::TextAlignmentRole:
       return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case Qt::ForegroundRole:

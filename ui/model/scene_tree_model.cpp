@@ -11,6 +11,7 @@
 #include "ui/model/pair_class.hpp"
 #include "ui/model/watched_series.hpp"
 #include "ui/style/format.hpp"
+#include "ui/style/icons.hpp"
 #include "ui/style/units.hpp"
 
 namespace abstand::ui {
@@ -158,7 +159,7 @@ QVariant SceneTreeModel::groupData(const QModelIndex& index, int role) const {
                                    [&](int o) { return rows_[static_cast<std::size_t>(o)].visible; });
   if (index.column() == 0) {
     if (role == Qt::DisplayRole) return groupTitle(group);
-    if (role == Qt::DecorationRole) return colour(group);
+    if (role == Qt::DecorationRole) return swatch(colour(group));
     if (role == Qt::CheckStateRole) {
       if (shown == 0) return Qt::Unchecked;
       return static_cast<std::size_t>(shown) == group.objects.size() ? Qt::Checked : Qt::PartiallyChecked;

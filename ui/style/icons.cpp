@@ -207,6 +207,26 @@ class GlyphEngine : public QIconEngine {
   Glyph glyph_;
 };
 
+class SwatchEngine : public QIconEngine {
+ public:
+  explicit SwatchEngine(const QColor& colour) : colour_{colour} {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
+    painter->fillRect(rect, colour_);
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode, QIcon::State) override {
+    QPixmap pixmap(size);
+    pixmap.fill(colour_);
+    return pixmap;
+  }
+
+  QIconEngine* clone() const override { return new SwatchEngine(colour_); }
+
+ private:
+  QColor colour_;
+};
+
 QPixmap programPixmap(int size) {
   QPixmap pixmap(size, size);
   pixmap.fill(Qt::transparent);
@@ -228,6 +248,8 @@ QPixmap programPixmap(int size) {
 }
 
 }  // namespace
+
+QIcon swatch(const QColor& colour) { return QIcon(new SwatchEngine(colour)); }
 
 QIcon programIcon() {
   QIcon all;

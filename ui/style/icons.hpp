@@ -1,6 +1,7 @@
 // Vector icons in the palette's text colour, drawn when needed, sharp at any scale.
 #pragma once
 
+#include <QColor>
 #include <QIcon>
 
 namespace abstand::ui {
@@ -40,6 +41,10 @@ enum class Glyph {
 };
 
 QIcon icon(Glyph glyph);
+
+/// A square of one colour. Unlike a colour as decoration of an item, it leaves nothing in QPixmapCache when
+/// it is drawn.
+QIcon swatch(const QColor& colour);
 
 /// Of the program: a person, a robot, and the distance between them.
 QIcon programIcon();

@@ -14,6 +14,7 @@
 #include "ui/model/selection.hpp"
 #include "ui/panels/pair_panel.hpp"
 #include "ui/panels/scene_tree_panel.hpp"
+#include "ui/style/theme.hpp"
 
 namespace abstand::ui {
 namespace item_models_test {
@@ -98,6 +99,19 @@ TEST(SceneTree, IsConsistentModelWithOrderedGroups) {
   EXPECT_EQ(model.objectsOf(model.indexOf(hand)), std::vector<int>{hand});
   model.open({});
   EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(SceneTree, GroupHasASquareOfItsColourAtEverySize) {
+  FakeSession session;
+  SceneTreeModel model;
+  model.open(session.outline());
+  const auto icon = model.index(1, 0).data(Qt::DecorationRole).value<QIcon>();
+  for (const int size : {16, 33}) {
+    const QImage square = icon.pixmap(size).toImage();
+    ASSERT_EQ(square.size(), QSize(size, size));
+    for (const int at : {0, size - 1})
+      EXPECT_EQ(square.pixelColor(at, at), sceneColours(Theme::kLight).human);
+  }
 }
 
 TEST(SceneTree, GroupCheckBoxShowsAndHidesObjects) {
