@@ -73,7 +73,19 @@ void BodyCalibration::add(double t, const BodyTracker& tracker) {
   const TrackedBody& body = tracker.body();
   if (complete() || !body.found || body.misfit.explained < kExplained) return;
   if (!images_.empty() && t - images_.back().t < kApart) return;
-  images_.push_back({t, tracker.seen(), body.pose});
+  images_.push_back({t, tracker.seen(), body.pose, tracker.lying().lies});
+}
+
+std::optional<bool> BodyCalibration::lyingOnFront() const {
+  std::size_t lying = 0, on_front = 0;
+  for (const Image& image : images_) {
+    const Vector3d front = image.pose.X_WP.linear().col(0);
+    if (!image.lies || !facesUpOrDown(front)) continue;
+    ++lying;
+    on_front += front.z() < 0.0;
+  }
+  if (2 * lying <= images_.size()) return std::nullopt;
+  return 2 * on_front > lying;
 }
 
 std::vector<RigPose> BodyCalibration::poses() const {
@@ -109,6 +121,7 @@ double BodyCalibration::costOf(const humanmodel::HumanOptions& options, int step
   weights.prior.setConstant(1.0);
   double sum = 0.0;
   for (std::size_t i = 0; i < images_.size(); ++i) {
+    fit.keepAboveFloor(images_[i].lies);
     fit.refine(images_[i].seen, poses[i], weights, steps, poses[i]);
     RigPlacement X_WS;
     place(rig, poses[i], X_WS);
@@ -165,7 +178,10 @@ humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& st
     }
   };
   // Moves one size as long as the cost decreases, first up, then down.
+  // The floor stretches the feet of who lies on the front, and straight limbs do not show their joints.
+  const bool keeps_lengths = lyingOnFront().value_or(false);
   const auto walk = [&](std::size_t k, double by) {
+    if (keeps_lengths && kKnobs[k].size == Size::kLength) return;
     for (const double factor : {1.0 + by, 1.0 / (1.0 + by)}) {
       bool better = false;
       for (;;) {

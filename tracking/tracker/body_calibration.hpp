@@ -22,6 +22,8 @@ class BodyCalibration {
   /// Ratio of the fit costs if the person faces the other way, each image refitted; above 1: worse. NaN
   /// without images.
   double whenTurned(const humanmodel::HumanOptions& body) const;
+  /// Whether the person lies in most of the images, and then, whether on the front, as tracked.
+  std::optional<bool> lyingOnFront() const;
   /// Declares that the person in the images faces the other way.
   void flipFacing(const humanmodel::HumanOptions& body);
 
@@ -31,7 +33,8 @@ class BodyCalibration {
                                                          const std::array<double, 2>& limits) const;
 
   /// Coordinate search over lengths of trunk, arms and legs, and girths, in steps of a few per cent, each
-  /// image refitted, as long as the cost decreases. Keeps the stature of `start` and the parts that it
+  /// image refitted, as long as the cost decreases. Lengths stay the usual ones of a person who lies on the
+  /// front. Keeps the stature of `start` and the parts that it
   /// overrides. Without images returns `start`.
   humanmodel::HumanOptions fit(const humanmodel::HumanOptions& start) const;
 
@@ -40,6 +43,7 @@ class BodyCalibration {
     double t;
     BodyObservation seen;
     RigPose pose;
+    bool lies;  ///< Lying::lies
   };
   std::vector<RigPose> poses() const;
   std::vector<RigPose> turnedPoses(const humanmodel::HumanOptions& body) const;

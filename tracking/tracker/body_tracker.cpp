@@ -45,22 +45,13 @@ constexpr double kHandsOffFloor = 0.70;
 constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
 
 // m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is at
-// 0.8. Height of the pelvis of people who lie.
-constexpr double kLyingTop = 0.65, kLyingPelvis = 0.12;
-constexpr double kLevelFront = 0.7;  // cosine; the front of a person who lies points up or down
+// 0.8.
+constexpr double kLyingTop = 0.65;
 
 double topOf(const SeenPoints& points) {
   float top = 0.0f;
   for (std::size_t i = 0; i < points.count; ++i) top = std::max(top, points.z[i]);
   return static_cast<double>(top);
-}
-
-/// m, of a person who stands.
-double vertexAbovePelvis(const BodyRig& rig) {
-  RigPlacement X_WS;
-  place(rig, RigPose{}, X_WS);
-  const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
-  return (X_WS[index(rig.carrier[vertex])] * rig.p_joint[vertex]).z();
 }
 
 /// Whether a knee is on the floor. There is no chair then, and thighs stand on the floor beside the hands.
@@ -104,7 +95,9 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
   seen_.update(images);
-  const double top = topOf(seen_.points()) / rig_->height;
+  const double highest = topOf(seen_.points()), top = highest / rig_->height;
+  if (!(highest < kLyingTop)) lying_ = {};
+  fit_.keepAboveFloor(lying_.lies);
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
   if (may_sit && !(body_.found && kneels(body_.X_WS))) seen_.markStanding();
   const double dt = t - last_t_;
@@ -128,7 +121,8 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   return body_;
 }
 
-void BodyTracker::resume(const RigPose& pose) {
+void BodyTracker::resume(const RigPose& pose, const Lying& lying) {
+  lying_ = lying;
   body_.pose = pose;
   body_.found = true;
   velocity_.setZero();
@@ -191,6 +185,8 @@ void BodyTracker::follow(double dt) {
 
 void BodyTracker::find() {
   wide_.planted = narrow_.planted = 0;
+  lying_ = {};
+  fit_.keepAboveFloor(false);
   const SeenPoints& points = seen_.points();
   std::array<Vector3d, BodyObservation::kMaxViews> mean;
   std::array<double, BodyObservation::kMaxViews> count{};
@@ -251,31 +247,24 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, T
   }
 }
 
-/// Fits a person who lies along the longest horizontal extent of the points, which passes `middle`, on the
-/// back and on the front, with the head at either end.
+/// Fits a person who lies.
 void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
-  const SeenPoints& points = seen_.points();
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const Eigen::Vector2d off = (points.point(i) - middle).head<2>();
-    scatter += off * off.transpose();
+  fit_.keepAboveFloor(true);
+  LyingFits fits(*rig_);
+  std::array<TrackedBody, 2> of_side;  // on the back, on the front
+  std::array<LyingStart, kLyingStarts> starts;
+  lyingStarts(*rig_, seen_.points(), middle, starts);
+  for (const LyingStart& start : starts) {
+    if (on_front_.value_or(start.on_front) != start.on_front) continue;
+    TrackedBody none;
+    tryStart(start.pose, none);
+    fit_.gaps(body_.X_WS, body_.gap);
+    if (fits.add(body_.misfit.cost, body_.X_WS, body_.gap, start.on_front))
+      of_side[start.on_front ? 1 : 0] = body_;
   }
-  // Direction of the larger eigenvalue.
-  const double angle = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
-  for (const double end : {0.0, kPi}) {
-    const Vector3d head(std::cos(angle + end), std::sin(angle + end), 0.0);
-    double farthest = -kInfinity;
-    for (std::size_t i = 0; i < points.count; ++i)
-      farthest = std::max(farthest, head.dot(points.point(i) - middle));
-    for (const double front : {1.0, -1.0}) {
-      RigPose pose;
-      const Vector3d x = front * Vector3d::UnitZ();
-      pose.X_WP.linear() << x, head.cross(x), head;
-      pose.X_WP.translation() = middle + (farthest - vertexAbovePelvis(*rig_)) * head;
-      pose.X_WP.translation().z() = kLyingPelvis;
-      tryStart(pose, best);
-    }
-  }
+  best = of_side[fits.onFront() ? 1 : 0];
+  lying_ = {true, fits.apart(), fits.frontOverBack()};
+  if (fits.sidesAlike()) facing_known_ = false;
 }
 
 void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
@@ -305,7 +294,8 @@ void BodyTracker::finish(double t) {
   }
   found_t_ = t;
   away_ = false;
-  if (std::abs(body_.pose.X_WP.linear()(2, 0)) < kLevelFront) front_ = yawOf(body_.pose);
+  on_front_.reset();
+  if (!facesUpOrDown(body_.pose.X_WP.linear().col(0))) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
@@ -327,16 +317,21 @@ void BodyTracker::stateSpreads(double t) {
   hidden_.see(t, seen, space_.extent(), space_.shape());
   motion_.see(t, frame);
   const double is_new = std::clamp(1.0 - (t - appeared_t_) / kConfirmed, 0.0, 1.0);
-  const double doubt_hidden = std::max(is_new, doubtOfExplained(body_.misfit.explained));
-  const double doubt_seen = std::max(is_new, doubtOf(body_.misfit));
+  const double is_turned = lying_.lies && !facing_known_ ? 1.0 : 0.0;
+  const double doubt_hidden = std::max({is_new, is_turned, doubtOfExplained(body_.misfit.explained)});
+  const double doubt_seen = std::max({is_new, is_turned, doubtOf(body_.misfit)});
   const JointCovariances tracked = trackedCovariances(
       *rig_, fit_.problem(),
       {.residual = body_.misfit.residual, .doubt = doubt_seen, .visible = visible, .gap = body_.gap});
   JointCovariances covariance = tracked;
+  // Straight limbs on the floor do not show their joints.
+  const bool may_be_on_front = lying_.lies && (!facing_known_ || body_.pose.X_WP.linear()(2, 0) < 0.0);
+  const bool shows_joints = !may_be_on_front;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
-    const double stature = (is_seen ? kOfStatureSeen : kOfStatureHidden) * stature_deviation_;
-    const double all_around = is_seen ? std::hypot(stature, motion_.spread()[j]) : stature;
+    const double stature = (is_seen && shows_joints ? kOfStatureSeen : kOfStatureHidden) * stature_deviation_;
+    const double other_pose = lying_.apart[j] / humanmodel::kSpreadQuantile;
+    const double all_around = std::hypot(stature, other_pose, is_seen ? motion_.spread()[j] : 0.0);
     covariance[j].diagonal().array() += all_around * all_around;
     if (is_seen) continue;
     covariance[j] += hidden_.covariance()[j];
@@ -356,8 +351,12 @@ void BodyTracker::stateSpreads(double t) {
   frame.covariance = std::move(memory_);  // all are written below
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
-    const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());
     const bool is_hidden = frame.state[j] == humanmodel::JointState::kInferred;
+    const auto side = static_cast<std::size_t>(mirrored(static_cast<humanmodel::Joint>(j)));
+    // A joint that is seen may be the other one, which is not.
+    if (!facing_known_ && !is_hidden && frame.state[side] == humanmodel::JointState::kInferred)
+      covariance[j] = humanmodel::enclosingCovariance(covariance[j], covariance[side]);
+    const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());
     humanmodel::setCovariance(frame, static_cast<humanmodel::Joint>(j),
                               rounded(both, is_hidden ? doubt_hidden : doubt_seen));
   }

@@ -8,6 +8,7 @@
 #include "tracking/tracker/hidden_spread.hpp"
 #include "tracking/tracker/joint_motion.hpp"
 #include "tracking/tracker/limb_search.hpp"
+#include "tracking/tracker/lying_start.hpp"
 
 namespace abstand::tracking {
 
@@ -26,7 +27,8 @@ struct TrackedBody {
 /// Steps for each moment, of which there is one image or one of each camera: prediction from the last two
 /// poses, fit, search for limbs left behind, second fit. The initial search assumes a person upright and
 /// facing a camera, or with the back to it (expectAway()), and tolerates rotations up to 60 degrees; or
-/// lying, on the back or on the front, if nothing is high. Afterwards left and right persist, as motion
+/// lying, on the back or on the front, if nothing is high: where both explain the image about as well, it is
+/// no longer known which way the person faces. Afterwards left and right persist, as motion
 /// between two images is small. Lost when more than a third of the person's points are far from the body for
 /// some images; then searched anew, within a second in the last orientation.
 ///
@@ -41,6 +43,8 @@ class BodyTracker {
   const TrackedBody& track(double t, std::span<const PersonImage> images);
   /// The initial search assumes that the person's back is to the camera.
   void expectAway() { away_ = true; }
+  /// The initial search assumes that a person who lies does so on the front, or on the back.
+  void expectLying(bool on_front) { on_front_ = on_front; }
   /// Whether it is known which way the person faces. If not, the reach of each joint includes its place in a
   /// person who faces the other way. Known at first; unknown again for a person who was lost for more than a
   /// second.
@@ -50,8 +54,9 @@ class BodyTracker {
   /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend
   /// beyond them.
   void widenHands(const std::array<double, 2>& extent);
-  /// Continues from a pose as if it had been found in the last image.
-  void resume(const RigPose& pose);
+  /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it.
+  void resume(const RigPose& pose, const Lying& lying);
+  const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
@@ -89,9 +94,11 @@ class BodyTracker {
   double legs_seen_t_{-kInfinity};       ///< s, last image with a calf or a foot
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
+  Lying lying_;
   bool facing_known_{true};
-  bool away_{false};  ///< until the person is found
-  int badly_{0};      ///< consecutive images that the body did not explain
+  bool away_{false};              ///< until the person is found
+  std::optional<bool> on_front_;  ///< likewise, of a person who lies; nullopt: both are tried
+  int badly_{0};                  ///< consecutive images that the body did not explain
 };
 
 }  // namespace abstand::tracking

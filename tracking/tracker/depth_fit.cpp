@@ -128,6 +128,12 @@ DepthFit::Violation DepthFit::overlap(const Sample& sample, const Vector3d& p_W,
   return v;
 }
 
+DepthFit::Violation DepthFit::sunk(const Sample& sample, const Vector3d& p_W) const {
+  const double below = kKeepOut * sample.radius - p_W.z();
+  if (!above_floor_ || below <= 0.0) return {Vector3d::Zero(), 0.0};
+  return {-Vector3d::UnitZ(), std::min(below, kMaxViolation)};
+}
+
 /// Of all points to one segment, in score_.
 void DepthFit::score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const {
   scoreOf(surfaces_[segment], X_WS, points, kNormalWeight, score_.data());
@@ -175,7 +181,7 @@ double DepthFit::placeCost(const BodyObservation& seen, const RigPlacement& X_WS
   for (const Sample& sample : samples_) {
     if ((segments & bit(sample.segment)) == 0) continue;
     const Vector3d p_W = X_WS[index(sample.segment)] * sample.p_S;
-    sum += robust(violation(seen, sample, p_W).depth);
+    sum += robust(violation(seen, sample, p_W).depth) + robust(sunk(sample, p_W).depth);
     const std::uint32_t others = foes(sample.segment);
     for (std::size_t k = 0; k < kRigSegments; ++k) {
       if ((others >> k & 1u) == 0) continue;
@@ -228,6 +234,8 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
       const Vector3d p_W = X_WS[index(sample.segment)] * sample.p_S;
       const Violation v = violation(seen, sample, p_W);
       if (v.depth > 0.0) solver_.addPlane(sample.segment, p_W, v.n, v.depth, kSampleWeight);
+      const Violation below = sunk(sample, p_W);
+      if (below.depth > 0.0) solver_.addPlane(sample.segment, p_W, below.n, below.depth, kSampleWeight);
       const std::uint32_t others = foes(sample.segment);
       for (std::size_t o = 0; o < kRigSegments; ++o) {
         if ((others >> o & 1u) == 0) continue;

@@ -26,6 +26,8 @@ class DepthFit {
 
   const BodyRig& rig() const { return *rig_; }
   const FitSurfaces& surfaces() const { return surfaces_; }
+  /// Whether the body must stay above the floor z = 0, too, as for people who lie on it. Initially not.
+  void keepAboveFloor(bool above) { above_floor_ = above; }
 
   struct Weights {
     BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< weight towards the expected pose
@@ -77,6 +79,8 @@ class DepthFit {
   /// Violation of a sample inside of a segment that it must not enter.
   Violation overlap(const Sample& sample, const Vector3d& p_W, std::size_t other,
                     const Transform& X_WS) const;
+  /// Violation of a sample below the floor; none unless keepAboveFloor().
+  Violation sunk(const Sample& sample, const Vector3d& p_W) const;
   void score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
 
@@ -84,6 +88,7 @@ class DepthFit {
   FitSurfaces surfaces_;
   std::vector<Sample> samples_;
   BodySolver solver_;
+  bool above_floor_{false};
   std::array<std::uint8_t, SeenPoints::kMax> segment_{};
   mutable std::array<float, SeenPoints::kMax> best_{}, score_{};
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "tracking/tracker/turned_round.hpp"
 
@@ -42,6 +43,7 @@ void TrackedPerson::use(const humanmodel::HumanOptions& body) {
   tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
   tracker_->setStatureDeviation(stature_.deviation());
   if (facing_.away) tracker_->expectAway();
+  if (facing_.lies) tracker_->expectLying(facing_.away);
   tracker_->setFacingKnown(facing_.decided());
   rig_ = std::move(rig);
 }
@@ -70,7 +72,8 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
     calibration_.add(t, *tracker_);
     if (!calibration_.complete()) return body;
     if (options_.fit_aside)
-      fitting_ = std::async(std::launch::async, fit, std::move(calibration_), Fit{*body_, facing_, stature_});
+      fitting_ = std::async(std::launch::async, fit, std::move(calibration_),
+                            Fit{*body_, facing_, stature_, tracker_->lying().front_over_back});
   }
   if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return body;
@@ -108,7 +111,7 @@ bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
   humanmodel::HumanOptions body;
   body.height = stature_.used;
   use(body);
-  tracker_->resume(last);
+  tracker_->resume(last, {});  // who stands upright
   calibration_ = BodyCalibration{};
   fitted_ = !options_.fit_body;
   return true;
@@ -123,18 +126,38 @@ void TrackedPerson::settle() {
     use(body);
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
-    adopt(fitting_.valid() ? fitting_.get() : fit(std::move(calibration_), {*body_, facing_, stature_}));
+    adopt(fitting_.valid()
+              ? fitting_.get()
+              : fit(std::move(calibration_), {*body_, facing_, stature_, tracker_->lying().front_over_back}));
   }
+}
+
+void TrackedPerson::decideFacing(const BodyCalibration& images, Fit& fit) {
+  const std::optional<bool> on_front = images.lyingOnFront();
+  const bool is_away = on_front.value_or(false);
+  const double turned = images.whenTurned(fit.body);
+  fit.facing.lies = on_front.has_value();
+  fit.facing.ratio = is_away ? 1.0 / turned : turned;
+  fit.facing.away = fit.facing.ratio < Facing::kBackBelow;
+  if (fit.facing.lies) {
+    // The search from both sides must agree, because a turned pose has lost what a search would find. If they
+    // do not, the likelier side is assumed.
+    const double turning = fit.facing.ratio;
+    const double searched = std::isnan(fit.front_over_back) ? 1.0 : fit.front_over_back;
+    fit.facing.away = turning * searched < 1.0;
+    if ((searched < 1.0) != (turning < 1.0))
+      fit.facing.ratio = 1.0;
+    else if (std::abs(std::log(searched)) < std::abs(std::log(turning)))
+      fit.facing.ratio = searched;
+  }
+  fit.turned = fit.facing.away != is_away;
 }
 
 TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const Fit& start) {
   Fit fit = start;
   if (!fit.facing.decided()) {
-    fit.facing.ratio = images.whenTurned(fit.body);
-    if (fit.facing.ratio < Facing::kBackBelow) {
-      fit.facing.away = true;
-      images.flipFacing(fit.body);
-    }
+    decideFacing(images, fit);
+    if (fit.turned) images.flipFacing(fit.body);
   }
   if (!fit.stature.known())
     if (const auto range = images.plausibleStatures(fit.body, fit.stature.interval))
@@ -144,13 +167,13 @@ TrackedPerson::Fit TrackedPerson::fit(BodyCalibration images, const Fit& start) 
 }
 
 void TrackedPerson::adopt(const Fit& fit) {
-  const bool turn = fit.facing.away != facing_.away;
   facing_ = fit.facing;
   stature_ = fit.stature;
   const TrackedBody last = tracker_->body();
+  const Lying lying = tracker_->lying();
   use(fit.body);
-  if (turn) held_ = HeldThings();  // learned with the arms on the wrong side
-  if (last.found) tracker_->resume(turn ? flippedFacing(*rig_, last.pose) : last.pose);
+  if (fit.turned) held_ = HeldThings();  // learned with the arms on the wrong side
+  if (last.found) tracker_->resume(fit.turned ? flippedFacing(*rig_, last.pose) : last.pose, lying);
   fitted_ = true;
 }
 

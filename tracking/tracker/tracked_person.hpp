@@ -11,16 +11,20 @@
 
 namespace abstand::tracking {
 
-/// Facing direction of a person when first seen.
+/// Facing direction of a person when first seen. Who lies on the front faces away: cameras are above people
+/// who lie.
 struct Facing {
   bool away{false};   ///< the back is to the camera
   bool given{false};  ///< set by the user
+  bool lies{false};   ///< in the images that were compared
   /// Ratio of the fit costs of the first images, facing away over facing the camera; NaN: not compared.
   double ratio{kNaN};
   /// Below kBackBelow the person faces away, above kFrontAbove certainly the camera. In between the images do
   /// not decide: front is assumed and reported as undecided (docs/tracking.md has measured ratios).
   static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
-  bool decided() const { return given || ratio < kBackBelow || ratio > kFrontAbove; }
+  /// Neither direction is the likelier one of people who lie.
+  double backBelow() const { return lies ? 1.0 / kFrontAbove : kBackBelow; }
+  bool decided() const { return given || ratio < backBelow() || ratio > kFrontAbove; }
 };
 
 /// Body learned from the images of a person.
@@ -73,9 +77,13 @@ class TrackedPerson {
     humanmodel::HumanOptions body;
     Facing facing;
     Stature stature;
+    double front_over_back{kNaN};  ///< Lying::front_over_back
+    bool turned{false};            ///< the person in the images faces the other way than tracked
   };
   /// Compares facing directions unless given, and statures unless one is known.
   static Fit fit(BodyCalibration images, const Fit& start);
+  /// Likewise, of the facing: into fit.facing and fit.turned.
+  static void decideFacing(const BodyCalibration& images, Fit& fit);
   void use(const humanmodel::HumanOptions& body);
   void adopt(const Fit& fit);
   const TrackedBody* follow(double t, std::span<const PersonImage> images);

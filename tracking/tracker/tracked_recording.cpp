@@ -49,6 +49,11 @@ Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::f
                                    : "not removed from the images, which do not show them")};
 }
 
+std::string assumedFacing(const Facing& facing) {
+  if (facing.lies) return facing.away ? "lying on the front" : "lying on the back";
+  return "facing the camera";
+}
+
 }  // namespace
 
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person) {
@@ -91,8 +96,9 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 }
 
 std::string facingReason(const Facing& facing) {
-  const std::string side =
-      facing.away ? "initially facing away from the camera" : "initially facing the camera";
+  const std::string side = facing.lies   ? "initially " + assumedFacing(facing)
+                           : facing.away ? "initially facing away from the camera"
+                                         : "initially facing the camera";
   if (facing.given) return side + ", as given";
   if (std::isnan(facing.ratio)) return side + ", assumed without comparison with the opposite facing";
   char text[200];
@@ -100,7 +106,7 @@ std::string facingReason(const Facing& facing) {
                 "%s: the residual of facing away is %.2f times that of facing the camera; below %.2f facing "
                 "away is used, "
                 "above %.2f facing the camera is certain",
-                facing.decided() ? "" : ", undecided", facing.ratio, Facing::kBackBelow, Facing::kFrontAbove);
+                facing.decided() ? "" : ", undecided", facing.ratio, facing.backBelow(), Facing::kFrontAbove);
   return side + text;
 }
 
@@ -121,9 +127,8 @@ std::string statureReason(const Stature& stature) {
 std::vector<std::string> trackWarnings(const ClipPerson& person) {
   std::vector<std::string> warnings;
   if (!person.facing.decided())
-    warnings.push_back(
-        "the images do not determine the initial facing: facing the camera is assumed, "
-        "if that is wrong, left and right are swapped (--facing)");
+    warnings.push_back("the images do not determine the initial facing: " + assumedFacing(person.facing) +
+                       " is assumed, if that is wrong, left and right are swapped (--facing)");
   if (!person.stature.known())
     warnings.push_back("the stature is " + statureReason(person.stature) + " (--height)");
   return warnings;

@@ -8,6 +8,8 @@
 namespace abstand::tracking {
 namespace {
 
+constexpr double kLevelFront = 0.7;  // cosine; the front of a person who lies points up or down
+
 constexpr std::array<std::pair<humanmodel::Joint, humanmodel::Joint>, 8> kSides{
     {{humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kShoulderRight},
      {humanmodel::Joint::kElbowLeft, humanmodel::Joint::kElbowRight},
@@ -20,19 +22,34 @@ constexpr std::array<std::pair<humanmodel::Joint, humanmodel::Joint>, 8> kSides{
 
 }  // namespace
 
+bool facesUpOrDown(const Vector3d& front) { return std::abs(front.z()) >= kLevelFront * front.norm(); }
+
 double yawOf(const RigPose& pose) {
   const Vector3d front = pose.X_WP.linear().col(0);
   return std::atan2(front.y(), front.x());
+}
+
+humanmodel::Joint mirrored(humanmodel::Joint joint) {
+  for (const auto& [left, right] : kSides) {
+    if (joint == left) return right;
+    if (joint == right) return left;
+  }
+  return joint;
 }
 
 humanmodel::SkeletonFrame flippedFacing(const humanmodel::SkeletonFrame& frame) {
   humanmodel::SkeletonFrame other = frame;
   for (const auto& [left, right] : kSides)
     std::swap(other.p[static_cast<std::size_t>(left)], other.p[static_cast<std::size_t>(right)]);
+  using enum humanmodel::Joint;
+  const Vector3d front = (frame[kHipLeft] - frame[kHipRight]).cross(frame[kNeck] - frame[kPelvis]);
   for (const auto& [ankle, toe] : {std::pair{humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kToeLeft},
                                    {humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight}}) {
     Vector3d foot = other[toe] - other[ankle];
-    foot.head<2>() *= -1.0;
+    if (facesUpOrDown(front))
+      foot -= 2.0 * front.dot(foot) / front.squaredNorm() * front;
+    else
+      foot.head<2>() *= -1.0;
     other.p[static_cast<std::size_t>(toe)] = other[ankle] + foot;
   }
   return other;

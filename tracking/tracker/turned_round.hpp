@@ -8,8 +8,15 @@ namespace abstand::tracking {
 /// Facing direction of a pose: rad, about the world's z from its x.
 double yawOf(const RigPose& pose);
 
+/// Whether this is the front of a person who lies on the back or on the front.
+bool facesUpOrDown(const Vector3d& front);
+
+/// The joint on the other side; joints in the middle are their own.
+humanmodel::Joint mirrored(humanmodel::Joint joint);
+
 /// Joints of a person facing the other way with the limbs in the same places: left and right are exchanged,
-/// and the feet point the other way. No allocation, no throw.
+/// and the feet point the other way; of a person who lies, to the other side of the trunk. No allocation, no
+/// throw.
 humanmodel::SkeletonFrame flippedFacing(const humanmodel::SkeletonFrame& frame);
 
 /// The pose of a person facing the other way with the limbs in the same places: left and right are exchanged,

@@ -101,6 +101,27 @@ Posture prone(double t) {
           .ankle = 0.09,
           .toes = -2.8};
 }
+/// On the front with straight legs, the head towards +x: the arms along the body, or bent beside the head.
+Posture proneArmsDown(double t) {
+  return {.t = t,
+          .hips = {-0.2, 0.0, 0.12},
+          .loins = 0.5 * kPi,
+          .back = 0.5 * kPi,
+          .head = 0.5 * kPi,
+          .reach = -0.24,
+          .aside = 0.30,
+          .low = 0.08,
+          .foot = -1.06,
+          .apart = 0.12,
+          .ankle = 0.09,
+          .toes = -2.6};
+}
+Posture proneArmsUp(double t) {
+  Posture p = proneArmsDown(t);
+  p.reach = 0.62;
+  p.aside = 0.42;
+  return p;
+}
 /// On the feet, the head between the knees.
 Posture curledUp(double t) {
   return {.t = t,
@@ -207,6 +228,15 @@ std::vector<PosedScene> heldOutScenes() {
       scene.stature = stature;
       both.push_back(scene);
     }
+  const std::vector<Posture> down{proneArmsDown(0.0), proneArmsDown(3.0)};
+  const std::vector<Posture> up{proneArmsUp(0.0), proneArmsUp(3.0)};
+  for (const double stature : {kSmall, kTall}) {
+    const std::string of = stature == kSmall ? "_small" : "_tall";
+    both.push_back({"other_prone_arms_down" + of, down, {0.2, 2.4, 1.8}, look, {}, 16, {}, stature});
+    both.push_back({"other_prone_arms_up" + of, up, {-0.6, -2.5, 1.5}, look, {}, 17, {}, stature});
+    both.push_back({"other_prone_feet_ahead" + of, down, {-3.0, 0.5, 1.7}, look, {}, 18, {}, stature});
+    both.push_back({"other_prone_seen_from_above" + of, up, {1.6, 1.2, 2.6}, look, {}, 19, {}, stature});
+  }
   both.push_back({"other_lying_on_the_front", {prone(0.0), prone(3.0)}, {0.5, -2.6, 1.4}, look, {}, 15});
   return both;
 }

@@ -22,7 +22,8 @@ inline void PrintTo(const PosedScene& scene, std::ostream* out) { *out << scene.
 
 std::vector<PosedScene> posedScenes();
 
-/// People of other statures and shapes, postures, and views; no constant of the tracker was chosen with them.
+/// People of other statures and shapes, postures, and views; no constant of the tracker was chosen with them,
+/// except with those who are curled up or lie on the front.
 std::vector<PosedScene> heldOutScenes();
 
 /// People who hold bars and boxes.
