@@ -26,13 +26,9 @@ constexpr double kStands = 0.5;     // s; legs that were not seen for longer are
 constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
 constexpr double kTurns = 1.0;      // s; a person out of sight for longer may have turned around
 
-/// Initial posture of a search.
-struct StartPosture {
-  double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
-  bool bends_legs;  ///< else the legs are straight
-  Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
-};
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
+/// Upright, the head above the image, which cuts it off at the neck or at the forehead.
+const std::array<StartPosture, 2> kCutStarts{{{-0.24, false}, {-0.12, false}}};
 /// Bowed; seated; on the knees.
 const std::array<StartPosture, 3> kLowStarts{
     {{0.25, false}, {0.0, true, {0.43, 0.0, -0.42}}, {0.0, true, {-0.38, 0.0, -0.38}}}};
@@ -47,6 +43,18 @@ constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a ch
 // m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is at
 // 0.8.
 constexpr double kLyingTop = 0.65;
+
+// m; a vertex nearer to the border of the image may be beyond it. The head of a person whose forehead is cut
+// off was 0.10 to 0.18 too low.
+constexpr double kAboveVertex = 0.20;
+
+/// Whether the upper border of an image cuts off the person.
+bool isCutAbove(std::span<const PersonImage> images) {
+  return std::any_of(images.begin(), images.end(), [](const PersonImage& image) {
+    const auto row = image.is_person.first(static_cast<std::size_t>(image.image->width));
+    return std::find(row.begin(), row.end(), std::uint8_t{1}) != row.end();
+  });
+}
 
 double topOf(const SeenPoints& points) {
   float top = 0.0f;
@@ -98,6 +106,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   const double highest = topOf(seen_.points()), top = highest / rig_->height;
   if (!(highest < kLyingTop)) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
+  is_cut_ = isCutAbove(images);
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
   if (may_sit && !(body_.found && kneels(body_.X_WS))) seen_.markStanding();
   const double dt = t - last_t_;
@@ -235,11 +244,18 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, T
   const bool is_low = top < kStandingHead * rig_->height;
   const std::span<const StartPosture> postures =
       is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
+  tryPostures(postures, middle, top - above, facing, best);
+  if (is_cut_) tryPostures(kCutStarts, middle, top - above, facing, best);
+}
+
+/// `pelvis` (m): its height in a person who stands.
+void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
+                              double facing, TrackedBody& best) {
   for (const StartPosture& posture : postures) {
     for (const double yaw : {0.0, 0.7, -0.7}) {
       RigPose pose;
       pose.X_WP.translation() = middle;
-      pose.X_WP.translation().z() = top - above - posture.lower;
+      pose.X_WP.translation().z() = pelvis - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
       tryStart(pose, best);
@@ -279,6 +295,16 @@ void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
   if (body_.misfit.cost < best.misfit.cost) best = body_;
 }
 
+/// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.
+bool BodyTracker::isHeadCut() const {
+  if (!is_cut_) return false;
+  const auto vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
+  const Vector3d above =
+      body_.X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex] + kAboveVertex * Vector3d::UnitZ();
+  return std::none_of(seen_.views().begin(), seen_.views().end(),
+                      [&](const BodyView& view) { return view.contains(view.X_CW() * above); });
+}
+
 void BodyTracker::finish(double t) {
   if (body_.frame.covariance.isStated()) memory_ = std::move(body_.frame.covariance);
   body_.frame = humanmodel::SkeletonFrame{};
@@ -297,6 +323,7 @@ void BodyTracker::finish(double t) {
   on_front_.reset();
   if (!facesUpOrDown(body_.pose.X_WP.linear().col(0))) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
+  if (isHeadCut()) body_.visible[index(RigSegment::kHead)] = 0.0;
   fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
   stateSpreads(t);

@@ -24,6 +24,13 @@ struct TrackedBody {
       frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
 };
 
+/// Initial posture of a search.
+struct StartPosture {
+  double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
+  bool bends_legs;  ///< else the legs are straight
+  Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
+};
+
 /// Steps for each moment, of which there is one image or one of each camera: prediction from the last two
 /// poses, fit, search for limbs left behind, second fit. The initial search assumes a person upright and
 /// facing a camera, or with the back to it (expectAway()), and tolerates rotations up to 60 degrees; or
@@ -69,10 +76,13 @@ class BodyTracker {
  private:
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
+  void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
+                   double facing, TrackedBody& best);
   void tryLying(const Vector3d& middle, TrackedBody& best);
   void tryStart(const RigPose& start, TrackedBody& best);
   void follow(double dt);
   void plantHiddenFeet();
+  bool isHeadCut() const;
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
   void finish(double t);
   void stateSpreads(double t);
@@ -95,6 +105,7 @@ class BodyTracker {
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
   Lying lying_;
+  bool is_cut_{false};  ///< the upper border of the last image cuts off the person
   bool facing_known_{true};
   bool away_{false};              ///< until the person is found
   std::optional<bool> on_front_;  ///< likewise, of a person who lies; nullopt: both are tried

@@ -151,11 +151,16 @@ void BodyView::appendPoints(std::uint8_t index, SeenPoints& points) const {
   }
 }
 
+bool BodyView::contains(const Vector3d& p_CX) const {
+  if (p_CX.z() < 1e-3 || state_.empty()) return false;
+  const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;
+  return u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5;
+}
+
 BodyView::Probe BodyView::at(const Vector3d& p_CX) const {
   Probe probe;
-  if (p_CX.z() < 1e-3 || state_.empty()) return probe;
+  if (!contains(p_CX)) return probe;
   const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;
-  if (!(u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5)) return probe;
   const std::size_t c = cell(static_cast<int>(std::lround(u)), static_cast<int>(std::lround(v)));
   probe.state = state_[c];
   probe.z = z_[c];

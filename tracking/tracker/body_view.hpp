@@ -61,6 +61,8 @@ class BodyView {
     Vector3d to_person{Vector3d::Zero()};
   };
   Probe at(const Vector3d& p_CX) const;
+  /// Whether the image contains the projection of a point.
+  bool contains(const Vector3d& p_CX) const;
 
   static constexpr std::size_t kMaxPoints = 2048;
 

@@ -78,7 +78,8 @@ void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* know
 }
 
 void PeopleFinder::project(const DepthImage& image, const DepthImage* known, bool has_furniture) {
-  constexpr int kEvery = 3;  // pixels and rows of background that are looked at
+  constexpr int kBorderRows = 2;  // of the image, at its upper border
+  constexpr int kEvery = 3;       // pixels and rows of background that are looked at
   plan_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
@@ -114,6 +115,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
       }
       cell_of_[i] = cell;
       plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
+      if (v < kBorderRows) plan_.markCut(cell);
     }
   }
   plan_.join();
@@ -186,21 +188,30 @@ void PeopleFinder::follow(double t) {
 /// People who lie have no head of that kind: those who are followed stay, others are new.
 void PeopleFinder::followLying(double t) {
   lying_.find(plan_);
-  for (const Place& place : lying_.places()) {
-    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
-    for (Track& track : tracks_) {
-      if (!track.here || (track.place - place).norm() > kLyingReach) continue;
-      track.head_seen = t;
-      is_new = false;
-    }
-    if (!is_new) continue;
-    Track track;
-    track.id = next_id_++;
-    track.place = place;
-    track.born = track.seen = track.head_seen = t;
-    track.here = track.suspect = true;
-    tracks_.push_back(track);
+  for (const Place& place : lying_.places()) keepOrAdd(t, place, kLyingReach);
+}
+
+/// Likewise people whose heads are above the image.
+void PeopleFinder::followHeadless(double t) {
+  headless_.find(plan_);
+  for (const Place& place : headless_.places()) keepOrAdd(t, place, kSplitLow);
+}
+
+/// A person at a place, without a head: one that is there within `reach` (m), or a new one.
+void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
+  bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
+  for (Track& track : tracks_) {
+    if (!track.here || (track.place - place).norm() > reach) continue;
+    track.head_seen = t;
+    is_new = false;
   }
+  if (!is_new) return;
+  Track track;
+  track.id = next_id_++;
+  track.place = place;
+  track.born = track.seen = track.head_seen = t;
+  track.here = track.suspect = true;
+  tracks_.push_back(track);
 }
 
 void PeopleFinder::label(const DepthImage& image) {
@@ -284,6 +295,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   findHeads(plan_, kMaxPeople, heads_);
   follow(t);
   followLying(t);
+  followHeadless(t);
   std::array<std::optional<Place>, kMaxPeople> places;
   for (std::size_t p = 0; p < tracks_.size(); ++p)
     if (tracks_[p].here) places[p] = tracks_[p].place;

@@ -3,6 +3,7 @@
 
 #include "tracking/depth/people/floor_plane.hpp"
 #include "tracking/depth/people/furniture.hpp"
+#include "tracking/depth/people/headless_people.hpp"
 #include "tracking/depth/people/heads.hpp"
 #include "tracking/depth/people/learned_background.hpp"
 #include "tracking/depth/people/lying_people.hpp"
@@ -36,7 +37,8 @@ struct PeopleImage {
 /// is detected by a head: a peak of a head's breadth with free space beside it, above enough of a body.
 /// Touching people are separated by their heads and their earlier positions; people who overlap in the image
 /// but not on the floor are separate anyway. Detected people are followed without a visible head, too. A
-/// person who lies is detected by the outline (LyingPeople).
+/// person who lies is detected by the outline (LyingPeople), one whose head is above the image by the trunk
+/// (HeadlessPeople).
 ///
 /// Surfaces too large and flat for a person (Furniture) belong to nobody.
 ///
@@ -81,6 +83,8 @@ class PeopleFinder {
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void follow(double t);
   void followLying(double t);
+  void followHeadless(double t);
+  void keepOrAdd(double t, const Place& place, double reach);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
@@ -94,6 +98,7 @@ class PeopleFinder {
   PlanView plan_;
   Furniture furniture_;
   LyingPeople lying_;
+  HeadlessPeople headless_;
   std::vector<int> cell_of_;  ///< of each pixel; -1: ignored
   LearnedBackground background_;
   std::vector<float> x_, y_;  ///< of the rays with z = 1

@@ -29,6 +29,7 @@ class PlanView {
     float top{0.0f};                   ///< m
     float whole{0.0f};                 ///< m^2, sum of all slabs
     int component{-1};
+    bool cut{false};         ///< the upper border of the image is there
     std::int16_t owner{-1};  ///< index of the person that it belongs to; -1: none
   };
 
@@ -52,6 +53,8 @@ class PlanView {
     c.area[static_cast<std::size_t>(height * (1.0 / kSlab))] += a;
     if (h > c.top) c.top = h;
   }
+  /// Notes that the upper border of the image cuts the surface above a cell; after add().
+  void markCut(int cell) { cells_[static_cast<std::size_t>(cell)].cut = true; }
   /// Connects occupied cells up to 8 cm apart into components(), numbered in order of their first cell.
   void join();
 

@@ -1,0 +1,81 @@
+// Cells at the upper border, and the bodies below them.
+#include "tracking/depth/people/headless_people.hpp"
+
+#include "tracking/depth/people/body_area.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+using BodyPlace = PlanView::Place;
+
+// m. Lower than the shoulders of small adults (1.2), the border cuts off more than a head; higher than the
+// first of the second, it is above the heads.
+constexpr float kLowestCut = 1.15f, kHighestCut = 2.0f;
+constexpr double kBroadestCut = 0.75;  // m; shoulders with arms are up to 0.6 broad
+constexpr int kFewestCells = 3;
+constexpr double kTrunkArea = 0.15;  // m^2 of visible surface, half of a trunk that faces the camera
+constexpr double kTrunkFrom = 0.3;   // share of the height at the border
+// m: free space, and cells in it that are nearly as high as the border, relative to those of the body.
+constexpr double kFreeBeside = 0.65, kMaxCellsBeside = 0.25;
+constexpr float kNearlyAsHigh = 0.4f;
+
+/// Whether the border cuts off a body here; sets its middle.
+bool isCutBody(const PlanView& plan, std::span<const int> cells, BodyPlace& middle) {
+  int cut = 0;
+  float top = 0.0f;
+  BodyPlace sum = BodyPlace::Zero(), low = BodyPlace::Constant(kInfinity), high = -low;
+  for (const int i : cells) {
+    if (!plan.cell(i).cut) continue;
+    const BodyPlace place = PlanView::placeOf(i);
+    ++cut;
+    top = std::max(top, plan.cell(i).top);
+    sum += place;
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  if (cut < kFewestCells || top < kLowestCut || top > kHighestCut || (high - low).norm() > kBroadestCut)
+    return false;
+  middle = middleOfBody(plan, sum / cut);
+  const auto first = static_cast<std::size_t>(kTrunkFrom * static_cast<double>(top) / PlanView::kSlab);
+  double area = 0.0;
+  int body = 0, beside = 0;
+  plan.around(middle, kFreeBeside, [&](int i, double distance) {
+    const PlanView::Cell& cell = plan.cell(i);
+    const bool is_high = cell.top > top - kNearlyAsHigh;
+    if (distance > kBodyRadius) {
+      beside += is_high;
+      return;
+    }
+    body += is_high;
+    for (std::size_t slab = first; slab < PlanView::kSlabs; ++slab)
+      area += static_cast<double>(cell.area[slab]);
+  });
+  return area >= kTrunkArea && beside <= kMaxCellsBeside * body;
+}
+
+}  // namespace
+
+void HeadlessPeople::find(const PlanView& plan) {
+  std::size_t now = 0;
+  count_ = 0;
+  for (std::size_t k = 0; k < plan.components() && now < kMax; ++k) {
+    Candidate candidate;
+    if (!isCutBody(plan, plan.component(k), candidate.place)) continue;
+    candidate.from = candidate.place;
+    candidate.images = 1;
+    for (std::size_t i = 0; i < last_count_; ++i) {
+      const Candidate& before = last_[i];
+      if ((before.place - candidate.place).norm() >= kSamePlace || before.images < candidate.images) continue;
+      candidate.from = before.from;
+      candidate.images = before.images + 1;
+      candidate.moved = before.moved;
+    }
+    candidate.moved = candidate.moved || (candidate.place - candidate.from).norm() > kMoved;
+    now_[now++] = candidate;
+    if (candidate.images >= kImages && candidate.moved) places_[count_++] = candidate.place;
+  }
+  last_ = now_;
+  last_count_ = now;
+}
+
+}  // namespace abstand::tracking
