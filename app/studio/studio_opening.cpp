@@ -230,9 +230,10 @@ std::unique_ptr<ui::SessionPort> Studio::portOf(Loaded& loaded, const Request& r
   parts.link = std::move(request.live->link);
   parts.outline = loaded.live->outline();
   loaded.live->takeSnapshot(parts.sized);
-  if (request.live->name == camera_.address()) camera_.takeJoints(parts.sized.joint_positions);
-  if (request.live->name == camera_.address() && camera_.canReset())
-    parts.reset = [this] { camera_.resetStops(); };
+  if (request.live->name == camera_.address()) {
+    camera_.takeJoints(parts.sized.joint_positions);
+    if (camera_.canReset()) parts.reset = [this] { camera_.resetStops(); };
+  }
   parts.notes = std::move(loaded.notes);
   parts.meshes = std::move(loaded.meshes);
   parts.structures = std::move(loaded.structures);

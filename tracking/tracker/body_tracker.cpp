@@ -302,7 +302,7 @@ bool BodyTracker::isHeadCut() const {
   const Vector3d above =
       body_.X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex] + kAboveVertex * Vector3d::UnitZ();
   return std::none_of(seen_.views().begin(), seen_.views().end(),
-                      [&](const BodyView& view) { return view.contains(view.X_CW() * above); });
+                      [&](const BodyView& view) { return view.pixelOf(view.X_CW() * above).has_value(); });
 }
 
 void BodyTracker::finish(double t) {

@@ -151,17 +151,19 @@ void BodyView::appendPoints(std::uint8_t index, SeenPoints& points) const {
   }
 }
 
-bool BodyView::contains(const Vector3d& p_CX) const {
-  if (p_CX.z() < 1e-3 || state_.empty()) return false;
+std::optional<Eigen::Vector2d> BodyView::pixelOf(const Vector3d& p_CX) const {
+  if (p_CX.z() < 1e-3 || state_.empty()) return std::nullopt;
   const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;
-  return u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5;
+  if (!(u > -0.5 && u < width_ - 0.5 && v > -0.5 && v < height_ - 0.5)) return std::nullopt;
+  return Eigen::Vector2d(u, v);
 }
 
 BodyView::Probe BodyView::at(const Vector3d& p_CX) const {
   Probe probe;
-  if (!contains(p_CX)) return probe;
-  const double u = fx_ * p_CX.x() / p_CX.z() + cx_, v = fy_ * p_CX.y() / p_CX.z() + cy_;
-  const std::size_t c = cell(static_cast<int>(std::lround(u)), static_cast<int>(std::lround(v)));
+  const std::optional<Eigen::Vector2d> pixel = pixelOf(p_CX);
+  if (!pixel) return probe;
+  const std::size_t c =
+      cell(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
   probe.state = state_[c];
   probe.z = z_[c];
   if (probe.state == CellState::kEmpty && offset_to_person_[c][0] != kFar)

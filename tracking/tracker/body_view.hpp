@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,8 +62,8 @@ class BodyView {
     Vector3d to_person{Vector3d::Zero()};
   };
   Probe at(const Vector3d& p_CX) const;
-  /// Whether the image contains the projection of a point.
-  bool contains(const Vector3d& p_CX) const;
+  /// Projection of a point, in pixels of the image; nullopt: not in the image.
+  std::optional<Eigen::Vector2d> pixelOf(const Vector3d& p_CX) const;
 
   static constexpr std::size_t kMaxPoints = 2048;
 

@@ -103,18 +103,13 @@ Posture prone(double t) {
 }
 /// On the front with straight legs, the head towards +x: the arms along the body, or bent beside the head.
 Posture proneArmsDown(double t) {
-  return {.t = t,
-          .hips = {-0.2, 0.0, 0.12},
-          .loins = 0.5 * kPi,
-          .back = 0.5 * kPi,
-          .head = 0.5 * kPi,
-          .reach = -0.24,
-          .aside = 0.30,
-          .low = 0.08,
-          .foot = -1.06,
-          .apart = 0.12,
-          .ankle = 0.09,
-          .toes = -2.6};
+  Posture p = prone(t);
+  p.reach = -0.24;
+  p.aside = 0.30;
+  p.low = 0.08;
+  p.foot = -1.06;
+  p.toes = -2.6;
+  return p;
 }
 Posture proneArmsUp(double t) {
   Posture p = proneArmsDown(t);

@@ -56,26 +56,14 @@ bool isCutBody(const PlanView& plan, std::span<const int> cells, BodyPlace& midd
 }  // namespace
 
 void HeadlessPeople::find(const PlanView& plan) {
-  std::size_t now = 0;
+  found_.start();
   count_ = 0;
-  for (std::size_t k = 0; k < plan.components() && now < kMax; ++k) {
-    Candidate candidate;
-    if (!isCutBody(plan, plan.component(k), candidate.place)) continue;
-    candidate.from = candidate.place;
-    candidate.images = 1;
-    for (std::size_t i = 0; i < last_count_; ++i) {
-      const Candidate& before = last_[i];
-      if ((before.place - candidate.place).norm() >= kSamePlace || before.images < candidate.images) continue;
-      candidate.from = before.from;
-      candidate.images = before.images + 1;
-      candidate.moved = before.moved;
-    }
-    candidate.moved = candidate.moved || (candidate.place - candidate.from).norm() > kMoved;
-    now_[now++] = candidate;
-    if (candidate.images >= kImages && candidate.moved) places_[count_++] = candidate.place;
+  for (std::size_t k = 0; k < plan.components() && !found_.full(); ++k) {
+    BodyPlace middle;
+    if (!isCutBody(plan, plan.component(k), middle)) continue;
+    const RepeatedPlaces::Entry& body = found_.add(middle, kMoved);
+    if (body.images >= kImages && body.moved) places_[count_++] = middle;
   }
-  last_ = now_;
-  last_count_ = now;
 }
 
 }  // namespace abstand::tracking

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "tracking/depth/people/plan_view.hpp"
+#include "tracking/depth/people/repeated_places.hpp"
 
 namespace abstand::tracking {
 
@@ -19,21 +19,14 @@ class HeadlessPeople {
   std::span<const PlanView::Place> places() const { return {places_.data(), count_}; }
 
   static constexpr int kImages = 10;
-  static constexpr std::size_t kMax = 8;      ///< bodies at a time
-  static constexpr double kSamePlace = 0.15;  ///< m, between two images
   /// m. People who stand sway by 0.01 and more; the middle of a thing that stands varies by 0.002 (noise of
   /// some thousand pixels).
   static constexpr double kMoved = 0.008;
 
  private:
-  struct Candidate {
-    PlanView::Place place{PlanView::Place::Zero()}, from{PlanView::Place::Zero()};
-    int images{0};
-    bool moved{false};
-  };
-  std::array<Candidate, kMax> last_{}, now_{};
-  std::size_t last_count_{0}, count_{0};
-  std::array<PlanView::Place, kMax> places_{};
+  RepeatedPlaces found_;
+  std::array<PlanView::Place, RepeatedPlaces::kMax> places_{};
+  std::size_t count_{0};
 };
 
 }  // namespace abstand::tracking

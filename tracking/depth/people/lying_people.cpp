@@ -56,19 +56,13 @@ bool isBody(const PlanView& plan, std::span<const int> cells, Place& middle) {
 }  // namespace
 
 void LyingPeople::find(const PlanView& plan) {
-  std::size_t now = 0;
+  found_.start();
   count_ = 0;
-  for (std::size_t k = 0; k < plan.components() && now < kMax; ++k) {
+  for (std::size_t k = 0; k < plan.components() && !found_.full(); ++k) {
     Place middle;
     if (!isBody(plan, plan.component(k), middle)) continue;
-    int images = 1;
-    for (std::size_t i = 0; i < last_count_; ++i)
-      if ((last_[i].place - middle).norm() < kSamePlace) images = std::max(images, last_[i].images + 1);
-    now_[now++] = {middle, images};
-    if (images >= kImages) places_[count_++] = middle;
+    if (found_.add(middle).images >= kImages) places_[count_++] = middle;
   }
-  last_ = now_;
-  last_count_ = now;
 }
 
 }  // namespace abstand::tracking

@@ -52,7 +52,7 @@ TEST_F(Lying, ArePeopleAfterSomeImages) {
 
 TEST_F(Lying, MovingBodiesAreNoneYet) {
   double x = -1.0;
-  show(2 * LyingPeople::kImages, [&] { addLying(plan, {x += 1.2 * LyingPeople::kSamePlace, 2.5}); });
+  show(2 * LyingPeople::kImages, [&] { addLying(plan, {x += 1.2 * RepeatedPlaces::kSamePlace, 2.5}); });
   EXPECT_TRUE(people.places().empty());
 }
 
