@@ -4,6 +4,7 @@
 
 #include "app/session/human_driver.hpp"
 #include "core/control/pair_direction.hpp"
+#include "core/scene/directed_uncertainty.hpp"
 
 namespace abstand::session {
 
@@ -89,7 +90,11 @@ std::span<const control::ReactionPair> RobotPairs::gather(const scene::Scene& sc
     const scene::Pair& pair = scene.pairs()[own.id.index()];
     const query::PairResult& r = pair.result;
     control::ReactionPair& out = pairs_[i];
-    out = {static_cast<int>(own.id.index()), r.distance - r.bound, {}, 0.0, 0.0, own.person};
+    out = {.pair = static_cast<int>(own.id.index()),
+           .distance = r.distance - r.bound,
+           .uncertainty = scene::directedUncertainty(scene, own.id, r),
+           .row = {},
+           .person = own.person};
     // A stale pair has no valid distance, direction or rate.
     if (pair.paused) out.distance = out.other_rate = kNaN;
     const bool wanted = !(out.distance >= reach_) || (own.person && people_rows_);

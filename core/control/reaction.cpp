@@ -85,8 +85,10 @@ void Reaction::watch(const ReactionInput& input) noexcept {
   // The nearest pair below the limit; an unknown distance counts as the nearest.
   const ReactionPair* nearest = nullptr;
   for (const ReactionPair& p : input.pairs)
-    if (!(p.distance >= w.distance) && (!nearest || !(p.distance >= nearest->distance))) nearest = &p;
-  if (nearest) requestStop(safety::StopReason::kDistance, nearest->distance, w.distance, nearest->pair, -1);
+    if (!(p.certified() >= w.distance) && (!nearest || !(p.certified() >= nearest->certified())))
+      nearest = &p;
+  if (nearest)
+    requestStop(safety::StopReason::kDistance, nearest->certified(), w.distance, nearest->pair, -1);
   int joint = -1;
   double largest_share = 1.0;
   for (std::size_t i = 0; i < joint_speed_.size(); ++i) {
@@ -132,7 +134,7 @@ double Reaction::scaleSpeed(const ReactionInput& input) noexcept {
   for (const ReactionPair& p : input.pairs) {
     if (!p.person) continue;
     ABSTAND_CHECK(p.row.size() == torque_.size());
-    approaches_.push_back({p.distance, p.spread - product(p.row, planned), -p.other_rate});
+    approaches_.push_back({p.certified(), p.spread - product(p.row, planned), -p.other_rate});
     approach_pairs_.push_back(p.pair);
   }
   const double scale = speed_->update(approaches_, input.dt);

@@ -13,7 +13,9 @@ namespace abstand::control {
 /// Input of one pair with one (or two) of the robot's links.
 struct ReactionPair {
   int pair{-1};                ///< index in the scene, for the log
-  double distance{kInfinity};  ///< m, lower bound: PairResult::distance - bound
+  double distance{kInfinity};  ///< m, lower bound at the shown poses: PairResult::distance - bound
+  /// m, by how much the bodies may be nearer because of their pose uncertainty (directedUncertainty).
+  double uncertainty{0.0};
   /// d(distance)/dq, size dof (addDistanceRow); may be empty if no law uses it: beyond the range of the
   /// repulsion and, for the speed, for a pair without a person.
   std::span<const double> row;
@@ -24,6 +26,10 @@ struct ReactionPair {
   /// speed, due to the link's rotation (fastestAlong); 0: only the nearest points count.
   double spread{0.0};
   bool person{false};  ///< the other body is part of a person: the pair limits the speed
+
+  /// m, lower bound of the true distance; NaN: unknown. Stops and the speed law use it. The repulsion acts on
+  /// the bodies as shown, as the contact forces do.
+  double certified() const { return distance - uncertainty; }
 };
 
 /// Held object of the god-object method.

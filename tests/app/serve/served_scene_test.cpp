@@ -333,6 +333,27 @@ TEST_F(ServedSceneTest, BoundsWidenForInferredJoints) {
   EXPECT_NEAR(guessed.bound - tracked.bound, humanmodel::kSpreadQuantile * humanmodel::kGuessedSpread, 1e-9);
 }
 
+TEST_F(ServedSceneTest, UncertainPoseStopsRobotWhereShownPoseWouldNot) {
+  control::ReactionDescription reaction = usualReaction();
+  reaction.watch.distance = 0.3;
+  open(true, reaction);
+  person(0.5, -2.35);
+  joints(1.0, 0.5);
+  scene->cycle(0.5);
+  EXPECT_EQ(robot().state, safety::StopState::kRunning);
+  packet.skeleton.state.fill(humanmodel::JointState::kInferred);
+  packet.type = PacketType::kSkeleton;
+  packet.index = 0;
+  scene->take(packet, 0.5);
+  scene->cycle(0.501);
+  EXPECT_EQ(robot().state, safety::StopState::kProtectiveStop);
+  const PairReport& s = scene->report().separation[0];
+  EXPECT_GT(s.distance, reaction.watch.distance);
+  const safety::StopCause& cause = scene->robots()[0]->cause();
+  EXPECT_EQ(cause.reason, safety::StopReason::kDistance);
+  EXPECT_NEAR(cause.value, s.distance - s.bound, 1e-9);
+}
+
 TEST_F(ServedSceneTest, StaleJointsStopRobotAtStatedTime) {
   open(false);
   joints(0.5, 0.01);

@@ -203,6 +203,32 @@ TEST(Reaction, WatchesAgesDistancesAndSpeeds) {
   }
 }
 
+TEST(Reaction, PoseUncertaintyCountsForStopsAndSpeedOnly) {
+  ReactionDescription d;
+  d.repulsion = RepulsionOptions{.range = 1.0, .force = 40.0, .damping = 0.0};
+  d.speed = SpeedScaleOptions{};
+  d.watch.distance = 0.02;
+  Reaction exact(d, 2, 4), uncertain(d, 2, 4), unknown(d, 2, 4);
+  Cycle c;
+  c.planned = {-1.0, 0.0};
+  c.add(0.765, true, kNaN);
+  const ReactionOutput shown = exact.update(c.at(0.0), kNoMass);
+  EXPECT_EQ(shown.state, safety::StopState::kSlowing);
+  c.pairs[0].distance = 1.065;
+  c.pairs[0].uncertainty = 0.3;
+  EXPECT_NEAR(uncertain.update(c.at(0.0), kNoMass).speed_scale, shown.speed_scale, kExact);
+  EXPECT_EQ(uncertain.stops().state(), safety::StopState::kSlowing);
+  // The potential acts on the bodies as shown: at the edge of its range it is 0.
+  EXPECT_EQ(uncertain.update(c.at(0.001), kNoMass).torque[0], 0.0);
+  c.pairs[0].uncertainty = 1.05;
+  EXPECT_EQ(uncertain.update(c.at(0.002), kNoMass).state, safety::StopState::kProtectiveStop);
+  EXPECT_NEAR(uncertain.stops().cause().value, 0.015, kExact);
+  EXPECT_EQ(uncertain.stops().cause().reason, safety::StopReason::kDistance);
+  // A part that was never seen may be anywhere.
+  c.pairs[0].uncertainty = kInfinity;
+  EXPECT_EQ(unknown.update(c.at(0.0), kNoMass).state, safety::StopState::kProtectiveStop);
+}
+
 TEST(Reaction, SlowResponseHasDefaultSpeed) {
   ReactionDescription d;
   d.stop.policy.response[static_cast<std::size_t>(safety::StopReason::kLostPerson)] =
