@@ -40,8 +40,31 @@ void draw(const tracking::ClipMoment& moment, OutputFolder& folder) {
                           folder.place(name));
 }
 
-int live(const CommandLine& line, const TrackArguments& args, const tracking::DepthStreamOptions& stream,
-         const tracking::ClipTrackerOptions& options) {
+double rateOf(const TrackArguments& args) {
+  return args.rate.empty() ? 0.0 : positive(args.rate, "--rate", 1e-3, 1e6);
+}
+
+std::vector<LiveSource> liveSources(const TrackArguments& args) {
+  const std::size_t count = args.depth.size();
+  if (!args.camera.empty() && args.camera.size() != count)
+    throw UsageError(format("--camera: found %zu files for %zu live cameras, expected one for each",
+                            args.camera.size(), count));
+  if (!args.clock.empty())
+    throw UsageError("--clock: found with live cameras, which have the clock of this computer");
+  std::vector<LiveSource> sources;
+  for (std::size_t i = 0; i < count; ++i) {
+    LiveSource& source = sources.emplace_back();
+    source.name = args.depth[i].string();
+    if (!tracking::isLiveSource(source.name))
+      throw UsageError("found live cameras and recordings (" + source.name + "), expected one kind of them");
+    if (!args.camera.empty()) source.stream.camera = args.camera[i];
+    source.stream.rate = rateOf(args);
+    source.stream.mirror = args.mirror;
+  }
+  return sources;
+}
+
+int live(const CommandLine& line, const TrackArguments& args, const tracking::ClipTrackerOptions& options) {
   if (!args.scene.empty())
     throw UsageError(
         "--scene: found with a live camera, expected a recording, whose robots move "
@@ -49,8 +72,7 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
   if (args.send.empty() && !args.names.empty())
     throw UsageError("--as: found without --send, expected them together");
   LiveTrackArguments own;
-  own.camera = args.depth.front().string();
-  own.stream = stream;
+  own.cameras = liveSources(args);
   own.person = options.person;
   own.person.fit_aside = true;
   own.watch = options.watch;
@@ -60,20 +82,6 @@ int live(const CommandLine& line, const TrackArguments& args, const tracking::De
   own.send = args.send;
   own.names = args.names.empty() ? std::vector<std::string>{"operator"} : args.names;
   return runLiveTrack(line, own);
-}
-
-double rateOf(const TrackArguments& args) {
-  return args.rate.empty() ? 0.0 : positive(args.rate, "--rate", 1e-3, 1e6);
-}
-
-/// Of a camera that looks now.
-tracking::DepthStreamOptions streamOptions(const TrackArguments& args) {
-  tracking::DepthStreamOptions options;
-  if (args.camera.size() > 1) throw UsageError("--camera: found several files, expected one for live:kinect");
-  if (!args.camera.empty()) options.camera = args.camera.front();
-  options.rate = rateOf(args);
-  options.mirror = args.mirror;
-  return options;
 }
 
 tracking::ClipTrackerOptions trackerOptions(const CommandLine& line, const TrackArguments& args) {
@@ -193,10 +201,7 @@ int runTrack(const CommandLine& line, const TrackArguments& args) {
   const bool is_live = std::any_of(args.depth.begin(), args.depth.end(),
                                    [](const auto& depth) { return tracking::isLiveSource(depth.string()); });
   if (!is_live) return trackRecording(line, args, options, pictures);
-  if (args.depth.size() > 1)
-    throw UsageError(
-        "found live:kinect and other recordings, expected one live camera or several recordings");
-  const int code = live(line, args, streamOptions(args), options);
+  const int code = live(line, args, options);
   if (pictures) pictures->commit();
   return code;
 }
@@ -210,12 +215,13 @@ void addTrack(CLI::App& root, CommandLine& line) {
   command
       ->add_option("DEPTH", args->depth,
                    "folder or file of depth images (formats: docs/recordings.md); several, of cameras with "
-                   "known poses in one world, are fitted together; or live:kinect")
+                   "known poses in one world, are fitted together; or live cameras: "
+                   "live:kinect, live:kinect:2 (the second), live:kinect:SERIAL")
       ->required()
       ->expected(1, static_cast<int>(tracking::BodyObservation::kMaxViews));
   command
       ->add_option("--camera", args->camera,
-                   "camera file (.yaml); with several recordings one for each, with commas")
+                   "camera file (.yaml); with several recordings or live cameras one for each, with commas")
       ->delimiter(',');
   command
       ->add_option("--clock", args->clock,

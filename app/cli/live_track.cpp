@@ -28,37 +28,39 @@ struct LiveOutcome {
   bool interrupted{false};
 };
 
-LiveOutcome follow(tracking::LiveDepth& camera, tracking::LiveTracker& tracker, serve::SkeletonSender* sender,
-                   const std::optional<double>& seconds) {
+LiveOutcome follow(const CommandLine& line, LiveCameras& cameras, tracking::LiveTracker& tracker,
+                   serve::SkeletonSender* sender, const std::optional<double>& seconds) {
   LiveOutcome outcome;
-  tracking::LiveFrame live;
+  tracking::DepthMoment moment;
   while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
     outcome.interrupted = interrupted();
     if (sender && sender->outputError() != 0) break;
-    const tracking::LiveDepth::Outcome next = camera.next(live, kLook);
-    if (next == tracking::LiveDepth::Outcome::kEnded) break;
+    const tracking::LiveDepth::Outcome next = cameras.moments().next(moment, kLook);
+    for (const std::string& news : cameras.news(tracker.shares())) line.warn(news);
+    if (next == tracking::LiveDepth::Outcome::kEnded || cameras.isOver(tracker.shares())) break;
     if (next == tracking::LiveDepth::Outcome::kNothingYet) continue;
-    for (const tracking::LiveTracker::Seen& seen : tracker.see(live.frame))
-      if (sender) sender->send(seen.id, live.frame.t, seen.body->frame);
-    outcome.latency.add(since(live.came));
-    outcome.seconds = live.frame.t;
+    for (const tracking::LiveTracker::Seen& seen : tracker.see(moment))
+      if (sender) sender->send(seen.id, moment.t, seen.frame);
+    outcome.latency.add(since(cameras.moments().came()));
+    outcome.seconds = moment.t;
   }
   return outcome;
 }
 
 /// All parts of the report on a tracked person.
 struct LiveReport {
-  const tracking::LiveDepth& camera;
+  const LiveCameras& cameras;
+  std::size_t dropped;  ///< images of all cameras
   const tracking::ClipTrack& track;
   const tracking::ClipPerson& person;
   const LiveOutcome& outcome;
   const serve::SkeletonSender* sender;  ///< or null
-  std::string ended;                    ///< why the stream ended; empty: it has not
+  std::string ended;                    ///< why there are no more images; empty: there may be
   std::vector<std::string> warnings;
 };
 
 nlohmann::ordered_json liveDocument(const LiveReport& report) {
-  const tracking::DepthFacts& facts = report.camera.facts();
+  const tracking::DepthFacts& facts = report.cameras.facts();
   const tracking::ClipTrack& track = report.track;
   const scene::CycleStatistics& latency = report.outcome.latency;
   const double seconds = report.outcome.seconds;
@@ -68,7 +70,7 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
       {"frames", track.images},
       {"tracked", report.person.found},
       {"lost", track.images - report.person.found},
-      {"dropped", report.camera.dropped()},
+      {"dropped", report.dropped},
       {"fps", rate},
       {"latency_ms",
        {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
@@ -76,6 +78,7 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
       {"people", peopleJson(track)},
       {"camera_reason", facts.camera_reason},
       {"world", track.world},
+      {"cameras", report.cameras.json(track)},
       {"notes", facts.notes},
       {"ended", report.ended.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report.ended)}};
   if (report.sender) {
@@ -83,19 +86,21 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
     document["unsent"] = report.sender->refused();
     document["nameless"] = report.sender->nameless();
   }
-  document["warnings"] = report.warnings;
+  std::vector<std::string> warnings = report.cameras.reported();
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  document["warnings"] = warnings;
   addStature(document, report.person.stature);
   addFacing(document, report.person.facing);
   return document;
 }
 
 std::string liveText(const LiveReport& report, std::size_t chosen) {
-  const tracking::DepthFacts& facts = report.camera.facts();
-  const auto& [camera, track, person, outcome, sender, ended, warnings] = report;
-  std::string text =
-      format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(), track.images,
-             track.camera.width, track.camera.height, outcome.seconds, camera.dropped());
-  text += "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
+  const tracking::DepthFacts& facts = report.cameras.facts();
+  const auto& [cameras, dropped, track, person, outcome, sender, ended, warnings] = report;
+  std::string text = format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(),
+                            track.images, track.camera.width, track.camera.height, outcome.seconds, dropped);
+  text +=
+      cameras.text(track) + "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
   text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
                  track.people.size(), static_cast<int>(chosen) + 1, person.found, 1e3 * person.residual);
   text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
@@ -133,24 +138,24 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
-  tracking::LiveDepth camera(args.camera, args.stream);
-  const tracking::DepthFacts& facts = camera.facts();
+  LiveCameras cameras(args.cameras);
+  const tracking::DepthFacts& facts = cameras.facts();
   // With a guessed camera pose a skeleton would be at an arbitrary place relative to the robot.
   if (sender && !facts.pose_known)
     throw UsageError(
         "--send: found a camera without a pose, expected a camera file with T_WC "
         "(--camera; abstand calibrate makes one)");
-  tracking::LiveTracker tracker(camera.camera(), facts.pose_known,
+  tracking::LiveTracker tracker(cameras.cameras(), facts.pose_known,
                                 {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
-  if (!line.quiet) std::cerr << "track: looking through " << args.camera << std::endl;
-  const LiveOutcome outcome = follow(camera, tracker, sender ? &*sender : nullptr, args.seconds);
+  if (!line.quiet) std::cerr << "track: looking through " << cameras.names() << std::endl;
+  const LiveOutcome outcome = follow(line, cameras, tracker, sender ? &*sender : nullptr, args.seconds);
   const tracking::ClipTrack track = tracker.track();
-  const std::string ended = camera.ended();
-  const ParseError end({args.camera}, ended);
+  const std::string ended = cameras.ended(track.cameras);
+  const ParseError end({cameras.size() == 1 ? cameras.name() : "live"}, ended);
   if (track.people.empty()) {
     if (outcome.interrupted) return endBeforeFound(line, track.images);
     if (!ended.empty()) throw end;
-    throw ParseError({args.camera},
+    throw ParseError({cameras.name()},
                      "found no person in " + std::to_string(track.images) + " images, expected a person");
   }
   if (args.chosen >= track.people.size())
@@ -161,9 +166,12 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     tracking::writeSkeletonCsv(args.out, tracking::recordingOf(track, facts, args.chosen));
 
   const serve::SkeletonSender* const sent_by = sender ? &*sender : nullptr;
-  printReport(line, {camera, track, person, outcome, sent_by, ended, tracking::trackWarnings(person)}, args);
+  const LiveReport report{cameras, cameras.moments().dropped(),    track, person, outcome, sent_by,
+                          ended,   tracking::trackWarnings(person)};
+  printReport(line, report, args);
   if (sender) checkOutput(line, *sender);
-  if (ended.empty()) return outcome.interrupted ? kInterrupted : kDone;
+  if (ended.empty() && outcome.interrupted) return kInterrupted;
+  if (ended.empty()) return cameras.reported().empty() ? kDone : kPartly;
   std::cerr << end.what() << std::endl;
   return kPartly;
 }

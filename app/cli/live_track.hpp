@@ -1,16 +1,16 @@
-// Tracks people in front of a live camera.
+// Tracks people in front of live cameras.
 #pragma once
 
 #include <optional>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/live_cameras.hpp"
 #include "tracking/tracker/live_tracker.hpp"
 
 namespace abstand::cli {
 
 struct LiveTrackArguments {
-  std::string camera;  ///< e.g. kKinectSource
-  tracking::DepthStreamOptions stream;
+  std::vector<LiveSource> cameras;  ///< 1 to BodyObservation::kMaxViews
   tracking::TrackedPerson::Options person;
   std::function<void(const tracking::ClipMoment&)> watch;  ///< may be empty
   std::optional<double> seconds;                           ///< from the first image; nullopt: until Ctrl-C

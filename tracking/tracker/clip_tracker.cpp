@@ -7,9 +7,7 @@
 
 #include "core/base/error.hpp"
 #include "humanmodel/joint_covariance.hpp"
-#include "tracking/depth/people/camera_watch.hpp"
 #include "tracking/tracker/camera_stand.hpp"
-#include "tracking/tracker/people_across.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -18,41 +16,6 @@ constexpr double kLearning = 5.0;   // s of the stream used to learn sizes
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// One of the cameras during a pass.
-struct PassCamera {
-  const DepthCamera* camera;
-  PeopleFinder finder;
-  CameraWatch watch;
-  std::vector<std::uint8_t> mask;
-  bool isMoved() const { return std::isfinite(watch.movedAt()); }
-};
-
-/// A person of a moment in one camera's image.
-struct Sighting {
-  int person;  ///< common to all cameras
-  std::size_t camera;
-  int id;  ///< of the camera's finder
-};
-
-Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
-  const Vector3d p_W = camera.X_WC * person.centroid;
-  const Eigen::Vector2d away = (p_W - camera.X_WC.translation()).head<2>();
-  return p_W.head<2>() + BodyTracker::kHalfBody * away.normalized();
-}
-
-/// Adds to the last frame what each joint moved in `lag` (s) at its present speed.
-void widenByLag(double lag, std::vector<humanmodel::SkeletonFrame>& frames) {
-  if (lag <= 0.0 || frames.size() < 2) return;
-  humanmodel::SkeletonFrame& frame = frames.back();
-  const humanmodel::SkeletonFrame& last = frames[frames.size() - 2];
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const auto joint = static_cast<humanmodel::Joint>(j);
-    if (!frame.has(joint) || !last.has(joint)) continue;
-    const double moved = (frame.p[j] - last.p[j]).norm() * lag / (frame.t - last.t);
-    humanmodel::addSpread(frame, joint, moved);
-  }
-}
 
 class ClipPasses {
  public:
@@ -97,62 +60,6 @@ class ClipPasses {
     return track_.interrupted;
   }
 
-  /// People in the images of a moment, by increasing number of the person.
-  void findPeople(const DepthMoment& moment, std::vector<PassCamera>& cameras, PeopleAcross& across) {
-    sightings_.clear();
-    places_.clear();
-    for (std::size_t c = 0; c < cameras.size(); ++c) {
-      if (!moment.frames[c]) continue;
-      PassCamera& camera = cameras[c];
-      if (camera.isMoved()) continue;
-      const DepthFrame& frame = *moment.frames[c];
-      if (moment.is_new[c]) {
-        const DepthImage* known = options_.known ? options_.known(moment.t, *camera.camera) : nullptr;
-        const PeopleImage& people = camera.finder.find(frame.t, frame.image, known);
-        camera.watch.see(moment.t, frame.image, people.label, known);
-        if (camera.isMoved()) continue;
-      }
-      for (const FoundPerson& person : camera.finder.people().persons) {
-        sightings_.push_back({person.id, c, person.id});
-        places_.push_back({c, person.id, placeOf(person, *camera.camera)});
-      }
-    }
-    if (cameras.size() == 1) return;
-    const std::span<const int> ids = across.match(moment.t, places_);
-    for (std::size_t i = 0; i < ids.size(); ++i) sightings_[i].person = ids[i];
-    std::stable_sort(sightings_.begin(), sightings_.end(),
-                     [](const Sighting& a, const Sighting& b) { return a.person < b.person; });
-  }
-
-  void noteCameras(const DepthMoment& moment, const std::vector<PassCamera>& cameras) {
-    track_.cameras.resize(cameras.size());
-    for (std::size_t c = 0; c < cameras.size(); ++c) {
-      CameraShare& share = track_.cameras[c];
-      share.repeated = cameras[c].watch.repeated();
-      if (cameras[c].isMoved() && !std::isfinite(share.moved_at)) {
-        share.moved_at = cameras[c].watch.movedAt();
-        loseSince(share.moved_at);
-      }
-      share.without += moment.frames[c] == nullptr || cameras[c].isMoved();
-      if (!moment.is_new[c] || cameras[c].isMoved()) continue;
-      ++share.images;
-      share.people += !cameras[c].finder.people().persons.empty();
-    }
-    if (!sightings_.empty()) track_.lag = std::max(track_.lag, moment.lag);
-  }
-
-  /// The frames since `t` were fitted to images of a camera that had been moved.
-  void loseSince(double t) {
-    for (ClipPerson& person : track_.people)
-      for (humanmodel::SkeletonFrame& frame : person.frames) {
-        if (frame.t < t) continue;
-        person.found -= frame.has(humanmodel::Joint::kPelvis) ? 1 : 0;
-        humanmodel::SkeletonFrame none;
-        none.t = frame.t;
-        frame = none;
-      }
-  }
-
   TrackedPerson& trackerOf(int person, const std::map<int, KnownBody>& learned,
                            std::map<int, TrackedPerson>& trackers) const {
     if (const auto it = trackers.find(person); it != trackers.end()) return it->second;
@@ -164,39 +71,29 @@ class ClipPasses {
   /// Processes all moments before `end`; learns sizes, or tracks with the learned ones.
   void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
     moments_.rewind();
-    std::vector<PassCamera> cameras;
-    for (const DepthCamera& camera : cameras_)
-      cameras.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
-    PeopleAcross across;
+    PeopleViews views(cameras_);
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
-    std::vector<PersonImage> images;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < end; ++i) {
       if (isInterrupted()) break;
       const double begin = processorSeconds();
-      findPeople(moment, cameras, across);
-      if (keep) noteCameras(moment, cameras);
-      for (std::size_t k = 0; k < sightings_.size();) {
-        const int person = sightings_[k].person;
-        const std::size_t first = sightings_[k].camera;
-        images.clear();
-        for (; k < sightings_.size() && sightings_[k].person == person; ++k) {
-          PassCamera& camera = cameras[sightings_[k].camera];
-          camera.finder.mask(sightings_[k].id, camera.mask);
-          images.push_back({&moment.frames[sightings_[k].camera]->image, camera.camera, camera.mask});
-        }
+      views.see(moment, options_.known);
+      if (keep) noteCameras(moment, views);
+      views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
         TrackedPerson& tracker = trackerOf(person, learned, trackers);
         const TrackedBody* body = tracker.see(moment.t, images);
-        if (!keep) continue;
+        if (!keep) return;
         noteMoment(track_, place, person, moment.t, body, true);
         if (body && body->found) noteHeld(track_.people[place[person]], tracker.held().extent());
-        widenByLag(images.size() > 1 ? moment.lag : 0.0, track_.people[place[person]].frames);
-        if (!body || !options_.watch) continue;
+        std::vector<humanmodel::SkeletonFrame>& frames = track_.people[place[person]].frames;
+        if (images.size() > 1 && frames.size() > 1)
+          widenByLag(moment.lag, frames[frames.size() - 2], frames.back());
+        if (!body || !options_.watch) return;
         const double pause = processorSeconds();
-        options_.watch({i, person, *moment.frames[first], *cameras[first].camera, tracker.rig(), *body});
+        options_.watch({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body});
         track_.seconds -= processorSeconds() - pause;
-      }
+      });
       if (!keep) continue;
       noteAbsent(moment.t, place);
       track_.seconds += processorSeconds() - begin;
@@ -204,6 +101,11 @@ class ClipPasses {
       if (options_.progress) options_.progress(i + 1, moments_.size());
     }
     learn(trackers, place, keep, learned);
+  }
+
+  void noteCameras(const DepthMoment& moment, const PeopleViews& views) {
+    loseSince(track_, views.note(track_.cameras));
+    if (!views.empty()) track_.lag = std::max(track_.lag, moment.lag);
   }
 
   /// People not in these images are lost.
@@ -236,8 +138,6 @@ class ClipPasses {
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
-  std::vector<Sighting> sightings_;
-  std::vector<SeenPlace> places_;
   ClipTrack track_;
 };
 
@@ -262,6 +162,28 @@ void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, dou
   if (!body || !body->found) return;
   ++person.found;
   person.residual += body->misfit.residual;
+}
+
+void loseSince(ClipTrack& track, double t) {
+  if (t == kInfinity) return;
+  for (ClipPerson& person : track.people)
+    for (humanmodel::SkeletonFrame& frame : person.frames) {
+      if (frame.t < t) continue;
+      person.found -= frame.has(humanmodel::Joint::kPelvis) ? 1 : 0;
+      humanmodel::SkeletonFrame none;
+      none.t = frame.t;
+      frame = none;
+    }
+}
+
+void widenByLag(double lag, const humanmodel::SkeletonFrame& before, humanmodel::SkeletonFrame& frame) {
+  if (lag <= 0.0) return;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto joint = static_cast<humanmodel::Joint>(j);
+    if (!frame.has(joint) || !before.has(joint)) continue;
+    const double moved = (frame.p[j] - before.p[j]).norm() * lag / (frame.t - before.t);
+    humanmodel::addSpread(frame, joint, moved);
+  }
 }
 
 void noteHeld(ClipPerson& person, const HeldThings::Extents& extent) {

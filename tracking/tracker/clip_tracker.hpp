@@ -8,6 +8,7 @@
 #include "tracking/recording/recording.hpp"
 #include "tracking/tracker/clock_offset.hpp"
 #include "tracking/tracker/depth_moments.hpp"
+#include "tracking/tracker/people_views.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand::tracking {
@@ -21,10 +22,6 @@ struct ClipMoment {
   const std::shared_ptr<const BodyRig>& rig;
   const TrackedBody& body;
 };
-
-/// Depth image (m; 0: none) of known objects at a time, such as a robot; their pixels are not assigned to
-/// people.
-using KnownThings = std::function<const DepthImage*(double, const DepthCamera&)>;
 
 struct ClipTrackerOptions {
   TrackedPerson::Options person;
@@ -50,17 +47,6 @@ struct ClipPerson {
   HeldThings::Extents held_extent{};
 };
 
-/// Share of one camera in a track.
-struct CameraShare {
-  std::size_t images{0};    ///< images that were used
-  std::size_t without{0};   ///< moments without an image of this camera
-  std::size_t people{0};    ///< images with at least one person
-  std::size_t repeated{0};  ///< images equal to the one before
-  /// s, of the camera's first image after it was moved (CameraWatch); infinite: it was not. From then on its
-  /// images are not used, as its pose is not known, and nobody is found at the moments that had been tracked.
-  double moved_at{kInfinity};
-};
-
 struct ClipTrack {
   /// The first, with the pose that defines the skeletons' world; its spread is the largest of all cameras.
   DepthCamera camera;
@@ -79,6 +65,10 @@ void noteMoment(ClipTrack& track, std::map<int, std::size_t>& place, int id, dou
                 const TrackedBody* body, bool keep);
 /// After noteMoment() with a body that was found: things in the person's hands.
 void noteHeld(ClipPerson& person, const HeldThings::Extents& extent);
+/// Loses everybody since `t` (s): those frames were fitted to images of a camera that had been moved.
+void loseSince(ClipTrack& track, double t);
+/// Adds to the joints of `frame` what each moved since `before` in `lag` (s) at that speed.
+void widenByLag(double lag, const humanmodel::SkeletonFrame& before, humanmodel::SkeletonFrame& frame);
 /// Call after the last image: turns sums of residuals into means and sorts people by the number of images
 /// found.
 void finishTrack(ClipTrack& track);

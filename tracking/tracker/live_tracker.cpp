@@ -1,6 +1,11 @@
 // Tracks people in live depth images.
 #include "tracking/tracker/live_tracker.hpp"
 
+#include <algorithm>
+
+#include "core/base/error.hpp"
+#include "humanmodel/joint_covariance.hpp"
+
 namespace abstand::tracking {
 namespace {
 
@@ -9,46 +14,77 @@ constexpr double kForgotten = 10.0;
 
 }  // namespace
 
-LiveTracker::LiveTracker(const DepthCamera& camera, bool pose_known, const LiveTrackerOptions& options)
-    : options_(options) {
-  track_.camera = camera;
+LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
+                         const LiveTrackerOptions& options)
+    : options_(options), cameras_(cameras.begin(), cameras.end()) {
+  if (cameras.empty() || cameras.size() > BodyObservation::kMaxViews)
+    throw UsageError("found " + std::to_string(cameras.size()) + " depth cameras, expected 1 to " +
+                     std::to_string(BodyObservation::kMaxViews));
+  if (cameras.size() > 1 && !poses_known)
+    throw UsageError(
+        "found several depth cameras, one without a pose, expected T_WC in a camera file for each");
+  track_.camera = cameras_.front();
+  for (const DepthCamera& camera : cameras_)
+    track_.camera.spread = std::max(track_.camera.spread, camera.spread);
   seen_.reserve(PeopleFinder::kMaxPeople);
-  if (pose_known) {
-    track_.world = "the camera pose is taken from its file";
-    finder_.emplace(camera);
+  if (poses_known) {
+    track_.world = cameras.size() == 1 ? "the camera pose is taken from its file"
+                                       : "the camera poses are taken from their files";
+    views_.emplace(cameras_);
   } else {
     track_.world = "undetermined: no image";
-    stand_.emplace(camera);
+    stand_.emplace(cameras_.front());
   }
 }
 
+bool LiveTracker::decideWorld(const DepthMoment& moment) {
+  if (!stand_) return true;
+  if (!stand_->see(moment.t, moment.frames.front()->image)) return false;
+  cameras_.front().X_WC = track_.camera.X_WC = stand_->X_WC();
+  track_.world = stand_->reason();
+  views_.emplace(cameras_);
+  stand_.reset();
+  return true;
+}
+
 std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
+  return see({.t = frame.t, .frames = {&frame}, .is_new = {true}});
+}
+
+std::span<const LiveTracker::Seen> LiveTracker::see(const DepthMoment& moment) {
   seen_.clear();
   ++track_.images;
-  if (stand_) {
-    if (!stand_->see(frame.t, frame.image)) return seen_;
-    track_.camera.X_WC = stand_->X_WC();
-    track_.world = stand_->reason();
-    finder_.emplace(track_.camera);
-    stand_.reset();
-  }
-  const PeopleImage& people = finder_->find(frame.t, frame.image);
-  for (const FoundPerson& person : people.persons) {
-    Follower& follower = followers_.try_emplace(person.id, options_.person).first->second;
-    follower.last = frame.t;
-    TrackedPerson& tracker = follower.person;
-    finder_->mask(person.id, mask_);
-    const PersonImage image{&frame.image, &track_.camera, mask_};
-    const TrackedBody* body = tracker.see(frame.t, {&image, 1});
-    noteMoment(track_, place_, person.id, frame.t, body, options_.keep);
-    if (body && body->found) noteHeld(track_.people[place_.at(person.id)], tracker.held().extent());
-    if (!body) continue;
-    if (body->found) seen_.push_back({person.id, body});
-    if (options_.watch)
-      options_.watch({track_.images - 1, person.id, frame, track_.camera, tracker.rig(), *body});
-  }
-  forget(frame.t);
+  if (!decideWorld(moment)) return seen_;
+  views_->see(moment, {});
+  loseSince(track_, views_->note(track_.cameras));
+  if (!views_->empty()) track_.lag = std::max(track_.lag, moment.lag);
+  views_->each([&](int id, std::size_t first, std::span<const PersonImage> images) {
+    follow(moment, id, first, images);
+  });
+  forget(moment.t);
   return seen_;
+}
+
+void LiveTracker::follow(const DepthMoment& moment, int id, std::size_t first,
+                         std::span<const PersonImage> images) {
+  Follower& follower = followers_.try_emplace(id, options_.person).first->second;
+  follower.last = moment.t;
+  TrackedPerson& tracker = follower.person;
+  const TrackedBody* body = tracker.see(moment.t, images);
+  noteMoment(track_, place_, id, moment.t, body, options_.keep);
+  if (!body) return;
+  if (body->found) {
+    ClipPerson& person = track_.people[place_.at(id)];
+    noteHeld(person, tracker.held().extent());
+    Seen& seen = seen_.emplace_back(Seen{id, body, body->frame});
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      humanmodel::addSpread(seen.frame, static_cast<humanmodel::Joint>(j), track_.camera.spread);
+    if (images.size() > 1) widenByLag(moment.lag, follower.before, seen.frame);
+    follower.before = seen.frame;
+    if (options_.keep) person.frames.back() = seen.frame;
+  }
+  if (options_.watch)
+    options_.watch({track_.images - 1, id, *moment.frames[first], cameras_[first], tracker.rig(), *body});
 }
 
 /// People not in this image are lost; after a while their bodies are deleted.

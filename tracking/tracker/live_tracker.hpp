@@ -16,23 +16,30 @@ struct LiveTrackerOptions {
   std::function<void(const ClipMoment&)> watch;  ///< may be empty
 };
 
-/// Single pass over live images: each person is first measured, then tracked with the usual body of that
-/// stature, and after some seconds with the fitted one. One thread. Allocates while a person is measured and
-/// fitted, and if frames are kept.
+/// Single pass over live images of one or several cameras: each person is first measured, then tracked with
+/// the usual body of that stature, and after some seconds with the fitted one. One thread. Allocates while a
+/// person is measured and fitted, and if frames are kept.
 class LiveTracker {
  public:
-  /// `camera`: that of the images; `pose_known`: its X_WC is in the world, otherwise estimated from the first
-  /// images.
-  LiveTracker(const DepthCamera& camera, bool pose_known, const LiveTrackerOptions& options);
+  /// `cameras`: those of the images, 1 to BodyObservation::kMaxViews; `poses_known`: their X_WC are in one
+  /// world. Of one camera without a pose it is estimated from the first images. Throws UsageError.
+  LiveTracker(std::span<const DepthCamera> cameras, bool poses_known, const LiveTrackerOptions& options);
 
-  /// A person found in the last image.
+  /// A person found at the last moment.
   struct Seen {
-    int id;  ///< id from PeopleFinder
+    int id;  ///< of PeopleViews
     const TrackedBody* body;
+    /// The joints of the body. Their spread includes that of the cameras' poses and what the joints moved
+    /// between the images of several cameras.
+    humanmodel::SkeletonFrame frame;
   };
-  /// `frame.t` (s) increases. The result is valid until the next call; empty before the world is decided.
+  /// `moment.t` (s) increases. The result is valid until the next call; empty before the world is decided.
+  std::span<const Seen> see(const DepthMoment& moment);
+  /// The same for one camera.
   std::span<const Seen> see(const DepthFrame& frame);
 
+  /// Shares of the cameras so far; one that was moved is not used any more.
+  std::span<const CameraShare> shares() const { return track_.cameras; }
   /// The tracks so far. With frames only if they are kept.
   ClipTrack track() const;
 
@@ -40,17 +47,20 @@ class LiveTracker {
   struct Follower {
     explicit Follower(const TrackedPerson::Options& options) : person(options) {}
     TrackedPerson person;
-    double last{0.0};  ///< s, last time in view
+    double last{0.0};                  ///< s, last time in view
+    humanmodel::SkeletonFrame before;  ///< of the last moment with the body
   };
+  bool decideWorld(const DepthMoment& moment);
+  void follow(const DepthMoment& moment, int id, std::size_t first, std::span<const PersonImage> images);
   void forget(double t);
 
   LiveTrackerOptions options_;
   std::optional<CameraStand> stand_;  ///< as long as the world is not decided
-  std::optional<PeopleFinder> finder_;
+  std::vector<DepthCamera> cameras_;
+  std::optional<PeopleViews> views_;
   ClipTrack track_;
   std::map<int, Follower> followers_;
   std::map<int, std::size_t> place_;  ///< index in track_.people of each person
-  std::vector<std::uint8_t> mask_;
   std::vector<Seen> seen_;
 };
 

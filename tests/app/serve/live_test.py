@@ -1,6 +1,7 @@
 """A camera, the tracker, the server and a robot: fakenect plays a simulated person through the driver's interface.
 
-    live_test.py PROGRAM FAKENECT      (the second: a libfreenect that plays recordings; empty where there is none)
+    live_test.py PROGRAM FAKENECT KINECTS
+(FAKENECT: a libfreenect that plays recordings; KINECTS: one of the tests that has several cameras; empty where there is none)
 """
 import json
 import os
@@ -20,6 +21,7 @@ import serve_client as client  # noqa: E402
 
 PROGRAM = sys.argv.pop(1)
 FAKENECT = sys.argv.pop(1)
+KINECTS = sys.argv.pop(1)
 SCENE = """abstand: 1
 defaults: {voxel: 0.02, point: 0.02}
 mechanisms:
@@ -144,6 +146,38 @@ class Live(unittest.TestCase):
         os.close(writer)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("standard output was closed", run.stderr)
+        self.assertIn("pelvis", csv.read_text())
+
+    @unittest.skipUnless(KINECTS, "built without libfreenect.h")
+    def test_several_cameras_share_one_fit(self):
+        clips = self.path / "clips"
+        subprocess.run([PROGRAM, "render-depth", str(self.path / "shown.yaml"), "--recording",
+                        str(root / "data/scenes/hug_reach.bvh"), "--format", "freenect", "--body", "skin", "--rate", "15", "--end",
+                        "2.2", "--eye", "2.8,0,1.4", "--eye", "0,-2.8,1.4", "--look", "0,0,0.9", "--out", str(clips), "--quiet"],
+                       check=True, env=self.environment)
+        one, two = clips / "camera_1", clips / "camera_2"
+        # The first camera goes after 0.8 s; the second one goes on alone, and that is said.
+        names = (one / "INDEX.txt").read_text().splitlines()
+        (one / "INDEX.txt").write_text("\n".join(names[:13]) + "\n")
+        environment = dict(self.environment, FAKE_KINECT=f"play:{one},play:{two}", LD_LIBRARY_PATH=os.path.dirname(KINECTS))
+        csv = self.path / "both.csv"
+        run = subprocess.run([PROGRAM, "track", "live:kinect", "live:kinect:KINECT2", "--camera",
+                              f"{one}/camera.yaml,{two}/camera.yaml", "--height", "1.75", "--usual-body", "--json", "--out", str(csv)],
+                             capture_output=True, text=True, env=environment, timeout=100)
+        self.assertEqual(run.returncode, 5, run.stderr)
+        self.assertIn("looking through live:kinect and live:kinect:KINECT2", run.stderr)
+        self.assertIn("live:kinect: found the camera disconnected after 13 images", run.stderr)
+        self.assertIn("live:kinect:KINECT2: found the camera disconnected after 34 images", run.stderr)
+        track = json.loads(run.stdout)
+        self.assertEqual(len(track["people"]), 1)
+        self.assertEqual([c["file"] for c in track["cameras"]], ["live:kinect", "live:kinect:KINECT2"])
+        for camera in track["cameras"]:
+            self.assertGreater(camera["images_with_people"], 0)
+            self.assertIn("found the camera disconnected", camera["ended"])
+        self.assertGreater(track["cameras"][0]["moments_without"], 0)
+        self.assertGreater(track["tracked"], track["cameras"][0]["images"])
+        for name in ("live:kinect: ", "live:kinect:KINECT2: "):
+            self.assertEqual(sum(w.startswith(name) for w in track["warnings"]), 1, track["warnings"])
         self.assertIn("pelvis", csv.read_text())
 
     def test_what_is_wrong_is_one_sentence(self):

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/tracking/tracker/posed_person.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 
 namespace abstand::testing {
@@ -34,7 +36,7 @@ TEST(LiveTracker, ProcessesEveryImageOnce) {
   tracking::LiveTrackerOptions options = usual(1.75);
   std::size_t watched = 0;
   options.watch = [&](const tracking::ClipMoment& moment) { EXPECT_EQ(moment.image, watched++); };
-  tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+  tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
   std::vector<humanmodel::SkeletonFrame> seen;
   tracking::DepthFrame frame;
   while (clip.stream->next(frame)) {
@@ -65,7 +67,7 @@ TEST(LiveTracker, BackgroundFitMatchesInlineFit) {
     tracking::LiveTrackerOptions options;
     options.person.height = 1.75;
     options.person.fit_aside = aside;
-    tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+    tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
     tracking::DepthFrame frame;
     int lost = 0, images = 0;
     for (; images < kMaxImages; ++images) {
@@ -94,7 +96,7 @@ TEST(LiveTracker, MeasuresUnknownPerson) {
   SimulatedClip clip = someoneReaching(0.7);
   tracking::LiveTrackerOptions options = usual(std::nullopt);
   options.keep = false;
-  tracking::LiveTracker tracker(clip.stream->camera(), true, options);
+  tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
   tracking::DepthFrame frame;
   std::size_t first = 0, images = 0;
   while (clip.stream->next(frame)) {
@@ -115,7 +117,7 @@ TEST(LiveTracker, UsesDetectedFloor) {
   tracking::DepthCamera camera = clip.stream->camera();
   const Transform X_WC = camera.X_WC;
   camera.X_WC = Transform::Identity();
-  tracking::LiveTracker tracker(camera, false, usual(1.75));
+  tracking::LiveTracker tracker({&camera, 1}, false, usual(1.75));
   tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
   const tracking::ClipTrack track = tracker.track();
@@ -124,7 +126,7 @@ TEST(LiveTracker, UsesDetectedFloor) {
   EXPECT_NEAR(track.camera.X_WC.translation().z(), X_WC.translation().z(), kFloorNoise);
   EXPECT_NEAR((track.camera.X_WC.linear().row(2) - X_WC.linear().row(2)).norm(), 0.0, 0.02);
 
-  tracking::LiveTracker blind(camera, false, {});
+  tracking::LiveTracker blind({&camera, 1}, false, {});
   frame.image = tracking::DepthImage(camera.width, camera.height);
   for (int i = 0; i < 10; ++i) {
     frame.t = 0.1 * i;
@@ -134,9 +136,65 @@ TEST(LiveTracker, UsesDetectedFloor) {
   EXPECT_TRUE(blind.track().people.empty());
 }
 
+/// What one camera does not see, the other does, and both know less than exact places of the cameras.
+TEST(LiveTracker, SeveralCamerasShareOneFit) {
+  const std::vector<Posture> postures{{.t = 0.0}, {.t = 0.7, .reach = 0.4}, {.t = 1.4}};
+  const std::vector<FurnitureBox> bench{{{0.45, -0.8, 0.0}, {0.95, 0.8, 0.9}}};
+  const auto seenBy = [&](const Vector3d& eye) {
+    return simulate({.recording = {}, .eye = eye, .look = {0.0, 0.0, 0.9}, .room = true},
+                    posedFrames(postures), bench);
+  };
+  SimulatedClip front = seenBy({2.8, 0.0, 1.6}), side = seenBy({0.0, -2.8, 1.6});
+  std::vector<tracking::DepthCamera> cameras{front.stream->camera(), side.stream->camera()};
+  cameras[1].spread = 0.03;
+  tracking::LiveTracker tracker(cameras, true, usual(1.75));
+  // The second camera runs 10 ms later.
+  const std::vector<tracking::ClipCamera> streams{{front.stream.get(), 0.0}, {side.stream.get(), 0.01}};
+  tracking::DepthMoments moments(streams);
+  tracking::DepthMoment moment;
+  std::vector<humanmodel::SkeletonFrame> seen;
+  while (moments.next(moment)) {
+    const auto people = tracker.see(moment);
+    ASSERT_EQ(people.size(), 1u) << moment.t;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      if (people[0].frame.has(static_cast<humanmodel::Joint>(j)))
+        EXPECT_GE(people[0].frame.spread[j], cameras[1].spread);
+    seen.push_back(people[0].frame);
+  }
+  const JointErrors errors = compare(seen, front.truth);
+  EXPECT_EQ(errors.lost, 0u);
+  EXPECT_LE(JointErrors::mean(errors.raw), kOfLiveBody) << "also of the legs behind the bench";
+  EXPECT_GE(errors.tracked.within(), 0.99);
+  const tracking::ClipTrack track = tracker.track();
+  ASSERT_EQ(track.cameras.size(), 2u);
+  EXPECT_EQ(track.cameras[1].people, track.cameras[1].images);
+  EXPECT_NEAR(track.lag, 0.01, 1e-9);
+  EXPECT_EQ(track.people.at(0).frames.back().spread, seen.back().spread) << "what is kept is what is sent";
+  EXPECT_THROW(tracking::LiveTracker(cameras, false, usual(1.75)), UsageError);
+}
+
+/// Nobody is tracked by a camera whose pose is not known any more, and what it said before that was known is
+/// taken back.
+TEST(LiveTracker, MovedCameraIsNotUsed) {
+  constexpr double kPushed = 0.8;
+  auto clip = simulate(
+      {.recording = {}, .room = true, .width = 160, .push_at = kPushed - 1e-6, .push = unit::deg(4.0)},
+      posedFrames(std::vector<Posture>{{.t = 0.0}, {.t = 1.6, .reach = 0.4}}), {});
+  tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, usual(1.75));
+  tracking::DepthFrame frame;
+  double last = 0.0;
+  while (clip.stream->next(frame))
+    if (!tracker.see(frame).empty()) last = frame.t;
+  const double moved_at = tracker.shares().front().moved_at;
+  EXPECT_NEAR(moved_at, kPushed, 1.5 / 30.0);
+  EXPECT_LE(last, moved_at + tracking::CameraWatch::kLasts + 1.5 / 30.0);
+  for (const humanmodel::SkeletonFrame& kept : tracker.track().people.at(0).frames)
+    EXPECT_FALSE(kept.t >= moved_at && kept.has(humanmodel::Joint::kPelvis)) << kept.t;
+}
+
 TEST(LiveTracker, ReportsLeavingPersonLost) {
   SimulatedClip clip = someoneReaching(0.2);
-  tracking::LiveTracker tracker(clip.stream->camera(), true, usual(1.75));
+  tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, usual(1.75));
   tracking::DepthFrame frame;
   while (clip.stream->next(frame)) tracker.see(frame);
   const std::size_t with = clip.stream->size();

@@ -1,8 +1,30 @@
 // Live Kinect v1 through libfreenect: the only file that includes the library.
 #include "tracking/depth/live/freenect_camera.hpp"
 
+#include <algorithm>
+
 #include "core/base/error.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/depth/formats/freenect_depth.hpp"
+
+namespace abstand::tracking {
+
+KinectChoice kinectOf(const std::string& name) {
+  constexpr std::size_t kLongestSerial = 31;
+  const std::string first = kKinectSource;
+  const auto isPlain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  if (name == first) return {};
+  const std::string rest = name.starts_with(first + ":") ? name.substr(first.size() + 1) : "";
+  if (rest.size() == 1 && rest[0] >= '1' && rest[0] <= '9') return {rest[0] - '0', {}};
+  if (rest.size() > 1 && rest.size() <= kLongestSerial && std::all_of(rest.begin(), rest.end(), isPlain))
+    return {1, rest};
+  throw UsageError("found the camera " + text::inQuotes(name) +
+                   ", expected live:kinect, live:kinect:2 (the second), or live:kinect:SERIAL");
+}
+
+}  // namespace abstand::tracking
 
 #ifdef ABSTAND_FREENECT
 
@@ -29,6 +51,7 @@ struct Library {
   decltype(&freenect_num_devices) countDevices;
   decltype(&freenect_select_subdevices) selectSubdevices;
   decltype(&freenect_open_device) openDevice;
+  decltype(&freenect_open_device_by_camera_serial) openSerial;
   decltype(&freenect_close_device) closeDevice;
   decltype(&freenect_set_user) setUser;
   decltype(&freenect_get_user) getUser;
@@ -41,17 +64,17 @@ struct Library {
 };
 
 /// Loads the library once and keeps it until the program ends: its threads may outlive a camera.
-Library load() {
+Library load(const std::string& camera) {
   void* const handle = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr)
-    throw ParseError({kKinectSource},
+    throw ParseError({camera},
                      "found no loadable library (" + std::string(::dlerror()) + "), expected " + kLibrary,
                      "Debian's package libfreenect0.5 has it");
   const auto find = [&](auto& function, const char* name) {
     void* const found = ::dlsym(handle, name);
     if (found == nullptr)
-      throw ParseError({kKinectSource}, std::string("found a ") + kLibrary + " without " + name +
-                                            ", expected that of libfreenect 0.5");
+      throw ParseError({camera}, std::string("found a ") + kLibrary + " without " + name +
+                                     ", expected that of libfreenect 0.5");
     function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(found);
   };
   Library lib{};
@@ -63,6 +86,7 @@ Library load() {
   find(lib.countDevices, "freenect_num_devices");
   find(lib.selectSubdevices, "freenect_select_subdevices");
   find(lib.openDevice, "freenect_open_device");
+  find(lib.openSerial, "freenect_open_device_by_camera_serial");
   find(lib.closeDevice, "freenect_close_device");
   find(lib.setUser, "freenect_set_user");
   find(lib.getUser, "freenect_get_user");
@@ -76,8 +100,9 @@ Library load() {
   return lib;
 }
 
-const Library& library() {
-  static const Library loaded = load();
+/// `camera`: the name of the one to be opened, for errors.
+const Library& library(const std::string& camera = kKinectSource) {
+  static const Library loaded = load(camera);
   return loaded;
 }
 
@@ -111,13 +136,15 @@ struct FreenectCamera::Device {
   }
 };
 
-FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Device>()) {
-  const Library& lib = library();
+FreenectCamera::FreenectCamera(const std::string& name, OnImage on_image)
+    : device_(std::make_unique<Device>()) {
+  const KinectChoice choice = kinectOf(name);
+  const Library& lib = library(name);
   Device& d = *device_;
   d.on_image = std::move(on_image);
   last_error.clear();
   const auto refuse = [&](const std::string& found, const std::string& expected) {
-    return ParseError({kKinectSource}, "found " + found + why() + ", expected " + expected);
+    return ParseError({name}, "found " + found + why() + ", expected " + expected);
   };
   if (lib.init(&d.context, nullptr) < 0) {
     d.context = nullptr;
@@ -126,12 +153,19 @@ FreenectCamera::FreenectCamera(OnImage on_image) : device_(std::make_unique<Devi
   lib.setLogLevel(d.context, FREENECT_LOG_ERROR);
   lib.setLogCallback(d.context, keepError);
   lib.selectSubdevices(d.context, FREENECT_DEVICE_CAMERA);
-  if (lib.countDevices(d.context) < 1)
-    throw refuse("no camera", "a Kinect v1 at a USB port, with its power supply");
-  if (lib.openDevice(d.context, &d.device, 0) < 0) {
+  const int count = lib.countDevices(d.context);
+  if (count < 1) throw refuse("no camera", "a Kinect v1 at a USB port, with its power supply");
+  if (choice.serial.empty() && count < choice.place)
+    throw refuse(std::to_string(count) + (count == 1 ? " Kinect" : " Kinects"),
+                 std::to_string(choice.place) + ", each at a USB controller of its own");
+  const int opened = choice.serial.empty() ? lib.openDevice(d.context, &d.device, choice.place - 1)
+                                           : lib.openSerial(d.context, &d.device, choice.serial.c_str());
+  if (opened < 0) {
     d.device = nullptr;
-    throw refuse("a Kinect that cannot be opened",
-                 "one not in use by another program, and access rights (on Debian: group plugdev)");
+    const std::string expected =
+        "one not in use by another program, and access rights (on Debian: group plugdev)";
+    if (choice.serial.empty()) throw refuse("a Kinect that cannot be opened", expected);
+    throw refuse("no Kinect with this serial number that can be opened", expected);
   }
   d.raw = !lib.knows_millimetres;
   const freenect_frame_mode mode =
@@ -170,9 +204,9 @@ namespace abstand::tracking {
 
 struct FreenectCamera::Device {};
 
-FreenectCamera::FreenectCamera(OnImage) {
-  throw ParseError({kKinectSource},
-                   "found a program that was built without libfreenect.h, expected one with it",
+FreenectCamera::FreenectCamera(const std::string& name, OnImage) {
+  kinectOf(name);
+  throw ParseError({name}, "found a program that was built without libfreenect.h, expected one with it",
                    "Debian's package libfreenect-dev has it; configure and build again");
 }
 FreenectCamera::~FreenectCamera() = default;

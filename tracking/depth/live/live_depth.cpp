@@ -2,7 +2,6 @@
 #include "tracking/depth/live/live_depth.hpp"
 
 #include "core/base/error.hpp"
-#include "core/text/message_text.hpp"
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/depth/formats/freenect_depth.hpp"
 
@@ -23,8 +22,7 @@ bool isLiveSource(const std::string& name) { return name.starts_with(kPrefix); }
 
 LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
     : images_(Image{0, {{0.0, DepthImage(kKinectWidth, kKinectHeight)}, {}}}) {
-  if (name != kKinectSource)
-    throw UsageError("found the camera " + text::inQuotes(name) + ", expected " + kKinectSource);
+  kinectOf(name);
   if (options.rate > 0.0) throw UsageError("--rate: found with a live camera, expected a recording");
   DepthSource source;
   source.facts.format = kKinectSource;
@@ -32,10 +30,11 @@ LiveDepth::LiveDepth(const std::string& name, const DepthStreamOptions& options)
   source.facts.rate_reason = "the arrival times of the images";
   // There is no camera file beside a live camera.
   const auto given = options.camera.empty() ? std::nullopt : givenCamera(options, {});
-  chooseCamera(source, given, kKinectWidth, kKinectHeight, kKinectSource);
+  chooseCamera(source, given, kKinectWidth, kKinectHeight, name);
   straight_.emplace(source.camera, options.mirror);
   noteStraightening(source.facts, source.camera, options.mirror);
-  driver_ = std::make_unique<FreenectCamera>([this](const std::uint16_t* numbers) { storeImage(numbers); });
+  driver_ =
+      std::make_unique<FreenectCamera>(name, [this](const std::uint16_t* numbers) { storeImage(numbers); });
   facts_ = source.facts;
   facts_.notes.emplace_back(driver_->isRaw()
                                 ? "11-bit disparities, converted to depth by the formula in README.md"

@@ -28,7 +28,7 @@ class LiveDepth {
  public:
   enum class Outcome : std::uint8_t { kFrame, kNothingYet, kEnded };
 
-  /// `name`: kKinectSource; of `options`, the camera file and the mirror are used, a rate is refused. Throws
+  /// `name`: see kinectOf(); of `options`, the camera file and the mirror are used, a rate is refused. Throws
   /// ParseError if there is no such camera, and UsageError.
   LiveDepth(const std::string& name, const DepthStreamOptions& options);
   ~LiveDepth();

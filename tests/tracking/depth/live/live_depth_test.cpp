@@ -1,6 +1,7 @@
 // A live camera: a driver of our own plays what goes wrong.
 #include <gtest/gtest.h>
 
+#include "core/base/error.hpp"
 #include "tests/tracking/depth/live/live_frames.hpp"
 
 namespace abstand::testing {
@@ -29,7 +30,14 @@ TEST(LiveDepth, ReportsWhyCameraIsUnavailable) {
             "LIBUSB_ERROR_ACCESS), "
             "expected one not in use by another program, and access rights (on Debian: group "
             "plugdev)");
-  EXPECT_EQ(refusal("mm:1", "live:webcam"), "found the camera 'live:webcam', expected live:kinect");
+  EXPECT_EQ(refusal("mm:1", "live:webcam"),
+            "found the camera 'live:webcam', expected live:kinect, live:kinect:2 (the second), or "
+            "live:kinect:SERIAL");
+  EXPECT_EQ(refusal("mm:1", "live:kinect:2"),
+            "live:kinect:2: error: found 1 Kinect, expected 2, each at a USB controller of its own");
+  EXPECT_EQ(refusal("mm:1,mm:1", "live:kinect:A00362"),
+            "live:kinect:A00362: error: found no Kinect with this serial number that can be opened, expected "
+            "one not in use by another program, and access rights (on Debian: group plugdev)");
   tracking::DepthStreamOptions rate;
   rate.rate = 30.0;
   EXPECT_EQ(refusal("mm:1", tracking::kKinectSource, rate),
@@ -70,6 +78,24 @@ TEST(LiveDepth, WaitsAtMostTimeout) {
   tracking::LiveFrame frame;
   EXPECT_EQ(camera.next(frame, 0.02), tracking::LiveDepth::Outcome::kNothingYet);
   EXPECT_EQ(camera.ended(), "");
+}
+
+TEST(LiveDepth, NamesChooseACamera) {
+  EXPECT_EQ(tracking::kinectOf("live:kinect"), tracking::KinectChoice());
+  EXPECT_EQ(tracking::kinectOf("live:kinect:1"), tracking::KinectChoice());
+  EXPECT_EQ(tracking::kinectOf("live:kinect:3"), (tracking::KinectChoice{3, ""}));
+  EXPECT_EQ(tracking::kinectOf("live:kinect:A00362913543047A"),
+            (tracking::KinectChoice{1, "A00362913543047A"}));
+  for (const char* bad : {"live:", "live:kinect:", "live:kinect:0", "live:kinect2", "live:kinect:a b",
+                          "live:kinect:01234567890123456789012345678901"})
+    EXPECT_THROW(tracking::kinectOf(bad), UsageError) << bad;
+  if (!loadDriver(ABSTAND_FAKE_FREENECT)) GTEST_SKIP() << "libfreenect.h";
+  ::setenv("FAKE_KINECT", "mm:2,mm:5", 1);
+  for (const auto& [name, images] :
+       {std::pair("live:kinect", 2u), std::pair("live:kinect:2", 5u), std::pair("live:kinect:KINECT2", 5u)}) {
+    tracking::LiveDepth camera(name, {});
+    EXPECT_EQ(watch(camera).size() + camera.dropped(), images) << name;
+  }
 }
 
 TEST(LiveDepth, CorrectsMirroredImages) {

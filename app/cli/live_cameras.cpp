@@ -1,0 +1,118 @@
+#include "app/cli/live_cameras.hpp"
+
+#include <cmath>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/error.hpp"
+
+namespace abstand::cli {
+namespace {
+
+std::vector<std::unique_ptr<tracking::LiveDepth>> opened(const std::vector<LiveSource>& sources) {
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (tracking::kinectOf(sources[i].name) == tracking::kinectOf(sources[k].name))
+        throw UsageError("found " + sources[i].name + " twice, expected different cameras, such as " +
+                         tracking::kKinectSource + ":2");
+  std::vector<std::unique_ptr<tracking::LiveDepth>> cameras;
+  for (const LiveSource& source : sources) {
+    cameras.push_back(std::make_unique<tracking::LiveDepth>(source.name, source.stream));
+    if (sources.size() > 1 && !cameras.back()->facts().pose_known)
+      throw UsageError(source.name +
+                       ": found a camera without a pose, expected T_WC in a camera file for each of several "
+                       "(--camera; abstand calibrate makes one)");
+  }
+  return cameras;
+}
+
+}  // namespace
+
+LiveCameras::LiveCameras(const std::vector<LiveSource>& sources)
+    : moments_(opened(sources)), has_failed_(sources.size(), false) {
+  for (const LiveSource& source : sources) names_.push_back(source.name);
+}
+
+std::string LiveCameras::names() const {
+  std::string text = names_.front();
+  for (std::size_t c = 1; c < names_.size(); ++c)
+    text += (c + 1 == names_.size() ? " and " : ", ") + names_[c];
+  return text;
+}
+
+std::vector<tracking::DepthCamera> LiveCameras::cameras() const {
+  std::vector<tracking::DepthCamera> cameras;
+  for (std::size_t c = 0; c < size(); ++c) cameras.push_back(moments_.camera(c).camera());
+  return cameras;
+}
+
+std::string LiveCameras::failureOf(std::size_t c, std::span<const tracking::CameraShare> shares) const {
+  if (const std::string ended = moments_.ended(c); !ended.empty()) return ended;
+  if (c >= shares.size() || !std::isfinite(shares[c].moved_at)) return {};
+  return format("found the camera moved at %.2f s, expected it to stay in place; calibrate it again",
+                shares[c].moved_at);
+}
+
+std::vector<std::string> LiveCameras::news(std::span<const tracking::CameraShare> shares) {
+  std::vector<std::string> news;
+  if (size() == 1) return news;
+  for (std::size_t c = 0; c < size(); ++c) {
+    const std::string failure = failureOf(c, shares);
+    if (failure.empty() || has_failed_[c]) continue;
+    has_failed_[c] = true;
+    news.push_back(names_[c] + ": " + failure);
+  }
+  reported_.insert(reported_.end(), news.begin(), news.end());
+  return news;
+}
+
+bool LiveCameras::isOver(std::span<const tracking::CameraShare> shares) const {
+  for (std::size_t c = 0; c < size(); ++c)
+    if (failureOf(c, shares).empty()) return false;
+  return true;
+}
+
+std::string LiveCameras::ended(std::span<const tracking::CameraShare> shares) const {
+  if (!isOver(shares)) return {};
+  if (size() == 1) return failureOf(0, shares);
+  std::string all;
+  for (std::size_t c = 0; c < size(); ++c)
+    all += (c > 0 ? "; " : "") + names_[c] + ": " + failureOf(c, shares);
+  return all;
+}
+
+nlohmann::ordered_json LiveCameras::json(const tracking::ClipTrack& track) const {
+  auto all = nlohmann::ordered_json::array();
+  for (std::size_t c = 0; c < size(); ++c) {
+    const tracking::LiveDepth& camera = moments_.camera(c);
+    const tracking::CameraShare share = c < track.cameras.size() ? track.cameras[c] : tracking::CameraShare{};
+    const std::string ended = moments_.ended(c);
+    const auto orNull = [](bool known, auto value) {
+      return known ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+    };
+    all.push_back({{"file", names_[c]},
+                   {"camera_reason", camera.facts().camera_reason},
+                   {"images", share.images},
+                   {"images_with_people", share.people},
+                   {"moments_without", share.without},
+                   {"images_repeated", share.repeated},
+                   {"dropped", camera.dropped()},
+                   {"moved_at", orNull(std::isfinite(share.moved_at), share.moved_at)},
+                   {"ended", orNull(!ended.empty(), ended)}});
+  }
+  return all;
+}
+
+std::string LiveCameras::text(const tracking::ClipTrack& track) const {
+  if (size() == 1) return {};
+  std::string text;
+  for (std::size_t c = 0; c < std::min(size(), track.cameras.size()); ++c) {
+    const tracking::CameraShare& share = track.cameras[c];
+    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu times, %zu dropped\n",
+                   c + 1, names_[c].c_str(), share.images, share.people, share.without, track.images,
+                   moments_.camera(c).dropped());
+  }
+  text += format("maximum time difference of images fitted together: %.0f ms\n", 1e3 * track.lag);
+  return text;
+}
+
+}  // namespace abstand::cli

@@ -1,0 +1,75 @@
+#include "tracking/tracker/people_views.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracking/tracker/body_tracker.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
+  const Vector3d p_W = camera.X_WC * person.centroid;
+  const Eigen::Vector2d away = (p_W - camera.X_WC.translation()).head<2>();
+  return p_W.head<2>() + BodyTracker::kHalfBody * away.normalized();
+}
+
+}  // namespace
+
+PeopleViews::PeopleViews(std::span<const DepthCamera> cameras) {
+  views_.reserve(cameras.size());
+  for (const DepthCamera& camera : cameras)
+    views_.push_back({camera, PeopleFinder(camera), CameraWatch(camera), {}});
+}
+
+void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
+  moment_ = &moment;
+  sightings_.clear();
+  places_.clear();
+  for (std::size_t c = 0; c < views_.size(); ++c) {
+    if (!moment.frames[c] || isMoved(c)) continue;
+    View& view = views_[c];
+    const DepthFrame& frame = *moment.frames[c];
+    if (moment.is_new[c]) {
+      const DepthImage* things = known ? known(moment.t, view.camera) : nullptr;
+      const PeopleImage& people = view.finder.find(frame.t, frame.image, things);
+      view.watch.see(moment.t, frame.image, people.label, things);
+      if (isMoved(c)) continue;
+    }
+    for (const FoundPerson& person : view.finder.people().persons) {
+      sightings_.push_back({person.id, c, person.id});
+      places_.push_back({c, person.id, placeOf(person, view.camera)});
+    }
+  }
+  if (views_.size() == 1) return;
+  const std::span<const int> ids = across_.match(moment.t, places_);
+  for (std::size_t i = 0; i < ids.size(); ++i) sightings_[i].person = ids[i];
+  std::stable_sort(sightings_.begin(), sightings_.end(),
+                   [](const Sighting& a, const Sighting& b) { return a.person < b.person; });
+}
+
+void PeopleViews::addImage(const Sighting& sighting) {
+  View& view = views_[sighting.camera];
+  view.finder.mask(sighting.id, view.mask);
+  images_.push_back({&moment_->frames[sighting.camera]->image, &view.camera, view.mask});
+}
+
+double PeopleViews::note(std::vector<CameraShare>& shares) const {
+  double moved = kInfinity;
+  shares.resize(views_.size());
+  for (std::size_t c = 0; c < views_.size(); ++c) {
+    CameraShare& share = shares[c];
+    share.repeated = views_[c].watch.repeated();
+    if (isMoved(c) && !std::isfinite(share.moved_at)) {
+      share.moved_at = views_[c].watch.movedAt();
+      moved = std::min(moved, share.moved_at);
+    }
+    share.without += moment_->frames[c] == nullptr || isMoved(c);
+    if (!moment_->is_new[c] || isMoved(c)) continue;
+    ++share.images;
+    share.people += !views_[c].finder.people().persons.empty();
+  }
+  return moved;
+}
+
+}  // namespace abstand::tracking

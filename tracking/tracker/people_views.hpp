@@ -1,0 +1,82 @@
+// People in the images of several depth cameras.
+#pragma once
+
+#include <functional>
+
+#include "tracking/depth/people/camera_watch.hpp"
+#include "tracking/depth/people/people_finder.hpp"
+#include "tracking/tracker/body_observation.hpp"
+#include "tracking/tracker/depth_moments.hpp"
+#include "tracking/tracker/people_across.hpp"
+
+namespace abstand::tracking {
+
+/// Depth image (m; 0: none) of known objects at a time, such as a robot; their pixels are not assigned to
+/// people.
+using KnownThings = std::function<const DepthImage*(double, const DepthCamera&)>;
+
+/// Share of one camera in a track.
+struct CameraShare {
+  std::size_t images{0};    ///< images that were used
+  std::size_t without{0};   ///< moments without an image of this camera
+  std::size_t people{0};    ///< images with at least one person
+  std::size_t repeated{0};  ///< images equal to the one before
+  /// s, of the camera's first image after it was moved (CameraWatch); infinite: it was not. From then on its
+  /// images are not used, as its pose is not known, and nobody is found at the moments that had been tracked.
+  double moved_at{kInfinity};
+};
+
+/// Finds the people of each moment in the images of all cameras, with common ids. A camera that was moved is
+/// not used any more. One thread. Allocates while people appear.
+class PeopleViews {
+ public:
+  /// With poses in one world.
+  explicit PeopleViews(std::span<const DepthCamera> cameras);
+
+  /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.
+  void see(const DepthMoment& moment, const KnownThings& known);
+  /// Adds the last moment to `shares`, one for each camera. Returns the time (s) since which the images of a
+  /// camera that is now known to be moved are wrong; infinite: none.
+  double note(std::vector<CameraShare>& shares) const;
+
+  bool isMoved(std::size_t camera) const { return std::isfinite(views_[camera].watch.movedAt()); }
+  bool empty() const { return sightings_.empty(); }
+  std::size_t size() const { return views_.size(); }
+
+  /// Calls use(id, index of the first camera that sees the person, one PersonImage for each that does), by
+  /// increasing id.
+  template <class Use>
+  void each(Use use) {
+    for (std::size_t k = 0; k < sightings_.size();) {
+      const int person = sightings_[k].person;
+      const std::size_t first = sightings_[k].camera;
+      images_.clear();
+      for (; k < sightings_.size() && sightings_[k].person == person; ++k) addImage(sightings_[k]);
+      use(person, first, std::span<const PersonImage>(images_));
+    }
+  }
+
+ private:
+  struct View {
+    DepthCamera camera;
+    PeopleFinder finder;
+    CameraWatch watch;
+    std::vector<std::uint8_t> mask;
+  };
+  /// A person in one camera's image.
+  struct Sighting {
+    int person;  ///< common to all cameras
+    std::size_t camera;
+    int id;  ///< of the camera's finder
+  };
+  void addImage(const Sighting& sighting);
+
+  std::vector<View> views_;
+  PeopleAcross across_;
+  std::vector<Sighting> sightings_;
+  std::vector<SeenPlace> places_;
+  std::vector<PersonImage> images_;
+  const DepthMoment* moment_{nullptr};
+};
+
+}  // namespace abstand::tracking
