@@ -1,18 +1,24 @@
 // abstand render-depth: depth images of a scene.
+#include <algorithm>
 #include <chrono>
+#include <deque>
 
 #include "app/cli/command_line.hpp"
 #include "app/depth/clip_people.hpp"
 #include "app/depth/depth_clip.hpp"
 #include "app/depth/open_session.hpp"
 #include "core/base/error.hpp"
+#include "core/base/output_folder.hpp"
+#include "tracking/tracker/body_observation.hpp"
 
 namespace abstand::cli {
 namespace {
 
 struct RenderDepthArguments {
-  std::filesystem::path scene, recording, camera, out;
-  std::string eye, look, noise{"kinect"}, rate{"30"}, start, end;
+  std::filesystem::path scene, recording, out;
+  std::vector<std::filesystem::path> camera;
+  std::vector<std::string> eye, look;
+  std::string noise{"kinect"}, rate{"30"}, start, end;
   std::string format{"png"}, body{"model"}, girth, clothing, height;
   std::uint64_t seed{1}, body_seed{0};
   int width{640};
@@ -20,24 +26,42 @@ struct RenderDepthArguments {
   robot_file::PackagePaths packages;
 };
 
-tracking::DepthCamera cameraOf(const RenderDepthArguments& args, session::Session& session) {
+tracking::DepthCamera kinectOf(int width) {
   tracking::DepthCamera camera;
-  if (!args.camera.empty()) {
-    if (args.width != 640) throw UsageError("--width: found together with --camera, expected one of them");
-    camera = tracking::loadDepthCamera(args.camera);
-  } else {
-    const double part = args.width / 640.0;
-    camera.width = args.width;
-    camera.height = args.width * 3 / 4;
-    camera.fx = camera.fy = 580.0 * part;
-    camera.cx = 0.5 * (camera.width - 1);
-    camera.cy = 0.5 * (camera.height - 1);
-  }
-  if (!args.eye.empty())
-    camera.X_WC = tracking::lookingAt(point(args.eye, "--eye"), point(args.look, "--look"));
-  else if (args.camera.empty())
-    camera.X_WC = depth::usualView(session);
+  const double part = width / 640.0;
+  camera.width = width;
+  camera.height = width * 3 / 4;
+  camera.fx = camera.fy = 580.0 * part;
+  camera.cx = 0.5 * (camera.width - 1);
+  camera.cy = 0.5 * (camera.height - 1);
   return camera;
+}
+
+/// One for each --camera or --eye, otherwise the usual one.
+std::vector<tracking::DepthCamera> camerasOf(const RenderDepthArguments& args, session::Session& session) {
+  const std::size_t files = args.camera.size(), eyes = args.eye.size();
+  if (files > 0 && args.width != 640)
+    throw UsageError("--width: found together with --camera, expected one of them");
+  if (args.look.size() != eyes && !(args.look.size() == 1 && eyes > 0))
+    throw UsageError(format("found %zu of --eye and %zu of --look, expected as many of both, or one --look",
+                            eyes, args.look.size()));
+  if (files > 1 && eyes > 1 && files != eyes)
+    throw UsageError(format("found %zu of --camera and %zu of --eye, expected as many of both", files, eyes));
+  const std::size_t count = std::max({files, eyes, std::size_t{1}});
+  if (count > tracking::BodyObservation::kMaxViews)
+    throw UsageError(format("found %zu cameras, expected at most %zu", count,
+                            std::size_t{tracking::BodyObservation::kMaxViews}));
+  std::vector<tracking::DepthCamera> cameras;
+  for (std::size_t c = 0; c < count; ++c) {
+    tracking::DepthCamera& camera = cameras.emplace_back(
+        files > 0 ? tracking::loadDepthCamera(args.camera[files > 1 ? c : 0]) : kinectOf(args.width));
+    if (eyes > 0)
+      camera.X_WC = tracking::lookingAt(point(args.eye[eyes > 1 ? c : 0], "--eye"),
+                                        point(args.look[args.look.size() > 1 ? c : 0], "--look"));
+    else if (files == 0)
+      camera.X_WC = depth::usualView(session);
+  }
+  return cameras;
 }
 
 std::optional<tracking::SkinOptions> skinOf(const RenderDepthArguments& args) {
@@ -66,8 +90,6 @@ scene_file::SceneDescription sceneOf(const RenderDepthArguments& args) {
 }
 
 int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
-  if (args.eye.empty() != args.look.empty())
-    throw UsageError("found one of --eye and --look, expected both or none");
   depth::DepthClipOptions options;
   options.rate = number(args.rate, "--rate");
   if (!(options.rate > 0.0 && options.rate <= 1000.0))
@@ -87,21 +109,40 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   session_options.monitor = buildMonitor(line);
   const auto opened = depth::openSession(sceneOf(args), session_options);
   session::Session& session = *opened;
-  options.camera = cameraOf(args, session);
-  if (args.noise == "kinect") options.noise = tracking::kinectNoiseIn(options.camera);
-
+  const std::vector<tracking::DepthCamera> cameras = camerasOf(args, session);
+  std::deque<OutputFolder> folders;
+  auto written = nlohmann::ordered_json::array();
+  std::string text;
+  depth::DepthClipSummary first, last;
   const auto begin = std::chrono::steady_clock::now();
-  const depth::DepthClipSummary summary = depth::writeDepthClip(session, options, args.out);
+  std::size_t frames = 0;
+  for (std::size_t c = 0; c < cameras.size() && !last.interrupted; ++c) {
+    const std::filesystem::path out =
+        cameras.size() == 1 ? args.out : args.out / ("camera_" + std::to_string(c + 1));
+    options.camera = cameras[c];
+    options.seed = args.seed + c;
+    if (args.noise == "kinect") options.noise = tracking::kinectNoiseIn(options.camera);
+    last = depth::writeDepthClip(session, options, folders.emplace_back(out));
+    if (c == 0) first = last;
+    frames += last.frames;
+    written.push_back({{"out", out.string()},
+                       {"frames", last.frames},
+                       {"width", options.camera.width},
+                       {"height", options.camera.height},
+                       {"measured", last.measured}});
+    text += format("%zu frames of %d x %d in %s, %.1f %% of the pixels measured\n", last.frames,
+                   options.camera.width, options.camera.height, out.string().c_str(), 100.0 * last.measured);
+  }
+  for (OutputFolder& folder : folders) folder.commit();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const nlohmann::ordered_json document{
-      {"frames", summary.frames},        {"width", options.camera.width},
-      {"height", options.camera.height}, {"noise", args.noise},
-      {"measured", summary.measured},    {"fps", static_cast<double>(summary.frames) / seconds},
-      {"out", args.out.string()},        {"remarks", session.remarks()}};
-  line.print(document, format("%zu frames of %d x %d in %s, %.1f %% of the pixels measured\n", summary.frames,
-                              options.camera.width, options.camera.height, args.out.string().c_str(),
-                              100.0 * summary.measured));
-  return summary.interrupted ? kInterrupted : kDone;
+      {"frames", first.frames},           {"width", cameras.front().width},
+      {"height", cameras.front().height}, {"noise", args.noise},
+      {"measured", first.measured},       {"fps", static_cast<double>(frames) / seconds},
+      {"out", args.out.string()},         {"cameras", written},
+      {"remarks", session.remarks()}};
+  line.print(document, text);
+  return last.interrupted ? kInterrupted : kDone;
 }
 
 }  // namespace
@@ -120,10 +161,19 @@ void addRenderDepth(CLI::App& root, CommandLine& line) {
       ->check(CLI::IsMember({"png", "freenect"}));
   command->add_option("--recording", args->recording,
                       "recording that moves every person, instead of the scene's");
-  command->add_option("--camera", args->camera,
-                      "camera file; default: a Kinect in front of the first person");
-  command->add_option("--eye", args->eye, "X,Y,Z, m: where the camera is, with --look");
-  command->add_option("--look", args->look, "X,Y,Z, m: what it looks at");
+  command
+      ->add_option("--camera", args->camera,
+                   "camera file; default: a Kinect in front of the first person; several with commas, whose "
+                   "clips are folders in --out")
+      ->delimiter(',');
+  // A point has commas, too: one value for each option.
+  command->add_option("--eye", args->eye, "X,Y,Z, m: where the camera is, with --look; once for each camera")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--look", args->look, "X,Y,Z, m: what it looks at; once for each camera, or once for all")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--width", args->width, "pixels, without --camera")->check(CLI::IsMember({320, 640}));
   command->add_option("--rate", args->rate, "frames per second (30)");
   command->add_option("--start", args->start, "s");

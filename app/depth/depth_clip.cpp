@@ -8,7 +8,6 @@
 #include "app/depth/scene_things.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
-#include "core/base/output_folder.hpp"
 #include "tracking/depth/formats/depth_png.hpp"
 #include "tracking/depth/formats/freenect_depth.hpp"
 #include "tracking/table/skeleton_csv.hpp"
@@ -105,12 +104,11 @@ void checkFreenect(const tracking::DepthCamera& camera, std::span<const double> 
 }  // namespace
 
 DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOptions& options,
-                                const std::filesystem::path& folder_name) {
+                                OutputFolder& folder) {
   tracking::DepthRender render(options.camera);
   const std::vector<double> times =
       session::timesBetween(session.frameTimes(options.rate), options.start, options.end);
   if (options.format == ClipFormat::kFreenect) checkFreenect(options.camera, times);
-  OutputFolder folder(folder_name);
   writeFile(folder.place("camera.yaml"), tracking::describeDepthCamera(options.camera));
 
   const SceneThings things(session, !options.skin);
@@ -149,7 +147,6 @@ DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOption
   }
   files.finish();
   if (summary.frames > 0) writeTruth(people, std::span(times).first(summary.frames), folder);
-  folder.commit();
   const double pixels = static_cast<double>(summary.frames) * options.camera.width * options.camera.height;
   summary.measured = pixels > 0.0 ? static_cast<double>(measured) / pixels : 0.0;
   return summary;

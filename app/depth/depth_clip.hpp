@@ -1,11 +1,11 @@
 // Simulated depth camera clips of a scene.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 
 #include "app/session/session.hpp"
+#include "core/base/output_folder.hpp"
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
 #include "tracking/depth/simulator/skin_body.hpp"
@@ -38,13 +38,13 @@ struct DepthClipSummary {
   bool interrupted{false};
 };
 
-/// Writes to `folder`, which is created: `camera.yaml`; `depth_000000.png` and so on (16 bits, in the
+/// Writes to `folder`: `camera.yaml`; `depth_000000.png` and so on (16 bits, in the
 /// camera's units) with `depth.txt`, a line `TIME FILE` for each (s, scene time), or for libfreenect
 /// `INDEX.txt` and `d-TIME-STAMP.pgm` (scene time in s and in us); and `truth.csv`, a table of the joints of
-/// the first person (world, m), `truth_2.csv` and so on for the others. All files appear together: after an
-/// interrupt those of the images so far, after an error none. Throws UsageError and WriteError.
+/// the first person (world, m), `truth_2.csv` and so on for the others. After an interrupt those of the
+/// images so far. They appear when the caller commits the folder. Throws UsageError and WriteError.
 DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOptions& options,
-                                const std::filesystem::path& folder);
+                                OutputFolder& folder);
 
 /// Default camera pose: 2.8 m in front of the first person (without people: of the centre of all objects), at
 /// the height of its centre, along world x; bodies at the session's first frame.

@@ -33,7 +33,9 @@ inline void writeClip(const std::filesystem::path& into) {
   options.skin.emplace();
   options.rate = kRate;
   options.end = kEnd;
-  depth::writeDepthClip(*session, options, into);
+  OutputFolder out(into);
+  depth::writeDepthClip(*session, options, out);
+  out.commit();
 }
 
 struct StudioDepth : StudioWindow {

@@ -235,12 +235,38 @@ TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
               ::testing::Contains(what + "removed from the images, which show them"));
 }
 
+TEST_F(Cli, RenderDepthPlacesSeveralCameras) {
+  const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
+                             " --width 320 --end 0 --no-cache ";
+  const std::string one = (folder_.path() / "one").string(), all = (folder_.path() / "all").string();
+  // Each camera's clip is that of this camera alone, but for the noise of all but the first.
+  const std::string eyes = "--eye 2.8,0,1.4 --eye 0,-2.8,1.4 --look 0,0,0.9 --look 0,0,1 ";
+  ASSERT_EQ(run(render + eyes + "--noise none --out " + all).code, 0);
+  ASSERT_EQ(run(render + "--eye 0,-2.8,1.4 --look 0,0,1 --noise none --out " + one).code, 0);
+  for (const char* file : {"camera.yaml", "depth_000000.png", "depth.txt", "truth.csv"})
+    EXPECT_EQ(readFile(all + "/camera_2/" + file), readFile(one + "/" + file)) << file;
+  // The same cameras by their files.
+  const std::string files = "--camera " + all + "/camera_1/camera.yaml," + all + "/camera_2/camera.yaml ";
+  const std::string again = (folder_.path() / "again").string();
+  const std::string by_files = "render-depth --recording " +
+                               projectFile("data/scenes/hug_reach.bvh").string() + " --end 0 --no-cache " +
+                               files + "--noise none --out " + again;
+  ASSERT_EQ(run(by_files).code, 0);
+  EXPECT_EQ(readFile(again + "/camera_1/depth_000000.png"), readFile(all + "/camera_1/depth_000000.png"));
+  EXPECT_EQ(readFile(again + "/camera_2/depth_000000.png"), readFile(all + "/camera_2/depth_000000.png"));
+  EXPECT_EQ(run(render + eyes + "--look 0,0,1 --out " + one).code, 2);
+  EXPECT_EQ(run(render + files + "--out " + one).code, 2) << "--width with --camera";
+}
+
 TEST_F(Cli, TrackFitsTwoCamerasTogether) {
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
                              " --body skin --width 320 --end 0.6 --no-cache --look 0,0,0.9 ";
-  const std::string front = (folder_.path() / "front").string(), side = (folder_.path() / "side").string();
-  ASSERT_EQ(run(render + "--eye 2.8,0,1.4 --out " + front).code, 0);
-  ASSERT_EQ(run(render + "--eye 0,-2.8,1.4 --out " + side).code, 0);
+  const std::string clips = (folder_.path() / "clips").string();
+  const std::string front = clips + "/camera_1", side = clips + "/camera_2";
+  const json rendered = runJson(render + "--eye 2.8,0,1.4 --eye 0,-2.8,1.4 --out " + clips);
+  ASSERT_EQ(rendered["cameras"].size(), 2u);
+  EXPECT_EQ(rendered["cameras"][1]["out"], side);
+  EXPECT_EQ(rendered["cameras"][1]["frames"], 19);
   const std::string csv = (folder_.path() / "person.csv").string();
   const std::string both = "track " + front + " " + side;
   const json j = runJson(both + " --clock 0 --out " + csv);
@@ -280,6 +306,9 @@ TEST_F(Cli, TrackFitsTwoCamerasTogether) {
   EXPECT_EQ(run(both + " --clock soon").code, 2);
   EXPECT_EQ(run(both + " --camera " + front + "/camera.yaml").code, 2);
   EXPECT_EQ(run(both + " live:kinect").code, 2);
+  EXPECT_EQ(run("track live:kinect live:kinect:2 --clock 0").code, 2);
+  EXPECT_EQ(run("track live:kinect live:kinect:2 --camera " + front + "/camera.yaml").code, 2);
+  EXPECT_THAT(run("track live:kinect live:kinect:1").err, ::testing::HasSubstr("found live:kinect:1 twice"));
   tracking::DepthCamera nowhere = tracking::loadDepthCamera(front + "/camera.yaml");
   nowhere.X_WC = Transform::Identity();
   const std::string lens = write("lens.yaml", tracking::describeDepthCamera(nowhere));
