@@ -49,6 +49,7 @@ void LiveCamera::stop() {
   address_.clear();
   server_said_.clear();
   tracker_said_.clear();
+  lines_read_ = 0;
   sees_ = false;
 }
 
@@ -102,10 +103,11 @@ void LiveCamera::readServer() {
 
 void LiveCamera::track() {
   Q_EMIT progressed(tr("Waiting for the camera…"));
-  QStringList words{QStringLiteral("track"),    QStringLiteral("live:kinect"),
-                    QStringLiteral("--camera"), request_.camera,
-                    QStringLiteral("--send"),   address_,
-                    QStringLiteral("--as"),     request_.person};
+  QStringList words{QStringLiteral("track"), QStringLiteral("live:kinect")};
+  if (!request_.second.isEmpty()) words << QStringLiteral("live:kinect:2");
+  for (const QString& camera : {request_.camera, request_.second})
+    if (!camera.isEmpty()) words << QStringLiteral("--camera") << camera;
+  words << QStringLiteral("--send") << address_ << QStringLiteral("--as") << request_.person;
   if (request_.height > 0.0) words << QStringLiteral("--height") << argumentOf(request_.height);
   tracker_ = std::make_unique<BoundProcess>();
   connect(tracker_.get(), &QProcess::readyReadStandardError, this, &LiveCamera::readTracker);
@@ -118,9 +120,19 @@ void LiveCamera::track() {
 
 void LiveCamera::readTracker() {
   tracker_said_ += QString::fromUtf8(tracker_->readAllStandardError());
+  readWarnings();
   if (sees_ || !tracker_said_.contains(QLatin1String("track: looking through"))) return;
   sees_ = true;
   Q_EMIT sees(address_, request_.scene);
+}
+
+void LiveCamera::readWarnings() {
+  static const QString kWarning = QStringLiteral("warning: live:");
+  const QStringList lines = tracker_said_.split(QLatin1Char('\n'));
+  // The last one is not complete.
+  for (; lines_read_ + 1 < lines.size(); ++lines_read_)
+    if (const QString& line = lines[lines_read_]; line.startsWith(kWarning))
+      Q_EMIT lessSeen(line.mid(kWarning.indexOf(QLatin1String("live:"))));
 }
 
 void LiveCamera::end(QProcess& process, const QString& said) {

@@ -11,8 +11,8 @@
 
 namespace abstand::studio {
 
-/// Runs `abstand serve` for a scene, and `abstand track live:kinect`, which sends it the skeletons of a
-/// person. Both end with stop(), with this object, and with the program. GUI thread only.
+/// Runs `abstand serve` for a scene, and `abstand track live:kinect`, with one or two cameras, which sends it
+/// the skeletons of a person. Both end with stop(), with this object, and with the program. GUI thread only.
 class LiveCamera : public QObject {
   Q_OBJECT
 
@@ -40,6 +40,8 @@ class LiveCamera : public QObject {
   void sees(const QString& address, const QString& scene);
   /// Before sees(). `problem`: the error line of the program.
   void failed(const QString& problem);
+  /// After sees(): one of two cameras has no usable images any more. `sentence`: the warning of the program.
+  void lessSeen(const QString& sentence);
   /// After sees(), e.g. the camera was unplugged; the server goes on.
   void ended(const QString& problem);
 
@@ -47,12 +49,14 @@ class LiveCamera : public QObject {
   void readServer();
   void readTracker();
   void track();
+  void readWarnings();
   void end(QProcess& process, const QString& said);
 
   QString program_;
   ui::LiveCameraRequest request_;
   std::unique_ptr<QProcess> server_, tracker_;
   QString address_, server_said_, tracker_said_;
+  int lines_read_{0};  ///< of tracker_said_
   std::unique_ptr<StillRobots> still_;
   bool sees_{false};
 };

@@ -183,6 +183,9 @@ void Studio::connectLiveCamera() {
     window_.say(tr("Joint values of robots are received at %1 (UDP)").arg(address));
     connectTo(address, scene);
   });
+  connect(&camera_, &LiveCamera::lessSeen, this, [this](const QString& sentence) {
+    window_.showProblem(tr("A live depth camera is not used any more"), sentence);
+  });
   connect(&camera_, &LiveCamera::ended, this, [this](const QString& problem) {
     window_.showProblem(tr("The live depth camera ended"), problem);
   });

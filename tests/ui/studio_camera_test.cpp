@@ -49,7 +49,8 @@ struct StudioCamera : StudioWindow {
     qunsetenv("FAKENECT_PATH");
     qunsetenv("LD_LIBRARY_PATH");
   }
-  void plugIn() {
+  /// Of somebody who reaches, for cameras at these places.
+  void render(const std::string& places, const char* into) {
     folder.write(
         "shown.yaml",
         "abstand: 1\ndefaults: {voxel: 0.02, point: 0.02}\nhumans:\n  - {name: visitor, height: 1.75}\n");
@@ -57,16 +58,19 @@ struct StudioCamera : StudioWindow {
         "'" ABSTAND_PROGRAM "' render-depth '" + in("shown.yaml").toStdString() + "' --recording '" +
         testing::projectFile("data/scenes/hug_reach.bvh").string() +
         "' --format freenect --body skin --room --rate " + std::to_string(kImagesPerSecond) +
-        " --end 3 --quiet --out '" + in("dump").toStdString() + "'";
+        " --end 3 --quiet " + places + " --out '" + in(into).toStdString() + "'";
     ASSERT_EQ(WEXITSTATUS(std::system(command.c_str())), 0);
+  }
+  void plugIn() {
+    render("", "dump");
     // The driver says how its fake is found: by the loader's path, under the true library's name.
     qputenv("FAKENECT_PATH", in("dump").toUtf8());
     qputenv("LD_LIBRARY_PATH", std::filesystem::path(ABSTAND_FAKENECT).parent_path().c_str());
   }
   /// Plays the recording backwards and forwards that many times more, so that the camera stays connected for
   /// as long as a busy machine needs. The images are linked, not copied.
-  void prolong(int times) {
-    const std::filesystem::path dump = folder.path() / "dump";
+  void prolong(const char* clip, int times) {
+    const std::filesystem::path dump = folder.path() / clip;
     std::vector<std::string> names;
     std::ifstream index(dump / "INDEX.txt");
     for (std::string name; index >> name;) names.push_back(name);
@@ -177,7 +181,7 @@ TEST_F(StudioCamera, PersonMovesInTheWindow) {
 TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
   if (!hasFakenect()) GTEST_SKIP() << "libfreenect0.5, which has fakenect";
   plugIn();
-  prolong(kRounds);
+  prolong("dump", kRounds);
   folder.write("slide.mech", "chain\n    frame   1   0      0          d    0\nend_chain\n");
   folder.write(
       "robot.yaml",
@@ -231,6 +235,45 @@ TEST_F(StudioCamera, RobotsStandStillOnlyIfTheUserSaysSo) {
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
+}
+
+TEST_F(StudioCamera, SecondCameraGoesOnWhereTheFirstIsUnplugged) {
+  if (std::string(ABSTAND_FAKE_KINECTS).empty()) GTEST_SKIP() << "libfreenect.h";
+  render("--eye 2.8,0,1.4 --eye 0,-2.8,1.4 --look 0,0,0.9", "clips");
+  // The first camera goes after a second.
+  prolong("clips/camera_2", kRounds);
+  const std::filesystem::path clips = folder.path() / "clips";
+  std::ifstream index(clips / "camera_1/INDEX.txt");
+  std::string few;
+  std::string name;
+  for (int i = 0; i < kImagesPerSecond && index >> name; ++i) few += name + "\n";
+  index.close();
+  std::ofstream(clips / "camera_1/INDEX.txt") << few;
+  qputenv("FAKE_KINECT",
+          ("play:" + (clips / "camera_1").string() + ",play:" + (clips / "camera_2").string()).c_str());
+  qputenv("LD_LIBRARY_PATH", std::filesystem::path(ABSTAND_FAKE_KINECTS).parent_path().c_str());
+  openDialog();
+  ui::LiveCameraRequest wanted = request();
+  wanted.camera = in("clips/camera_1/camera.yaml");
+  wanted.second = in("clips/camera_2/camera.yaml");
+  dialog->setRequest(wanted, {});
+  EXPECT_EQ(dialog->request().second, wanted.second);
+  ASSERT_TRUE(opens([this] { dialog->startButton()->click(); }))
+      << problem << (window.liveCamera().dialog() ? dialog->sentence()->text().toStdString() : "");
+  QStringList said;
+  const auto hasSaid = [&](const char* camera) {
+    for (QMessageBox* box : window.findChildren<QMessageBox*>()) {
+      said << box->text();
+      box->close();
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    return !said.filter(QLatin1String(camera)).isEmpty();
+  };
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return hasSaid("live:kinect: found the camera disconnected"); }, kLimitMs))
+      << said.join('|').toStdString();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen(1).has_value(); }, kLimitMs)) << "by the second camera";
+  qunsetenv("FAKE_KINECT");
 }
 
 TEST_F(StudioCamera, WithoutCameraTheReasonIsOneLine) {

@@ -12,6 +12,7 @@ struct LiveCameraRequest {
   QString person;      ///< of the scene, whom the camera sees
   double height{0.0};  ///< m, of the person; 0: measured in the first images
   bool still{false};   ///< robots stand still where their motion begins; false: nobody knows where they are
+  QString second{};    ///< camera file of a second camera; empty: one camera
 };
 
 }  // namespace abstand::ui

@@ -32,6 +32,8 @@ LiveCameraDialog::LiveCameraDialog(QWidget* parent)
       scene_{new PathField(PathField::Kind::kFile, QStringLiteral("live_scene"), openFilter(), this)},
       camera_{new PathField(PathField::Kind::kFile, QStringLiteral("live_camera"),
                             tr("Camera files (*.yaml *.yml)"), this)},
+      second_{new PathField(PathField::Kind::kFile, QStringLiteral("live_second"),
+                            tr("Camera files (*.yaml *.yml)"), this)},
       person_{new QComboBox(this)},
       height_{new NumberBox(this)},
       still_{new QCheckBox(tr("&Robots stand still where their motion begins"), this)},
@@ -42,8 +44,8 @@ LiveCameraDialog::LiveCameraDialog(QWidget* parent)
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumWidth(kLiveCameraWidth);
   auto* head = new QLabel(
-      tr("A Kinect v1 at this computer moves the person of a scene. Robots are lost until a program sends "
-         "their joint values, unless they stand still."),
+      tr("One or two Kinects v1 at this computer move the person of a scene. Robots are lost until a program "
+         "sends their joint values, unless they stand still."),
       this);
   head->setWordWrap(true);
   sentence_->setWordWrap(true);
@@ -78,10 +80,14 @@ void LiveCameraDialog::buildFields() {
   height_->setToolTip(tr("Height of the person; a known height needs no measurement"));
   camera_->setToolTip(
       tr("With the pose of the camera in the world of the scene: View, Calibrate a depth camera"));
+  second_->field()->setPlaceholderText(tr("none"));
+  second_->setToolTip(
+      tr("Camera file of the second Kinect in the order of the driver; both are fitted together"));
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("&Scene"), scene_);
   form->addRow(tr("Camera &file"), camera_);
+  form->addRow(tr("Seco&nd camera"), second_);
   form->addRow(tr("&Person"), person_);
   form->addRow(tr("&Height"), height_);
   form->addRow(QString(), still_);
@@ -110,6 +116,7 @@ void LiveCameraDialog::applyUnits() {
 void LiveCameraDialog::setRequest(const LiveCameraRequest& request, const QStringList& people) {
   scene_->field()->setText(request.scene);
   camera_->field()->setText(request.camera);
+  second_->field()->setText(request.second);
   person_->clear();
   person_->addItems(people);
   person_->setEditText(request.person);
@@ -120,7 +127,8 @@ void LiveCameraDialog::setRequest(const LiveCameraRequest& request, const QStrin
 }
 
 LiveCameraRequest LiveCameraDialog::request() const {
-  return {scene_->path(), camera_->path(), person_->currentText().trimmed(), metres_, still_->isChecked()};
+  return {scene_->path(), camera_->path(),     person_->currentText().trimmed(),
+          metres_,        still_->isChecked(), second_->path()};
 }
 
 void LiveCameraDialog::checkFields() {
@@ -132,7 +140,7 @@ void LiveCameraDialog::setWaiting(bool waiting) {
   waiting_ = waiting;
   busy_->setVisible(waiting);
   stop_->setEnabled(waiting);
-  for (QWidget* each : std::initializer_list<QWidget*>{scene_, camera_, person_, height_, still_})
+  for (QWidget* each : std::initializer_list<QWidget*>{scene_, camera_, second_, person_, height_, still_})
     each->setEnabled(!waiting);
   checkFields();
 }

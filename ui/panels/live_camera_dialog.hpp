@@ -1,4 +1,4 @@
-// Asks for a live depth camera, and waits until it sends images.
+// Asks for one or two live depth cameras, and waits until it sends images.
 #pragma once
 
 #include <QDialog>
@@ -45,7 +45,7 @@ class LiveCameraDialog : public QDialog {
   void stop();
   void applyUnits();
 
-  PathField *scene_, *camera_;
+  PathField *scene_, *camera_, *second_;
   QComboBox* person_;
   QDoubleSpinBox* height_;
   QCheckBox* still_;

@@ -313,6 +313,10 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <source>Joint values of robots are received at %1 (UDP)</source>
         <translation>Gelenkwerte von Robotern werden auf %1 (UDP) empfangen</translation>
     </message>
+    <message>
+        <source>A live depth camera is not used any more</source>
+        <translation>Eine Live-Tiefenkamera wird nicht mehr benutzt</translation>
+    </message>
 </context>
 <context>
     <name>abstand::studio::TuneProcess</name>
@@ -4933,12 +4937,24 @@ Spuren, Ereignisse und Berichte bleiben die seiner aufgezeichneten Bewegung.</tr
         <translation>&amp;Roboter stehen still, wo ihre Bewegung beginnt</translation>
     </message>
     <message>
-        <source>A Kinect v1 at this computer moves the person of a scene. Robots are lost until a program sends their joint values, unless they stand still.</source>
-        <translation>Eine Kinect v1 an diesem Rechner bewegt die Person einer Szene. Die Lage von Robotern gilt als verloren, bis ein Programm ihre Gelenkwerte sendet, außer sie stehen still.</translation>
-    </message>
-    <message>
         <source>The distances hold only if that is so: nothing measures the robots</source>
         <translation>Die Abstände gelten nur, wenn das so ist: Nichts misst die Roboter</translation>
+    </message>
+    <message>
+        <source>One or two Kinects v1 at this computer move the person of a scene. Robots are lost until a program sends their joint values, unless they stand still.</source>
+        <translation>Eine oder zwei Kinect v1 an diesem Rechner bewegen die Person einer Szene. Die Lage von Robotern gilt als verloren, bis ein Programm ihre Gelenkwerte sendet, außer sie stehen still.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Camera file of the second Kinect in the order of the driver; both are fitted together</source>
+        <translation>Kameradatei der zweiten Kinect in der Reihenfolge des Treibers; beide Bilder werden gemeinsam ausgewertet</translation>
+    </message>
+    <message>
+        <source>Seco&amp;nd camera</source>
+        <translation>&amp;Zweite Kamera</translation>
     </message>
 </context>
 <context>
