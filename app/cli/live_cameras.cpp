@@ -28,7 +28,7 @@ std::vector<std::unique_ptr<tracking::LiveDepth>> opened(const std::vector<LiveS
 }  // namespace
 
 LiveCameras::LiveCameras(const std::vector<LiveSource>& sources)
-    : moments_(opened(sources)), has_failed_(sources.size(), false) {
+    : moments_(opened(sources)), has_failed_(sources.size(), false), has_hung_(sources.size(), false) {
   for (const LiveSource& source : sources) names_.push_back(source.name);
 }
 
@@ -54,8 +54,14 @@ std::string LiveCameras::failureOf(std::size_t c, std::span<const tracking::Came
 
 std::vector<std::string> LiveCameras::news(std::span<const tracking::CameraShare> shares) {
   std::vector<std::string> news;
-  if (size() == 1) return news;
-  for (std::size_t c = 0; c < size(); ++c) {
+  for (std::size_t c = 0; c < std::min(size(), shares.size()); ++c) {
+    if (has_hung_[c] || !std::isfinite(shares[c].hung_at)) continue;
+    has_hung_[c] = true;
+    news.push_back(names_[c] + format(": found the same image repeated since %.2f s, expected new ones: it "
+                                      "hangs, and is not used until then",
+                                      shares[c].hung_at));
+  }
+  for (std::size_t c = 0; size() > 1 && c < size(); ++c) {
     const std::string failure = failureOf(c, shares);
     if (failure.empty() || has_failed_[c]) continue;
     has_failed_[c] = true;
@@ -97,6 +103,7 @@ nlohmann::ordered_json LiveCameras::json(const tracking::ClipTrack& track) const
                    {"images_repeated", share.repeated},
                    {"dropped", camera.dropped()},
                    {"moved_at", orNull(std::isfinite(share.moved_at), share.moved_at)},
+                   {"hung_at", orNull(std::isfinite(share.hung_at), share.hung_at)},
                    {"ended", orNull(!ended.empty(), ended)}});
   }
   return all;

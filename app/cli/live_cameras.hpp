@@ -27,7 +27,8 @@ class LiveCameras {
   std::vector<tracking::DepthCamera> cameras() const;
   const tracking::DepthFacts& facts() const { return moments_.camera(0).facts(); }  ///< of the first
 
-  /// One sentence for each of several cameras that has ended or was moved since the last call.
+  /// One sentence for each camera that hangs since the last call, and for each of several that has ended or
+  /// was moved.
   std::vector<std::string> news(std::span<const tracking::CameraShare> shares);
   const std::vector<std::string>& reported() const { return reported_; }
   /// True if no camera has usable images any more.
@@ -46,7 +47,7 @@ class LiveCameras {
 
   std::vector<std::string> names_;
   tracking::LiveMoments moments_;
-  std::vector<bool> has_failed_;
+  std::vector<bool> has_failed_, has_hung_;  ///< it was reported
   std::vector<std::string> reported_;
 };
 

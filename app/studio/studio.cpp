@@ -184,7 +184,7 @@ void Studio::connectLiveCamera() {
     connectTo(address, scene);
   });
   connect(&camera_, &LiveCamera::lessSeen, this, [this](const QString& sentence) {
-    window_.showProblem(tr("A live depth camera is not used any more"), sentence);
+    window_.showProblem(tr("A live depth camera fails"), sentence);
   });
   connect(&camera_, &LiveCamera::ended, this, [this](const QString& problem) {
     window_.showProblem(tr("The live depth camera ended"), problem);

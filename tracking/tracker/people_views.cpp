@@ -16,7 +16,7 @@ Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
 
 }  // namespace
 
-PeopleViews::PeopleViews(std::span<const DepthCamera> cameras) {
+PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after) : hung_after_(hung_after) {
   views_.reserve(cameras.size());
   for (const DepthCamera& camera : cameras)
     views_.push_back({camera, PeopleFinder(camera), CameraWatch(camera), {}});
@@ -36,6 +36,7 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
       view.watch.see(moment.t, frame.image, people.label, things);
       if (isMoved(c)) continue;
     }
+    if (isHung(c)) continue;
     for (const FoundPerson& person : view.finder.people().persons) {
       sightings_.push_back({person.id, c, person.id});
       places_.push_back({c, person.id, placeOf(person, view.camera)});
@@ -46,6 +47,10 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
   for (std::size_t i = 0; i < ids.size(); ++i) sightings_[i].person = ids[i];
   std::stable_sort(sightings_.begin(), sightings_.end(),
                    [](const Sighting& a, const Sighting& b) { return a.person < b.person; });
+}
+
+bool PeopleViews::isHung(std::size_t camera) const {
+  return moment_->t - views_[camera].watch.unchangedSince() >= hung_after_;
 }
 
 void PeopleViews::addImage(const Sighting& sighting) {
@@ -64,8 +69,10 @@ double PeopleViews::note(std::vector<CameraShare>& shares) const {
       share.moved_at = views_[c].watch.movedAt();
       moved = std::min(moved, share.moved_at);
     }
-    share.without += moment_->frames[c] == nullptr || isMoved(c);
-    if (!moment_->is_new[c] || isMoved(c)) continue;
+    const bool is_used = moment_->frames[c] != nullptr && !isMoved(c) && !isHung(c);
+    if (isHung(c)) share.hung_at = std::min(share.hung_at, views_[c].watch.unchangedSince());
+    share.without += !is_used;
+    if (!moment_->is_new[c] || !is_used) continue;
     ++share.images;
     share.people += !views_[c].finder.people().persons.empty();
   }

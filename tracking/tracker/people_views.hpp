@@ -24,14 +24,18 @@ struct CameraShare {
   /// s, of the camera's first image after it was moved (CameraWatch); infinite: it was not. From then on its
   /// images are not used, as its pose is not known, and nobody is found at the moments that had been tracked.
   double moved_at{kInfinity};
+  /// s, since which the camera hung for the first time (PeopleViews); infinite: it did not.
+  double hung_at{kInfinity};
 };
 
 /// Finds the people of each moment in the images of all cameras, with common ids. A camera that was moved is
-/// not used any more. One thread. Allocates while people appear.
+/// not used any more. One that hangs, so that its images have been equal for `hung_after` (s), is not used
+/// until there is another image: the noise of a depth camera makes all images differ. One thread. Allocates
+/// while people appear.
 class PeopleViews {
  public:
   /// With poses in one world.
-  explicit PeopleViews(std::span<const DepthCamera> cameras);
+  explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
   /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.
   void see(const DepthMoment& moment, const KnownThings& known);
@@ -40,6 +44,8 @@ class PeopleViews {
   double note(std::vector<CameraShare>& shares) const;
 
   bool isMoved(std::size_t camera) const { return std::isfinite(views_[camera].watch.movedAt()); }
+  /// At the last moment.
+  bool isHung(std::size_t camera) const;
   bool empty() const { return sightings_.empty(); }
   std::size_t size() const { return views_.size(); }
 
@@ -72,6 +78,7 @@ class PeopleViews {
   void addImage(const Sighting& sighting);
 
   std::vector<View> views_;
+  double hung_after_;
   PeopleAcross across_;
   std::vector<Sighting> sightings_;
   std::vector<SeenPlace> places_;

@@ -314,8 +314,8 @@ Läuft dort abstand serve, und hat es noch einen Betrachter frei (--viewers)?</t
         <translation>Gelenkwerte von Robotern werden auf %1 (UDP) empfangen</translation>
     </message>
     <message>
-        <source>A live depth camera is not used any more</source>
-        <translation>Eine Live-Tiefenkamera wird nicht mehr benutzt</translation>
+        <source>A live depth camera fails</source>
+        <translation>Eine Live-Tiefenkamera fällt aus</translation>
     </message>
 </context>
 <context>

@@ -69,11 +69,18 @@ TEST(LiveTracker, BackgroundFitMatchesInlineFit) {
     options.person.fit_aside = aside;
     tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
     tracking::DepthFrame frame;
+    tracking::DepthImage before;
     int lost = 0, images = 0;
     for (; images < kMaxImages; ++images) {
-      // The last image stays until the body is there.
+      // The last images, one after the other, stay until the body is there: equal ones are those of a camera
+      // that hangs.
       const double t = frame.t;
-      if (!clip.stream->next(frame)) frame.t = t + 1.0 / 30.0;
+      if (!clip.stream->next(frame)) {
+        std::swap(frame.image, before);
+        frame.t = t + 1.0 / 30.0;
+      } else if (static_cast<std::size_t>(images) + 2 == clip.stream->size()) {
+        before = frame.image;
+      }
       lost += tracker.see(frame).empty();
       const bool over = static_cast<std::size_t>(images) >= clip.stream->size();
       if (over && !tracker.track().people.at(0).body.overrides.empty()) break;
@@ -190,6 +197,28 @@ TEST(LiveTracker, MovedCameraIsNotUsed) {
   EXPECT_LE(last, moved_at + tracking::CameraWatch::kLasts + 1.5 / 30.0);
   for (const humanmodel::SkeletonFrame& kept : tracker.track().people.at(0).frames)
     EXPECT_FALSE(kept.t >= moved_at && kept.has(humanmodel::Joint::kPelvis)) << kept.t;
+}
+
+/// A camera that sends the same image again and again would show somebody who stands still.
+TEST(LiveTracker, HungCameraIsNotUsed) {
+  constexpr double kHung = 0.2;  // s, as in the tracker
+  SimulatedClip clip = someoneReaching(1.0);
+  tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, usual(1.75));
+  tracking::DepthFrame frame;
+  for (int i = 0; i < 15; ++i) {
+    ASSERT_TRUE(clip.stream->next(frame));
+    EXPECT_EQ(tracker.see(frame).size(), 1u) << frame.t;
+  }
+  const double last = frame.t;
+  for (int i = 1; i < 15; ++i) {
+    frame.t = last + i / 30.0;
+    EXPECT_EQ(tracker.see(frame).empty(), frame.t - last >= kHung) << frame.t;
+  }
+  EXPECT_EQ(tracker.shares().front().hung_at, last);
+  const double since = frame.t;
+  ASSERT_TRUE(clip.stream->next(frame));
+  frame.t = since + 1.0 / 30.0;
+  EXPECT_EQ(tracker.see(frame).size(), 1u) << "it sends images again";
 }
 
 TEST(LiveTracker, ReportsLeavingPersonLost) {

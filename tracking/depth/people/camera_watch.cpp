@@ -57,6 +57,8 @@ void CameraWatch::see(double t, const DepthImage& image, std::span<const std::ui
     }
   }
   repeated_ += is_repeated;
+  unchanged_since_ = is_repeated ? std::min(unchanged_since_, last_t_) : kInfinity;
+  last_t_ = t;
   bool has_moved = true;
   for (std::size_t k = 0; k < kThirds; ++k)
     has_moved = has_moved && settled[k] >= kFewest && differ[k] > kMovedShare * settled[k];

@@ -30,6 +30,8 @@ class CameraWatch {
   double movedAt() const { return moved_at_; }
   /// Number of images equal to the previous one.
   std::size_t repeated() const { return repeated_; }
+  /// s, of the first of the last images that are equal; infinite if the last two differ.
+  double unchangedSince() const { return unchanged_since_; }
 
  private:
   struct Cell {
@@ -39,6 +41,7 @@ class CameraWatch {
   DepthCamera camera_;
   std::vector<Cell> cells_;
   double differs_since_{kInfinity}, moved_at_{kInfinity};
+  double last_t_{-kInfinity}, unchanged_since_{kInfinity};  ///< s
   std::size_t repeated_{0};
 };
 

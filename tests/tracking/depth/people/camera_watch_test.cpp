@@ -55,9 +55,13 @@ TEST(CameraWatch, CountsRepeatedImages) {
   const DepthCamera camera = smallCameraAt({2.8, 0.0, 1.2}, {0.0, 0.0, 0.9});
   CameraWatch watch(camera);
   const std::vector<std::uint8_t> nobody(static_cast<std::size_t>(camera.width * camera.height), 0);
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 9; ++i) {
     watch.see(i * kStep, room(camera, 3.0, static_cast<std::uint64_t>(std::min(i, 5))), nobody);
+    EXPECT_EQ(watch.unchangedSince(), i > 5 ? 5 * kStep : kInfinity) << i;
+  }
   EXPECT_EQ(watch.repeated(), 3u);
+  watch.see(9 * kStep, room(camera, 3.0, 9), nobody);
+  EXPECT_EQ(watch.unchangedSince(), kInfinity);
 }
 
 }  // namespace camera_watch_test
