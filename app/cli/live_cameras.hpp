@@ -24,6 +24,7 @@ class LiveCameras {
   const std::string& name() const { return names_.front(); }
   std::string names() const;  ///< of all cameras, with "and"
   std::size_t size() const { return names_.size(); }
+  std::size_t dropped() const { return moments_.dropped(); }  ///< images of all cameras
   std::vector<tracking::DepthCamera> cameras() const;
   const tracking::DepthFacts& facts() const { return moments_.camera(0).facts(); }  ///< of the first
 

@@ -50,7 +50,6 @@ LiveOutcome follow(const CommandLine& line, LiveCameras& cameras, tracking::Live
 /// All parts of the report on a tracked person.
 struct LiveReport {
   const LiveCameras& cameras;
-  std::size_t dropped;  ///< images of all cameras
   const tracking::ClipTrack& track;
   const tracking::ClipPerson& person;
   const LiveOutcome& outcome;
@@ -70,7 +69,7 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
       {"frames", track.images},
       {"tracked", report.person.found},
       {"lost", track.images - report.person.found},
-      {"dropped", report.dropped},
+      {"dropped", report.cameras.dropped()},
       {"fps", rate},
       {"latency_ms",
        {{"median", 1e3 * latency.median()}, {"p99", 1e3 * latency.p99()}, {"max", 1e3 * latency.max()}}},
@@ -96,9 +95,10 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
 
 std::string liveText(const LiveReport& report, std::size_t chosen) {
   const tracking::DepthFacts& facts = report.cameras.facts();
-  const auto& [cameras, dropped, track, person, outcome, sender, ended, warnings] = report;
-  std::string text = format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(),
-                            track.images, track.camera.width, track.camera.height, outcome.seconds, dropped);
+  const auto& [cameras, track, person, outcome, sender, ended, warnings] = report;
+  std::string text =
+      format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(), track.images,
+             track.camera.width, track.camera.height, outcome.seconds, cameras.dropped());
   text +=
       cameras.text(track) + "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
   text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
@@ -166,9 +166,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     tracking::writeSkeletonCsv(args.out, tracking::recordingOf(track, facts, args.chosen));
 
   const serve::SkeletonSender* const sent_by = sender ? &*sender : nullptr;
-  const LiveReport report{cameras, cameras.moments().dropped(),    track, person, outcome, sent_by,
-                          ended,   tracking::trackWarnings(person)};
-  printReport(line, report, args);
+  printReport(line, {cameras, track, person, outcome, sent_by, ended, tracking::trackWarnings(person)}, args);
   if (sender) checkOutput(line, *sender);
   if (ended.empty() && outcome.interrupted) return kInterrupted;
   if (ended.empty()) return cameras.reported().empty() ? kDone : kPartly;

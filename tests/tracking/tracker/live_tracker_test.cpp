@@ -195,7 +195,8 @@ TEST(LiveTracker, MovedCameraIsNotUsed) {
   const double moved_at = tracker.shares().front().moved_at;
   EXPECT_NEAR(moved_at, kPushed, 1.5 / 30.0);
   EXPECT_LE(last, moved_at + tracking::CameraWatch::kLasts + 1.5 / 30.0);
-  for (const humanmodel::SkeletonFrame& kept : tracker.track().people.at(0).frames)
+  const tracking::ClipTrack track = tracker.track();
+  for (const humanmodel::SkeletonFrame& kept : track.people.at(0).frames)
     EXPECT_FALSE(kept.t >= moved_at && kept.has(humanmodel::Joint::kPelvis)) << kept.t;
 }
 
