@@ -19,7 +19,7 @@ Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
 PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after) : hung_after_(hung_after) {
   views_.reserve(cameras.size());
   for (const DepthCamera& camera : cameras)
-    views_.push_back({camera, PeopleFinder(camera), CameraWatch(camera), {}});
+    views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
 }
 
 void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
@@ -31,7 +31,7 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
     View& view = views_[c];
     const DepthFrame& frame = *moment.frames[c];
     if (moment.is_new[c]) {
-      const DepthImage* things = known ? known(moment.t, view.camera) : nullptr;
+      const DepthImage* things = known ? known(moment.t, *view.camera) : nullptr;
       const PeopleImage& people = view.finder.find(frame.t, frame.image, things);
       view.watch.see(moment.t, frame.image, people.label, things);
       if (isMoved(c)) continue;
@@ -39,7 +39,7 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
     if (isHung(c)) continue;
     for (const FoundPerson& person : view.finder.people().persons) {
       sightings_.push_back({person.id, c, person.id});
-      places_.push_back({c, person.id, placeOf(person, view.camera)});
+      places_.push_back({c, person.id, placeOf(person, *view.camera)});
     }
   }
   if (views_.size() == 1) return;
@@ -56,7 +56,7 @@ bool PeopleViews::isHung(std::size_t camera) const {
 void PeopleViews::addImage(const Sighting& sighting) {
   View& view = views_[sighting.camera];
   view.finder.mask(sighting.id, view.mask);
-  images_.push_back({&moment_->frames[sighting.camera]->image, &view.camera, view.mask});
+  images_.push_back({&moment_->frames[sighting.camera]->image, view.camera, view.mask});
 }
 
 double PeopleViews::note(std::vector<CameraShare>& shares) const {

@@ -34,7 +34,8 @@ struct CameraShare {
 /// while people appear.
 class PeopleViews {
  public:
-  /// With poses in one world.
+  /// With poses in one world. They must outlive this object and all trackers that see its images: what a
+  /// person's tracker learns of a camera (StillThings) is found again by the camera's address.
   explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
   /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.
@@ -64,7 +65,7 @@ class PeopleViews {
 
  private:
   struct View {
-    DepthCamera camera;
+    const DepthCamera* camera;
     PeopleFinder finder;
     CameraWatch watch;
     std::vector<std::uint8_t> mask;
