@@ -26,7 +26,7 @@ struct RenderDepthArguments {
   robot_file::PackagePaths packages;
 };
 
-tracking::DepthCamera kinectOf(int width) {
+tracking::DepthCamera kinectCamera(int width) {
   tracking::DepthCamera camera;
   const double part = width / 640.0;
   camera.width = width;
@@ -54,7 +54,7 @@ std::vector<tracking::DepthCamera> camerasOf(const RenderDepthArguments& args, s
   std::vector<tracking::DepthCamera> cameras;
   for (std::size_t c = 0; c < count; ++c) {
     tracking::DepthCamera& camera = cameras.emplace_back(
-        files > 0 ? tracking::loadDepthCamera(args.camera[files > 1 ? c : 0]) : kinectOf(args.width));
+        files > 0 ? tracking::loadDepthCamera(args.camera[files > 1 ? c : 0]) : kinectCamera(args.width));
     if (eyes > 0)
       camera.X_WC = tracking::lookingAt(point(args.eye[eyes > 1 ? c : 0], "--eye"),
                                         point(args.look[args.look.size() > 1 ? c : 0], "--look"));

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/cli/command_line.hpp"
+#include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::cli {
@@ -95,16 +95,10 @@ nlohmann::ordered_json LiveCameras::json(const tracking::ClipTrack& track) const
     const auto orNull = [](bool known, auto value) {
       return known ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     };
-    all.push_back({{"file", names_[c]},
-                   {"camera_reason", camera.facts().camera_reason},
-                   {"images", share.images},
-                   {"images_with_people", share.people},
-                   {"moments_without", share.without},
-                   {"images_repeated", share.repeated},
-                   {"dropped", camera.dropped()},
-                   {"moved_at", orNull(std::isfinite(share.moved_at), share.moved_at)},
-                   {"hung_at", orNull(std::isfinite(share.hung_at), share.hung_at)},
-                   {"ended", orNull(!ended.empty(), ended)}});
+    nlohmann::ordered_json& one = all.emplace_back(cameraJson(names_[c], camera.facts(), share));
+    one["hung_at"] = orNull(std::isfinite(share.hung_at), share.hung_at);
+    one["dropped"] = camera.dropped();
+    one["ended"] = orNull(!ended.empty(), ended);
   }
   return all;
 }
@@ -113,10 +107,8 @@ std::string LiveCameras::text(const tracking::ClipTrack& track) const {
   if (size() == 1) return {};
   std::string text;
   for (std::size_t c = 0; c < std::min(size(), track.cameras.size()); ++c) {
-    const tracking::CameraShare& share = track.cameras[c];
-    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu times, %zu dropped\n",
-                   c + 1, names_[c].c_str(), share.images, share.people, share.without, track.images,
-                   moments_.camera(c).dropped());
+    text += cameraText(c + 1, names_[c], track.cameras[c], track.images);
+    text += format(", %zu dropped\n", moments_.camera(c).dropped());
   }
   text += format("maximum time difference of images fitted together: %.0f ms\n", 1e3 * track.lag);
   return text;

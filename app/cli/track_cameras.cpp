@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/cli/command_line.hpp"
+#include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
 
 namespace abstand::cli {
@@ -69,18 +69,11 @@ void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
 nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) const {
   auto all = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
-    const tracking::CameraShare& share = track.cameras.at(i);
-    all.push_back({{"file", names_[i].string()},
-                   {"camera_reason", streams_[i]->facts().camera_reason},
-                   {"images", share.images},
-                   {"images_with_people", share.people},
-                   {"moments_without", share.without},
-                   {"images_repeated", share.repeated},
-                   {"moved_at", std::isfinite(share.moved_at) ? nlohmann::ordered_json(share.moved_at)
-                                                              : nlohmann::ordered_json()},
-                   {"clock_offset", cameras_[i].offset},
-                   {"clock_known", static_cast<bool>(clock_known_[i])},
-                   {"clock_reason", clock_reasons_[i]}});
+    nlohmann::ordered_json& camera =
+        all.emplace_back(cameraJson(names_[i].string(), streams_[i]->facts(), track.cameras.at(i)));
+    camera["clock_offset"] = cameras_[i].offset;
+    camera["clock_known"] = static_cast<bool>(clock_known_[i]);
+    camera["clock_reason"] = clock_reasons_[i];
   }
   return all;
 }
@@ -89,9 +82,7 @@ std::string TrackCameras::text(const tracking::ClipTrack& track) const {
   if (cameras_.size() == 1) return {};
   std::string text;
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
-    const tracking::CameraShare& share = track.cameras.at(i);
-    text += format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu times\n", i + 1,
-                   names_[i].string().c_str(), share.images, share.people, share.without, track.images);
+    text += cameraText(i + 1, names_[i].string(), track.cameras.at(i), track.images) + "\n";
     text += format("camera %zu: clock %+.3f s, %s (--clock)\n", i + 1, cameras_[i].offset,
                    clock_reasons_[i].c_str());
   }

@@ -56,6 +56,24 @@ nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track) {
   return people;
 }
 
+nlohmann::ordered_json cameraJson(const std::string& name, const tracking::DepthFacts& facts,
+                                  const tracking::CameraShare& share) {
+  return {{"file", name},
+          {"camera_reason", facts.camera_reason},
+          {"images", share.images},
+          {"images_with_people", share.people},
+          {"moments_without", share.without},
+          {"images_repeated", share.repeated},
+          {"moved_at", std::isfinite(share.moved_at) ? nlohmann::ordered_json(share.moved_at)
+                                                     : nlohmann::ordered_json()}};
+}
+
+std::string cameraText(std::size_t number, const std::string& name, const tracking::CameraShare& share,
+                       std::size_t times) {
+  return format("camera %zu: %s, %zu images, people in %zu; no image at %zu of %zu times", number,
+                name.c_str(), share.images, share.people, share.without, times);
+}
+
 int endBeforeFound(const CommandLine& line, std::size_t images) {
   line.print({{"frames", images},
               {"tracked", 0},
