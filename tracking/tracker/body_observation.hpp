@@ -1,6 +1,7 @@
 // Observation of one person at one moment by one or several depth cameras.
 #pragma once
 
+#include "tracking/body/body_rig.hpp"
 #include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
@@ -21,7 +22,13 @@ class BodyObservation {
   void markStanding();
   void unmarkStanding();
 
+  /// If the person of this pose sits: moves the points of the seat from points() to seat()
+  /// (moveSeatPoints()). Returns whether there are any.
+  bool setSeatAside(const BodyRig& rig, const RigPlacement& X_WS);
+
   const SeenPoints& points() const { return points_; }
+  /// Points that belong to no person; empty after update().
+  const SeenPoints& seat() const { return seat_; }
   std::span<const BodyView> views() const { return {views_.data(), count_}; }
   /// Position (m, world) of the camera that saw a point.
   const Vector3d& eyeOf(std::size_t point) const { return views_[points_.view[point]].eye(); }
@@ -30,7 +37,7 @@ class BodyObservation {
   std::size_t max_cells_;
   std::array<BodyView, kMaxViews> views_;
   std::size_t count_{0};
-  SeenPoints points_;
+  SeenPoints points_, seat_;
 };
 
 }  // namespace abstand::tracking

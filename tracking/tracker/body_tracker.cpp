@@ -6,6 +6,7 @@
 
 #include "humanmodel/joint_covariance.hpp"
 #include "humanmodel/part_uncertainty.hpp"
+#include "tracking/tracker/crossed_legs.hpp"
 #include "tracking/tracker/joint_uncertainty.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -22,6 +23,7 @@ constexpr int kBadImages = 5;
 // places of hidden ones follow from the lengths of the bones.
 constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
+constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 constexpr double kStands = 0.5;     // s; legs that were not seen for longer are those of a person who stands
 constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
 constexpr double kTurns = 1.0;      // s; a person out of sight for longer may have turned around
@@ -38,6 +40,8 @@ constexpr double kStandingHead = 0.85;
 // below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of a
 // person who stands hang higher than markStanding() looks.
 constexpr double kHandsOffFloor = 0.70;
+// Times the cost of crossed legs, at which legs that are not crossed are still the likelier ones.
+constexpr double kUncrossedCost = 1.1;
 constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
 
 // m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is at
@@ -108,7 +112,10 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   fit_.keepAboveFloor(lying_.lies);
   is_cut_ = isCutAbove(images);
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
-  if (may_sit && !(body_.found && kneels(body_.X_WS))) seen_.markStanding();
+  if (may_sit && !(body_.found && kneels(body_.X_WS))) {
+    seen_.markStanding();
+    if (body_.found) seen_.setSeatAside(*rig_, body_.X_WS);
+  }
   const double dt = t - last_t_;
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {
@@ -122,6 +129,8 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     find();
     if (may_sit && body_.found && kneels(body_.X_WS)) {
       seen_.unmarkStanding();
+      find();
+    } else if (may_sit && body_.found && seen_.setSeatAside(*rig_, body_.X_WS)) {
       find();
     }
     appeared_t_ = t;
@@ -232,6 +241,7 @@ void BodyTracker::find() {
       if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (away_ ? kPi : 0.0), best);
   }
   body_ = best;
+  if (crossesLegs(body_.X_WS)) uncrossLegs();
   body_.found = body_.misfit.explained > kFoundAbove;
   velocity_.setZero();
   badly_ = 0;
@@ -286,13 +296,24 @@ void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
 void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
   body_.pose = start;
   for (int round = 0; round < 3; ++round) {
-    fit_.refine(seen_, body_.pose, wide_, 6, body_.pose);
+    fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
     searchLimbs(120, 0.3, 40, 0.2);
   }
-  fit_.refine(seen_, body_.pose, narrow_, 10, body_.pose);
+  fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
   if (body_.misfit.cost < best.misfit.cost) best = body_;
+}
+
+/// Puts each leg at the place of the other one, unless the image then is explained worse.
+void BodyTracker::uncrossLegs() {
+  const TrackedBody crossed = body_;
+  body_.pose = uncrossedLegs(*rig_, crossed.pose, crossed.X_WS);
+  fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
+  fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
+  place(*rig_, body_.pose, body_.X_WS);
+  body_.misfit = fit_.misfit(seen_, body_.X_WS);
+  if (body_.misfit.cost > kUncrossedCost * crossed.misfit.cost) body_ = crossed;
 }
 
 /// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.

@@ -80,6 +80,7 @@ class BodyTracker {
                    double facing, TrackedBody& best);
   void tryLying(const Vector3d& middle, TrackedBody& best);
   void tryStart(const RigPose& start, TrackedBody& best);
+  void uncrossLegs();
   void follow(double dt);
   void plantHiddenFeet();
   bool isHeadCut() const;

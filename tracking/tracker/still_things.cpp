@@ -105,7 +105,12 @@ void StillThings::noteKnees(const RigPlacement& X_WS) {
 void StillThings::learn(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS) {
   noteKnees(X_WS);
   image_ = static_cast<std::uint16_t>(image_ == 65535 ? 1 : image_ + 1);
-  const SeenPoints& points = seen.points();
+  noteAll(seen, seen.points(), fit, X_WS);
+  noteAll(seen, seen.seat(), fit, X_WS);
+}
+
+void StillThings::noteAll(const BodyObservation& seen, const SeenPoints& points, const DepthFit& fit,
+                          const RigPlacement& X_WS) {
   fit.scores(points, X_WS, DepthFit::kAll, score_.data());
   for (std::size_t i = 0; i < points.count; ++i) {
     const std::size_t k = points.view[i];

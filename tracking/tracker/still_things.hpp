@@ -49,6 +49,8 @@ class StillThings {
   void update(const PersonImage& image, View& view);
   void note(const DepthCamera& camera, const Vector3d& p_C, bool is_apart, View& view);
   void noteKnees(const RigPlacement& X_WS);
+  void noteAll(const BodyObservation& seen, const SeenPoints& points, const DepthFit& fit,
+               const RigPlacement& X_WS);
 
   std::vector<View> views_;
   std::vector<PersonImage> images_;

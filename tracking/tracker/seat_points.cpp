@@ -1,0 +1,67 @@
+// Heights and distances of points to the legs of a person who sits.
+#include "tracking/tracker/seat_points.hpp"
+
+#include <algorithm>
+
+namespace abstand::tracking {
+namespace {
+
+using enum RigSegment;
+
+// Sines: thighs within 30 degrees of level, calves within 45 degrees of upright.
+constexpr double kLevelThigh = 0.5, kUprightCalf = 0.7;
+constexpr double kLowestHips = 0.30;  // m; those of people who sit on the floor are at 0.1
+
+double lean(const BodyRig& rig, const RigPlacement& X_WS, RigSegment s) {
+  return (X_WS[index(s)].linear() * rig[s].along).z();
+}
+
+Vector3d jointOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  return X_WS[index(rig.carrier[j])] * rig.p_joint[j];
+}
+
+struct Bone {
+  Vector3d from, to;
+
+  double distanceTo(const Vector3d& p) const {
+    const Vector3d along = to - from;
+    const double share = std::clamp((p - from).dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
+    return (p - from - share * along).norm();
+  }
+};
+
+}  // namespace
+
+bool sitsOnSeat(const BodyRig& rig, const RigPlacement& X_WS) {
+  if (X_WS[index(kPelvis)].translation().z() < kLowestHips) return false;
+  return std::abs(lean(rig, X_WS, kThighLeft)) < kLevelThigh &&
+         std::abs(lean(rig, X_WS, kThighRight)) < kLevelThigh && lean(rig, X_WS, kCalfLeft) < -kUprightCalf &&
+         lean(rig, X_WS, kCalfRight) < -kUprightCalf;
+}
+
+std::size_t moveSeatPoints(const BodyRig& rig, const RigPlacement& X_WS, SeenPoints& points,
+                           SeenPoints& seat) {
+  using enum humanmodel::Joint;
+  const auto bone = [&](humanmodel::Joint from, humanmodel::Joint to) {
+    return Bone{jointOf(rig, X_WS, from), jointOf(rig, X_WS, to)};
+  };
+  const std::array<Bone, 4> bones{bone(kKneeLeft, kAnkleLeft), bone(kKneeRight, kAnkleRight),
+                                  bone(kAnkleLeft, kToeLeft), bone(kAnkleRight, kToeRight)};
+  const double level = std::min(bones[0].from.z(), bones[1].from.z()) - kUnderThighs;
+  const std::size_t before = points.count;
+  points.count = 0;
+  for (std::size_t i = 0; i < before; ++i) {
+    const Vector3d p = points.point(i);
+    const bool is_seat = p.z() < level && std::all_of(bones.begin(), bones.end(), [&](const Bone& b) {
+                           return b.distanceTo(p) > kBesideCalf;
+                         });
+    if (is_seat)
+      seat.append(points, i);
+    else
+      points.append(points, i);
+  }
+  return before - points.count;
+}
+
+}  // namespace abstand::tracking
