@@ -61,6 +61,13 @@ void Stature::narrow(const std::array<double, 2>& indicated) {
 
 Stature Stature::given(double height) { return {Source::kGiven, height, {height, height}, {}}; }
 
+Stature Stature::ofSeated(double seen) {
+  return {Source::kInterval,
+          std::clamp(seen / kSeatedShare, kUsual, kTallest),
+          {seen, kTallest},
+          "the person sits and is " + metres(seen) + " high in the images"};
+}
+
 Stature measureStature(std::span<const VerticalExtent> images) {
   std::vector<double> heights, tops;
   std::size_t whole = 0, headless = 0;

@@ -44,13 +44,21 @@ struct Stature {
   /// adult women (ANSUR II), 2.05 m above the 99th of men.
   static constexpr double kShortest = 1.3, kTallest = 2.1;
   static constexpr double kShortestUpright = 1.45, kTallestUpright = 2.05;
+  /// m; a higher head is not that of a person on a chair: the longest trunk with head, 1.05 (ANSUR II: 99 %
+  /// of men are below 1.01), on a seat of 0.53.
+  static constexpr double kTallestSeated = 1.58;
   /// m; statures that the lengths of parts give have this error: twice the standard deviation of a stature
   /// that is estimated from the sitting height (0.52 of it, standard deviation of the ratio 0.013; ANSUR II).
   static constexpr double kProportions = 0.09;
+  /// Share of the stature that is above the floor of a person on a chair: 0.52 above the seat (ANSUR II),
+  /// 0.26 below.
+  static constexpr double kSeatedShare = 0.78;
   /// Default if the images show nothing.
   static constexpr double kUsual = 1.70;
 
   static Stature given(double height);
+  /// Of a person who sits and is `seen` (m) high.
+  static Stature ofSeated(double seen);
 };
 
 /// Stature from the medians of a person's first images. Measured if more than half of the images show the

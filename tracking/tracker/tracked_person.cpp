@@ -11,6 +11,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kMeasured = 15;  // images
+constexpr double kSeatedCost = 0.8;    // times that of the upright body, below which the person sits
 constexpr double kUpright = 0.96;      // share of the stature between sole and vertex of who stands upright
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
@@ -59,13 +60,15 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> ima
 }
 
 const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> images) {
+  bool is_tracked = false;
   if (!tracker_) {
     const VerticalExtent extent = verticalExtent(images);
     if (extent.height > 0.0) extents_.push_back(extent);
     if (extents_.size() < kMeasured) return nullptr;
     settle();
+    is_tracked = checkUpright(t, images);
   }
-  const TrackedBody* body = &tracker_->track(t, images);
+  const TrackedBody* body = is_tracked ? &tracker_->body() : &tracker_->track(t, images);
   if (!stature_.known() && !fitting_.valid() && remeasure(images)) return &tracker_->track(t, images);
   if (fitted_) return body;
   if (!fitting_.valid()) {
@@ -79,6 +82,28 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
     return body;
   settle();
   return &tracker_->track(t, images);
+}
+
+/// A tall person on a chair is as high as a short one who stands: if the first image is explained better by a
+/// body of usual size, the stature is an interval after all. Returns whether the image was tracked for it.
+bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) {
+  if (stature_.source != Stature::Source::kMeasured || stature_.used > Stature::kTallestSeated) return false;
+  const double upright_cost = tracker_->track(t, images).misfit.cost;
+  const Stature upright = stature_;
+  const humanmodel::HumanOptions upright_body = *body_;
+  std::shared_ptr<const BodyRig> upright_rig = rig_;
+  std::unique_ptr<BodyTracker> upright_tracker = std::move(tracker_);
+  stature_ = Stature::ofSeated(upright.used);
+  humanmodel::HumanOptions body;
+  body.height = stature_.used;
+  use(body);
+  const TrackedBody& seated = tracker_->track(t, images);
+  if (seated.found && seated.misfit.cost < kSeatedCost * upright_cost) return true;
+  stature_ = upright;
+  body_ = upright_body;
+  tracker_ = std::move(upright_tracker);
+  rig_ = std::move(upright_rig);
+  return true;
 }
 
 bool TrackedPerson::standsUpright() const {

@@ -90,6 +90,7 @@ class TrackedPerson {
   /// Returns whether there is a new body, which has tracked nothing yet.
   bool remeasure(std::span<const PersonImage> images);
   bool standsUpright() const;
+  bool checkUpright(double t, std::span<const PersonImage> images);
 
   Options options_;
   std::vector<VerticalExtent> extents_;  ///< of the first images; later of the last ones, while needed

@@ -101,6 +101,16 @@ TEST(Stature, IsNotTakenFromSeatedOrHeadlessPerson) {
   EXPECT_NEAR(cutAt(1.8), 1.8, kNear);
 }
 
+TEST(Stature, OfSeatedPersonIsAnIntervalFromTheSeenHeight) {
+  const Stature s = Stature::ofSeated(1.46);
+  EXPECT_FALSE(s.known());
+  EXPECT_THAT(s.interval, ElementsAre(1.46, Stature::kTallest));
+  EXPECT_NEAR(s.used, 1.87, kNear);
+  EXPECT_EQ(Stature::ofSeated(1.2).used, Stature::kUsual);
+  EXPECT_EQ(Stature::ofSeated(1.9).used, Stature::kTallest);
+  EXPECT_THAT(statureReason(s), HasSubstr("sits"));
+}
+
 TEST(Stature, IsNarrowedByTheLengthsOfParts) {
   Stature s = of(0.0, 1.3);
   const double before = s.deviation();
