@@ -49,7 +49,8 @@ TEST_P(LyingOnTheFront, ReachCoversErrorsAndHeadIsAtItsEnd) {
 
 INSTANTIATE_TEST_SUITE_P(People, LyingOnTheFront,
                          ::testing::Values("other_lying_on_the_front", "other_prone_arms_down_tall",
-                                           "other_prone_arms_up_tall", "other_prone_feet_ahead_tall"));
+                                           "other_prone_arms_up_tall", "other_prone_feet_ahead_tall",
+                                           "other_prone_seen_from_above_small"));
 
 class LyingPoses : public ::testing::Test {
  protected:

@@ -14,7 +14,7 @@ constexpr double kNarrowest = 0.2, kBroadest = 1.0;
 // m. A trunk is 0.2 to 0.3 thick; knees may be raised.
 constexpr float kLowestTop = 0.15f, kHighestTop = 0.65f;
 constexpr double kMinArea = 0.2;      // m^2 of the floor
-constexpr float kUnevenBody = 0.03f;  // m, standard deviation of the heights of the cells
+constexpr float kUnevenBody = 0.02f;  // m, standard deviation of the heights of the cells
 constexpr double kOutermost =
     2.0;  // times the standard deviation: half the extent, as of a uniform density 1.7
 
