@@ -29,6 +29,13 @@ double distanceToHand(const FitSurface& hand, const Transform& X_WS, const Vecto
 
 }  // namespace
 
+int HeldThings::Hand::shown() const {
+  int count = 0;
+  for (int i = 1; i <= kWindow; ++i)
+    count += extents[static_cast<std::size_t>((next + kMemory - i) % kMemory)] > 0.0f;
+  return count;
+}
+
 HeldThings::HeldThings(const Extents& at_start) : extent_{at_start} {
   for (std::size_t k = 0; k < hands_.size(); ++k) {
     hands_[k].extents.fill(static_cast<float>(at_start[k]));
@@ -138,10 +145,9 @@ void HeldThings::see(const BodyObservation& seen, const DepthFit& fit, const Rig
     const bool is_held = isHeld(surface, middle, hand);
     if (!is_held && visible[index(segment)] < kHandSeen) continue;
     hand.extents[static_cast<std::size_t>(hand.next)] = is_held ? static_cast<float>(surface.extent) : 0.0f;
-    hand.next = (hand.next + 1) % kWindow;
-    const auto shown =
-        std::count_if(hand.extents.begin(), hand.extents.end(), [](float e) { return e > 0.0f; });
-    hand.holds = shown >= (hand.holds ? kKept : kNoticed);
+    hand.next = (hand.next + 1) % kMemory;
+    hand.without = hand.shown() >= kKept ? 0 : hand.without + 1;
+    hand.holds = hand.holds ? hand.without < kMemory : hand.shown() >= kNoticed;
     extent_[k] =
         hand.holds ? static_cast<double>(*std::max_element(hand.extents.begin(), hand.extents.end())) : 0.0;
     if (images_ <= kFirst) at_start_[k] = std::max(at_start_[k], extent_[k]);

@@ -12,9 +12,10 @@ namespace abstand::tracking {
 /// with the hand. The camera sees its front alone; it is assumed to be as deep as the smaller of its two
 /// visible extents.
 ///
-/// Noticed in kNoticed of the last kWindow images in which the hand or the thing was seen; forgotten when
-/// fewer than kKept of these show it. Not shared between threads. see() does not allocate after the first
-/// image, and does not throw.
+/// Noticed in kNoticed of the last kWindow images in which the hand or the thing was seen; forgotten after
+/// kMemory images in which none, or always fewer than kKept of the window, showed it. Its extent is the
+/// largest one of the last kMemory images: where an arm is fitted to a part of the thing, only the rest of it
+/// is left. Not shared between threads. see() does not allocate after the first image, and does not throw.
 class HeldThings {
  public:
   /// m, by which the thing in the left and the right hand extends beyond the hand in any direction; 0: none.
@@ -27,12 +28,12 @@ class HeldThings {
   /// Learns from a body that was fitted to the observation; `visible`: share of each segment that is seen.
   void see(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS,
            const std::array<double, kRigSegments>& visible);
-  /// After see(): the largest extents in the window.
+  /// After see(): the largest extents in the memory.
   const Extents& extent() const { return extent_; }
   /// Extents of the things that were noticed in the first kFirst images.
   const Extents& atStart() const { return at_start_; }
 
-  static constexpr int kWindow = 16, kNoticed = 10, kKept = 3, kFirst = 30;
+  static constexpr int kWindow = 16, kNoticed = 10, kKept = 3, kMemory = 60, kFirst = 60;
   static constexpr double kFist = 0.08;  ///< m beyond the hand; smaller things are part of it
 
  private:
@@ -44,9 +45,11 @@ class HeldThings {
     double extent{0.0};        ///< m
   };
   struct Hand {
-    std::array<float, kWindow> extents{};  ///< m, of the last images; 0: no thing
+    std::array<float, kMemory> extents{};  ///< m, of the last images; 0: no thing
     int next{0};
     bool holds{false}, moved{false};
+    int without{0};     ///< images in a row that hardly showed it
+    int shown() const;  ///< number of the last kWindow images that showed a thing
     Vector3d hand_from{Vector3d::Constant(kNaN)}, thing_from{hand_from};  ///< where the surface appeared
   };
   void connect(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS, RigSegment hand);

@@ -83,7 +83,7 @@ TEST(HeldThings, AreNoticedAfterSomeImages) {
 TEST(HeldThings, AreForgottenWhenTheHandIsEmpty) {
   SquareAtHand scene;
   scene.showFor(HeldThings::kWindow, kBox);
-  scene.showFor(HeldThings::kWindow - HeldThings::kKept, kNothing);
+  scene.showFor(HeldThings::kMemory - 1, kNothing);
   EXPECT_GT(scene.held.extent()[0], 0.0);
   scene.showFor(1, kNothing);
   EXPECT_EQ(scene.held.extent()[0], 0.0);

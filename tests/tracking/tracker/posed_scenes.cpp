@@ -258,6 +258,26 @@ std::vector<PosedScene> heldScenes() {
           {"carton_camera_at_2_6_m", carry, {2.8, 0.0, 2.6}, look, {}, 0, carton}};
 }
 
+std::vector<PosedScene> seatedHeldScenes() {
+  using enum HeldBox::Grip;
+  const auto carrying = [](double t, double low) {
+    Posture p = seated(t);
+    p.reach = 0.36;
+    p.aside = 0.17;
+    p.low = low;
+    return p;
+  };
+  const std::vector<Posture> sit{seated(0.0), seated(3.0)};
+  const std::vector<Posture> lap{carrying(0.0, 0.66), carrying(1.5, 0.72), carrying(3.0, 0.66)};
+  const Vector3d front{2.8, 0.0, 1.2}, high{2.8, 0.0, 2.6}, look{0.0, 0.0, 0.9};
+  const std::vector<HeldBox> bar{{kRight, {-0.09, -0.02, -0.15}, {-0.05, 0.02, 0.35}}};
+  const std::vector<HeldBox> carton{{kBoth, {-0.25, -0.15, -0.12}, {0.05, 0.15, 0.12}}};
+  return {{"seated_with_bar", sit, front, look, kChair, 0, bar},
+          {"seated_with_bar_camera_at_2_6_m", sit, high, look, kChair, 0, bar},
+          {"seated_with_carton", lap, front, look, kChair, 0, carton},
+          {"seated_with_carton_camera_at_2_6_m", lap, high, look, kChair, 0, carton}};
+}
+
 std::vector<PosedScene> heldOutHeldScenes() {
   using enum HeldBox::Grip;
   constexpr double kSmall = 1.58, kTall = 1.92;

@@ -31,6 +31,8 @@ std::vector<PosedScene> heldScenes();
 
 /// Other people with other things; no constant of the tracker was chosen with them.
 std::vector<PosedScene> heldOutHeldScenes();
+/// People on a chair who hold things.
+std::vector<PosedScene> seatedHeldScenes();
 
 /// In a room, 320 x 240.
 SimulatedClip simulate(const PosedScene& scene);

@@ -166,12 +166,18 @@ void PeopleFinder::follow(double t) {
   }
   std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
   const int first_new = next_id_;
+  // The highest first: a bar in the hand of a person who sits is lower than the head.
+  std::sort(heads_.begin(), heads_.end(), [&](const Head& a, const Head& b) {
+    const float top_a = plan_.cell(a.cell).top, top_b = plan_.cell(b.cell).top;
+    return top_a != top_b ? top_a > top_b : a.cell < b.cell;
+  });
   for (const Head& head : heads_) {
     const Place place = middleOfBody(plan_, head.place);
     bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
-    const double apart = plan_.cell(head.cell).top < kLowestOfNew ? kSplitLow : kSplit;
+    const bool is_low = plan_.cell(head.cell).top < kLowestOfNew;
+    const double apart = is_low ? kSplitLow : kSplit;
     for (const Track& track : tracks_) {
-      if (!track.here || track.id >= first_new) continue;
+      if (!track.here || (track.id >= first_new && !is_low)) continue;
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
     }
