@@ -1,5 +1,6 @@
 // Prints the table of errors and coverage of docs/tracking.md.
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -11,6 +12,8 @@
 
 namespace abstand::testing {
 namespace {
+
+tracking::ClipTrackerOptions g_options;
 
 struct TableClip {
   std::string name;
@@ -38,13 +41,21 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"held-out postures", clipsOf(heldOutScenes())}};
 }
 
-/// The person found in the most images.
-JointErrors errorsOf(const TableClip& named, double& images_a_second) {
+/// Of the person found in the most images: the errors, and in how many images.
+struct ClipResult {
+  JointErrors errors;
+  std::size_t found{0}, images{0};
+};
+
+ClipResult resultOf(const TableClip& named, double& images_a_second) {
   SimulatedClip clip = named.make();
-  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, {});
+  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
   images_a_second = static_cast<double>(track.images) / track.seconds;
-  return compare(track.people.empty() ? std::vector<humanmodel::SkeletonFrame>{} : track.people[0].frames,
-                 clip.truth);
+  ClipResult result{{}, 0, clip.truth.size()};
+  if (track.people.empty()) return result;
+  result.errors = compare(track.people[0].frames, clip.truth);
+  result.found = track.people[0].found;
+  return result;
 }
 
 void printStated(const JointErrors::Stated& stated) {
@@ -55,12 +66,16 @@ void printStated(const JointErrors::Stated& stated) {
                 stated.withinLargest(), stated.medianRatioOfLargest(), stated.error.size());
 }
 
-void printRow(const std::string& name, const JointErrors& errors) {
+void printRow(const std::string& name, const ClipResult& result) {
+  const JointErrors& errors = result.errors;
   std::vector<double> seen = errors.tracked.error;
   std::sort(seen.begin(), seen.end());
-  if (seen.empty()) return;
-  std::printf("| %s | %.0f; %.0f |", name.c_str(), 1e3 * JointErrors::mean(seen),
-              1e3 * JointErrors::quantile(seen, 0.95));
+  if (result.images == 0) return;
+  std::printf("| %s | %zu of %zu |", name.c_str(), result.found, result.images);
+  if (seen.empty())
+    std::printf(" none |");
+  else
+    std::printf(" %.0f; %.0f |", 1e3 * JointErrors::mean(seen), 1e3 * JointErrors::quantile(seen, 0.95));
   printStated(errors.tracked);
   printStated(errors.inferred);
   std::printf("\n");
@@ -78,7 +93,7 @@ int printJoints(const std::vector<std::string>& chosen) {
   for (const TableClip& named : clips) {
     if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
     SimulatedClip clip = named.make();
-    const tracking::ClipTrack track = tracking::trackClip(*clip.stream, {});
+    const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
     if (track.people.empty()) continue;
     const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
     std::printf("%s\n", named.name.c_str());
@@ -124,7 +139,7 @@ int printCertified(const std::vector<std::string>& chosen) {
     for (const TableClip& named : clips) {
       if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
       SimulatedClip clip = named.make();
-      const CertifiedDistances of = certifiedDistances(clip, tracking::trackClip(*clip.stream, {}));
+      const CertifiedDistances of = certifiedDistances(clip, tracking::trackClip(*clip.stream, g_options));
       printCertified(named.name, of);
       of_group.add(of);
     }
@@ -135,25 +150,28 @@ int printCertified(const std::vector<std::string>& chosen) {
 
 int printTable(const std::vector<std::string>& chosen) {
   std::printf(
-      "| clip | tracked joints, raw error: mean; 95 %%, mm | tracked within the ellipsoid, median of its "
+      "| clip | images with the body | tracked joints, raw error: mean; 95 %%, mm | tracked within the "
+      "ellipsoid, median of its "
       "size "
       "toward the error / error; the same of its largest axis (joints) | inferred, likewise |\n"
-      "|---|---|---|---|\n");
-  JointErrors all;
-  const auto add = [](const JointErrors& from, JointErrors& to) {
-    to.tracked.add(from.tracked);
-    to.inferred.add(from.inferred);
+      "|---|---|---|---|---|\n");
+  ClipResult all;
+  const auto add = [](const ClipResult& from, ClipResult& to) {
+    to.errors.tracked.add(from.errors.tracked);
+    to.errors.inferred.add(from.errors.inferred);
+    to.found += from.found;
+    to.images += from.images;
   };
   for (const auto& [group, clips] : groups()) {
-    JointErrors of_group;
+    ClipResult of_group;
     double slowest = kInfinity;
     for (const TableClip& clip : clips) {
       if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), clip.name) == chosen.end()) continue;
       double rate = 0.0;
-      const JointErrors errors = errorsOf(clip, rate);
+      const ClipResult result = resultOf(clip, rate);
       slowest = std::min(slowest, rate);
-      printRow(clip.name, errors);
-      add(errors, of_group);
+      printRow(clip.name, result);
+      add(result, of_group);
     }
     printRow("**all " + std::string(group) + "**", of_group);
     std::fprintf(stderr, "%s: %.0f images a second in the slowest clip\n", group, slowest);
@@ -166,8 +184,14 @@ int printTable(const std::vector<std::string>& chosen) {
 }  // namespace
 }  // namespace abstand::testing
 
-/// Arguments: names of clips, none: all of them; or --joints or --certified and names.
+/// Arguments: names of clips, none: all of them; or --joints or --certified and names. First of all --seed
+/// and a number, for another random search for limbs.
 int main(int argc, char** argv) {
+  if (argc > 2 && std::strcmp(argv[1], "--seed") == 0) {
+    abstand::testing::g_options.person.seed = std::strtoull(argv[2], nullptr, 10);
+    argc -= 2;
+    argv += 2;
+  }
   if (argc > 1 && std::strcmp(argv[1], "--joints") == 0)
     return abstand::testing::printJoints({argv + 2, argv + argc});
   if (argc > 1 && std::strcmp(argv[1], "--certified") == 0)
