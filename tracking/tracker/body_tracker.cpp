@@ -20,8 +20,9 @@ constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
 // Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, the
-// places of hidden ones follow from the lengths of the bones.
-constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30;
+// places of hidden ones follow from the lengths of the bones, and so do those of the straight limbs of who
+// lies.
+constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30, kOfStatureStraight = 0.40;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 constexpr double kStands = 0.5;     // s; legs that were not seen for longer are those of a person who stands
@@ -377,7 +378,10 @@ void BodyTracker::stateSpreads(double t) {
   const bool shows_joints = !may_be_on_front;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
-    const double stature = (is_seen && shows_joints ? kOfStatureSeen : kOfStatureHidden) * stature_deviation_;
+    const double of_stature = !shows_joints ? kOfStatureStraight
+                              : is_seen     ? kOfStatureSeen
+                                            : kOfStatureHidden;
+    const double stature = of_stature * stature_deviation_;
     const double other_pose = lying_.apart[j] / humanmodel::kSpreadQuantile;
     const double all_around = std::hypot(stature, other_pose, is_seen ? motion_.spread()[j] : 0.0);
     covariance[j].diagonal().array() += all_around * all_around;
