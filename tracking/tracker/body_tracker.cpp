@@ -242,7 +242,7 @@ void BodyTracker::find() {
       if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (away_ ? kPi : 0.0), best);
   }
   body_ = best;
-  if (crossesLegs(body_.X_WS)) uncrossLegs();
+  if (std::isfinite(body_.misfit.cost) && crossesLegs(body_.X_WS)) uncrossLegs();
   body_.found = body_.misfit.explained > kFoundAbove;
   velocity_.setZero();
   badly_ = 0;

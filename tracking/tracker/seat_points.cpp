@@ -49,11 +49,20 @@ std::size_t moveSeatPoints(const BodyRig& rig, const RigPlacement& X_WS, SeenPoi
   const std::array<Bone, 4> bones{bone(kKneeLeft, kAnkleLeft), bone(kKneeRight, kAnkleRight),
                                   bone(kAnkleLeft, kToeLeft), bone(kAnkleRight, kToeRight)};
   const double level = std::min(bones[0].from.z(), bones[1].from.z()) - kUnderThighs;
+  const Vector3d hips = 0.5 * (jointOf(rig, X_WS, kHipLeft) + jointOf(rig, X_WS, kHipRight));
+  Vector3d ahead = 0.5 * (bones[0].from + bones[1].from) - hips;
+  ahead.z() = 0.0;
+  const double knees = ahead.norm();
+  if (knees < 1e-6) return 0;
+  ahead /= knees;
+  const Vector3d aside{-ahead.y(), ahead.x(), 0.0};
   const std::size_t before = points.count;
   points.count = 0;
   for (std::size_t i = 0; i < before; ++i) {
     const Vector3d p = points.point(i);
-    const bool is_seat = p.z() < level && std::all_of(bones.begin(), bones.end(), [&](const Bone& b) {
+    const bool is_below =
+        p.z() < level && ahead.dot(p - hips) < knees && std::abs(aside.dot(p - hips)) < kHalfSeat;
+    const bool is_seat = is_below && std::all_of(bones.begin(), bones.end(), [&](const Bone& b) {
                            return b.distanceTo(p) > kBesideCalf;
                          });
     if (is_seat)

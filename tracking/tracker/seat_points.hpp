@@ -10,10 +10,11 @@ namespace abstand::tracking {
 /// floor, and not on the knees.
 bool sitsOnSeat(const BodyRig& rig, const RigPlacement& X_WS);
 
-/// Moves points from `points` to the end of `seat` that lie below the thighs of a person who sits, and beside
-/// calves and feet: the edge and the legs of the seat, which would pull the thighs down. No part of a person
-/// is there, unless the calves of the pose are misplaced. Points keep their order; those for which `seat` has
-/// no room are lost. Returns how many were moved. Does not allocate or throw.
+/// Moves points from `points` to the end of `seat` that lie below the thighs of a person who sits, not ahead
+/// of the knees, within kHalfSeat, and beside calves and feet: the edge and the legs of the seat, which would
+/// pull the thighs down. No part of a person is there, unless the calves of the pose are misplaced. Points
+/// keep their order; those for which `seat` has no room are lost. Returns how many were moved. Does not
+/// allocate or throw.
 std::size_t moveSeatPoints(const BodyRig& rig, const RigPlacement& X_WS, SeenPoints& points,
                            SeenPoints& seat);
 
@@ -21,5 +22,7 @@ std::size_t moveSeatPoints(const BodyRig& rig, const RigPlacement& X_WS, SeenPoi
 inline constexpr double kUnderThighs = 0.06;
 /// m from the middle of a calf or a foot: twice their radius.
 inline constexpr double kBesideCalf = 0.12;
+/// m to each side of the hips: half the breadth of an office chair's seat, and its arm rests.
+inline constexpr double kHalfSeat = 0.35;
 
 }  // namespace abstand::tracking

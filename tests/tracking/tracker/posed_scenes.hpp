@@ -23,13 +23,14 @@ inline void PrintTo(const PosedScene& scene, std::ostream* out) { *out << scene.
 std::vector<PosedScene> posedScenes();
 
 /// People of other statures and shapes, postures, and views; no constant of the tracker was chosen with them,
-/// except with those who are curled up or lie on the front.
+/// except with those who are curled up, lie on the front or sit.
 std::vector<PosedScene> heldOutScenes();
 
 /// People who hold bars and boxes.
 std::vector<PosedScene> heldScenes();
 
-/// Other people with other things; no constant of the tracker was chosen with them.
+/// Other people with other things; no constant of the tracker was chosen with them, except
+/// HeldThings::kMemory.
 std::vector<PosedScene> heldOutHeldScenes();
 /// People on a chair who hold things.
 std::vector<PosedScene> seatedHeldScenes();

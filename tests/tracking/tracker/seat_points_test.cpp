@@ -69,6 +69,15 @@ TEST_F(SeatPoints, EdgeAndLegsOfTheChairAreMovedOnly) {
   EXPECT_TRUE(points->point(2).isApprox(toe, 1e-5));
 }
 
+TEST_F(SeatPoints, LegsThatAreSomewhereElseAreLeft) {
+  const Vector3d low{0.0, 0.0, 0.2};
+  add(low +
+      Vector3d(jointAt(kKneeLeft).x() + 0.2, 0.0, 0.0));  // stretched ahead, between the calves of the pose
+  add(low + Vector3d(0.2, kHalfSeat + 0.05, 0.0));        // to the side
+  EXPECT_EQ(moveSeatPoints(rig, X_WS, *points, *seat), 0u);
+  EXPECT_EQ(points->count, 2u);
+}
+
 TEST_F(SeatPoints, WithoutRoomAreLost) {
   seat->count = SeenPoints::kMax;
   add(0.5 * (jointAt(kHipLeft) + jointAt(kKneeLeft)) - 0.2 * Vector3d::UnitZ());
