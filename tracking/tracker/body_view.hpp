@@ -37,6 +37,7 @@ struct PersonImage {
   const DepthImage* image;
   const DepthCamera* camera;
   std::span<const std::uint8_t> is_person;  ///< for every pixel: 1 is the person
+  std::size_t number{0};                    ///< of the camera, the same in all images
 };
 
 /// One person in one image. update() allocates nothing after the first image of a size.

@@ -206,14 +206,9 @@ ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options) {
 }
 
 ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptions& options) {
-  if (cameras.empty() || cameras.size() > BodyObservation::kMaxViews)
-    throw UsageError("found " + std::to_string(cameras.size()) + " depth cameras, expected 1 to " +
-                     std::to_string(BodyObservation::kMaxViews));
-  for (const ClipCamera& camera : cameras)
-    if (cameras.size() > 1 && !camera.stream->facts().pose_known)
-      throw UsageError(
-          "found several depth cameras, one without a pose, expected T_WC in a camera "
-          "file for each");
+  requireCameras(cameras.size(), std::all_of(cameras.begin(), cameras.end(), [](const ClipCamera& camera) {
+                   return camera.stream->facts().pose_known;
+                 }));
   return ClipPasses(cameras, options).run();
 }
 

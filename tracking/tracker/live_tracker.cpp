@@ -18,12 +18,7 @@ constexpr double kHung = 0.2;  // s, six images of a Kinect
 LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
                          const LiveTrackerOptions& options)
     : options_(options), cameras_(cameras.begin(), cameras.end()) {
-  if (cameras.empty() || cameras.size() > BodyObservation::kMaxViews)
-    throw UsageError("found " + std::to_string(cameras.size()) + " depth cameras, expected 1 to " +
-                     std::to_string(BodyObservation::kMaxViews));
-  if (cameras.size() > 1 && !poses_known)
-    throw UsageError(
-        "found several depth cameras, one without a pose, expected T_WC in a camera file for each");
+  requireCameras(cameras.size(), poses_known);
   track_.camera = cameras_.front();
   for (const DepthCamera& camera : cameras_)
     track_.camera.spread = std::max(track_.camera.spread, camera.spread);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.hpp"
 #include "tracking/tracker/body_tracker.hpp"
 
 namespace abstand::tracking {
@@ -15,6 +16,15 @@ Eigen::Vector2d placeOf(const FoundPerson& person, const DepthCamera& camera) {
 }
 
 }  // namespace
+
+void requireCameras(std::size_t count, bool poses_known) {
+  if (count == 0 || count > BodyObservation::kMaxViews)
+    throw UsageError("found " + std::to_string(count) + " depth cameras, expected 1 to " +
+                     std::to_string(BodyObservation::kMaxViews));
+  if (count > 1 && !poses_known)
+    throw UsageError(
+        "found several depth cameras, one without a pose, expected T_WC in a camera file for each");
+}
 
 PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after) : hung_after_(hung_after) {
   views_.reserve(cameras.size());
@@ -56,7 +66,7 @@ bool PeopleViews::isHung(std::size_t camera) const {
 void PeopleViews::addImage(const Sighting& sighting) {
   View& view = views_[sighting.camera];
   view.finder.mask(sighting.id, view.mask);
-  images_.push_back({&moment_->frames[sighting.camera]->image, view.camera, view.mask});
+  images_.push_back({&moment_->frames[sighting.camera]->image, view.camera, view.mask, sighting.camera});
 }
 
 double PeopleViews::note(std::vector<CameraShare>& shares) const {

@@ -28,14 +28,17 @@ struct CameraShare {
   double hung_at{kInfinity};
 };
 
+/// Throws UsageError unless `count` cameras can be used together: 1 to BodyObservation::kMaxViews, several of
+/// them with poses in one world.
+void requireCameras(std::size_t count, bool poses_known);
+
 /// Finds the people of each moment in the images of all cameras, with common ids. A camera that was moved is
 /// not used any more. One that hangs, so that its images have been equal for `hung_after` (s), is not used
 /// until there is another image: the noise of a depth camera makes all images differ. One thread. Allocates
 /// while people appear.
 class PeopleViews {
  public:
-  /// With poses in one world. They must outlive this object and all trackers that see its images: what a
-  /// person's tracker learns of a camera (StillThings) is found again by the camera's address.
+  /// With poses in one world; they must outlive this object.
   explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
   /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.

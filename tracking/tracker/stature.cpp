@@ -25,7 +25,7 @@ std::string metres(double m) {
 VerticalExtent verticalExtent(std::span<const PersonImage> images) {
   std::vector<double> heights;
   bool all_cut_above = true, all_cut_below = true;
-  for (const auto& [image, camera, is_person] : images) {
+  for (const auto& [image, camera, is_person, number] : images) {
     bool cut_above = false, cut_below = false, sees = false;
     for (int v = 0; v < image->height; ++v) {
       for (int u = 0; u < image->width; ++u) {

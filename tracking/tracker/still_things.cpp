@@ -20,9 +20,9 @@ float noiseAt(float z) { return 0.02f + 0.003f * z * z; }
 
 StillThings::View& StillThings::viewOf(const PersonImage& image) {
   const auto known =
-      std::find_if(views_.begin(), views_.end(), [&](const View& v) { return v.camera == image.camera; });
+      std::find_if(views_.begin(), views_.end(), [&](const View& v) { return v.number == image.number; });
   View& view = known != views_.end() ? *known : views_.emplace_back();
-  view.camera = image.camera;
+  view.number = image.number;
   view.pixels.resize(image.image->z.size());
   view.is_person.resize(image.image->z.size());
   return view;

@@ -40,7 +40,7 @@ class StillThings {
     std::uint16_t image{0};    ///< of image_, last one counted in `apart`
   };
   struct View {
-    const DepthCamera* camera{nullptr};
+    std::size_t number{0};  ///< PersonImage::number
     std::vector<Pixel> pixels;
     std::vector<std::uint8_t> is_person;
   };

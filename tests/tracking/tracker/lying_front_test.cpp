@@ -94,8 +94,8 @@ TEST_F(LyingPoses, ReachIncludesPosesThatAreAlike) {
   moved.X_WP.translation().x() += 0.4;
   far.X_WP.translation().x() += 0.9;
   add(1.0, lying(true), true);
-  add(1.2, moved, true);
-  add(1.3, far, true);
+  add(1.7, moved, true);
+  add(1.8, far, true);
   for (const double apart : fits_.apart()) EXPECT_NEAR(apart, 0.4, 1e-9);
 }
 

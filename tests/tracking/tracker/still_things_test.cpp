@@ -62,6 +62,19 @@ TEST(StillThings, ArePixelsApartFromABodyWhoseKneesHaveMoved) {
   EXPECT_EQ(scene.things.removed(), scene.postPixels());
 }
 
+TEST(StillThings, AreKnownByTheNumberOfTheirCamera) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  scene.walk(kPost);
+  const DepthCamera copy = scene.camera;
+  const PersonImage of_copy{&scene.image, &copy, scene.is_person, 0};
+  scene.things.remove({&of_copy, 1});
+  EXPECT_EQ(scene.things.removed(), scene.postPixels());
+  const PersonImage of_other{&scene.image, &scene.camera, scene.is_person, 1};
+  scene.things.remove({&of_other, 1});
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
 TEST(StillThings, AreNoneBesideAPersonWhoStandsStill) {
   PostBeside scene;
   scene.showFor(10 * StillThings::kApartImages, kPost, 0.0);
