@@ -5,7 +5,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "core/base/error.hpp"
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_stand.hpp"
 

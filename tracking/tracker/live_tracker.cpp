@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.hpp"
 #include "humanmodel/joint_covariance.hpp"
 
 namespace abstand::tracking {
