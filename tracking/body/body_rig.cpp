@@ -213,10 +213,17 @@ void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS) {
   }
 }
 
+Vector3d jointPosition(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint) {
+  const auto j = static_cast<std::size_t>(joint);
+  return X_WS[index(rig.carrier[j])] * rig.p_joint[j];
+}
+
 void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::JointState state,
               humanmodel::SkeletonFrame& frame) {
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-    frame.set(static_cast<humanmodel::Joint>(j), X_WS[index(rig.carrier[j])] * rig.p_joint[j], state);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto joint = static_cast<humanmodel::Joint>(j);
+    frame.set(joint, jointPosition(rig, X_WS, joint), state);
+  }
 }
 
 }  // namespace abstand::tracking

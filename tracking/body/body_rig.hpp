@@ -92,6 +92,9 @@ using RigPlacement = std::array<Transform, kRigSegments>;
 /// Forward kinematics. No allocation, no throw.
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS);
 
+/// World position (m) of a canonical joint. No allocation, no throw.
+Vector3d jointPosition(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint);
+
 /// Positions of the canonical joints, all with state `state`; `t` is unchanged.
 void jointsOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::JointState state,
               humanmodel::SkeletonFrame& frame);

@@ -24,7 +24,7 @@ JointFit fitJoints(const BodyRig& rig, const humanmodel::SkeletonFrame& frame, c
     int count = 0;
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       if (frame.state[j] == humanmodel::JointState::kMissing) continue;
-      sum += (X_WS[index(rig.carrier[j])] * rig.p_joint[j] - frame.p[j]).squaredNorm();
+      sum += (jointPosition(rig, X_WS, static_cast<humanmodel::Joint>(j)) - frame.p[j]).squaredNorm();
       ++count;
     }
     return count > 0 ? std::sqrt(sum / count) : kInfinity;

@@ -320,9 +320,8 @@ void BodyTracker::uncrossLegs() {
 /// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.
 bool BodyTracker::isHeadCut() const {
   if (!is_cut_) return false;
-  const auto vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
   const Vector3d above =
-      body_.X_WS[index(rig_->carrier[vertex])] * rig_->p_joint[vertex] + kAboveVertex * Vector3d::UnitZ();
+      jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kHeadTop) + kAboveVertex * Vector3d::UnitZ();
   return std::none_of(seen_.views().begin(), seen_.views().end(),
                       [&](const BodyView& view) { return view.pixelOf(view.X_CW() * above).has_value(); });
 }

@@ -41,8 +41,7 @@ void raiseArms(const BodyRig& rig, RigPose& pose) {
 double vertexAbovePelvis(const BodyRig& rig) {
   RigPlacement X_WS;
   place(rig, RigPose{}, X_WS);
-  const std::size_t vertex = static_cast<std::size_t>(humanmodel::Joint::kHeadTop);
-  return (X_WS[index(rig.carrier[vertex])] * rig.p_joint[vertex]).z();
+  return jointPosition(rig, X_WS, humanmodel::Joint::kHeadTop).z();
 }
 
 void lyingStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& middle,

@@ -16,11 +16,6 @@ double lean(const BodyRig& rig, const RigPlacement& X_WS, RigSegment s) {
   return (X_WS[index(s)].linear() * rig[s].along).z();
 }
 
-Vector3d jointOf(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint) {
-  const auto j = static_cast<std::size_t>(joint);
-  return X_WS[index(rig.carrier[j])] * rig.p_joint[j];
-}
-
 struct Bone {
   Vector3d from, to;
 
@@ -44,12 +39,12 @@ std::size_t moveSeatPoints(const BodyRig& rig, const RigPlacement& X_WS, SeenPoi
                            SeenPoints& seat) {
   using enum humanmodel::Joint;
   const auto bone = [&](humanmodel::Joint from, humanmodel::Joint to) {
-    return Bone{jointOf(rig, X_WS, from), jointOf(rig, X_WS, to)};
+    return Bone{jointPosition(rig, X_WS, from), jointPosition(rig, X_WS, to)};
   };
   const std::array<Bone, 4> bones{bone(kKneeLeft, kAnkleLeft), bone(kKneeRight, kAnkleRight),
                                   bone(kAnkleLeft, kToeLeft), bone(kAnkleRight, kToeRight)};
   const double level = std::min(bones[0].from.z(), bones[1].from.z()) - kUnderThighs;
-  const Vector3d hips = 0.5 * (jointOf(rig, X_WS, kHipLeft) + jointOf(rig, X_WS, kHipRight));
+  const Vector3d hips = 0.5 * (jointPosition(rig, X_WS, kHipLeft) + jointPosition(rig, X_WS, kHipRight));
   Vector3d ahead = 0.5 * (bones[0].from + bones[1].from) - hips;
   ahead.z() = 0.0;
   const double knees = ahead.norm();

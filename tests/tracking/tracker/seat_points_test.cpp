@@ -19,10 +19,7 @@ struct SeatPoints : ::testing::Test {
   RigPlacement X_WS = seatedPlacement(rig);
   std::unique_ptr<SeenPoints> points = std::make_unique<SeenPoints>(), seat = std::make_unique<SeenPoints>();
 
-  Vector3d jointAt(humanmodel::Joint joint) const {
-    const auto j = static_cast<std::size_t>(joint);
-    return X_WS[index(rig.carrier[j])] * rig.p_joint[j];
-  }
+  Vector3d jointAt(humanmodel::Joint joint) const { return jointPosition(rig, X_WS, joint); }
   void add(const Vector3d& p) {
     const std::size_t i = points->count++;
     points->x[i] = static_cast<float>(p.x());
