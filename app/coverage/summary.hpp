@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "app/coverage/coverage.hpp"
-#include "tracking/tracker/body_tracker.hpp"
+#include "tracking/tracker/seen_segments.hpp"
 
 namespace abstand::coverage {
 
 /// A part counts as seen at a time if this share of its camera-facing surface is seen: the rule of the
 /// tracker for tracked joints.
-inline constexpr double kSeenShare = tracking::BodyTracker::kSeenShare;
+inline constexpr double kSeenShare = tracking::kSeenShare;
 
 struct HiddenSpan {
   double t0{0.0}, t1{0.0};       ///< s: the first time hidden, the next time seen or the last one of all

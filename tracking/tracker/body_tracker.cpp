@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "humanmodel/joint_covariance.hpp"
-#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/tracker/crossed_legs.hpp"
-#include "tracking/tracker/joint_uncertainty.hpp"
+#include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
@@ -19,15 +18,10 @@ constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
-// Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, the
-// places of hidden ones follow from the lengths of the bones, and so do those of the straight limbs of who
-// lies.
-constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30, kOfStatureStraight = 0.40;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
-constexpr double kStands = 0.5;     // s; legs that were not seen for longer are those of a person who stands
-constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
-constexpr double kTurns = 1.0;      // s; a person out of sight for longer may have turned around
+constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
+constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have turned around
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
 /// Upright, the head above the image, which cuts it off at the neck or at the forehead.
@@ -99,7 +93,7 @@ BodySolver::Vector priorsOf(const BodyRig& rig) {
 }  // namespace
 
 BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
-    : rig_{&rig}, fit_{rig}, limbs_{fit_}, hidden_{rig}, space_{rig}, random_{seed} {
+    : rig_{&rig}, fit_{rig}, limbs_{fit_}, uncertainty_{rig}, random_{seed} {
   wide_.prior = priorsOf(rig);
   narrow_.prior = wide_.prior;
   wide_.reach = 0.20;
@@ -160,8 +154,8 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
   RigPose other = body_.pose;
   for (std::size_t k = 0; k < kLimbs.size(); ++k) {
     const bool arm = k < 2;
-    found |= limbs_.search(seen_, kLimbs[k], arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread,
-                           random_, other);
+    found |=
+        limbs_.search(seen_, k, arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread, random_, other);
   }
   if (!found) return;
   fit_.refine(seen_, other, narrow_, kNarrowSteps, other);
@@ -246,6 +240,7 @@ void BodyTracker::find() {
   body_.found = body_.misfit.explained > kFoundAbove;
   velocity_.setZero();
   badly_ = 0;
+  limbs_.forgetTries();
 }
 
 /// Fits the postures of a start that faces `facing` (rad), about the middle of the body, its highest point at
@@ -327,12 +322,12 @@ bool BodyTracker::isHeadCut() const {
 }
 
 void BodyTracker::finish(double t) {
-  if (body_.frame.covariance.isStated()) memory_ = std::move(body_.frame.covariance);
+  uncertainty_.reuse(body_.frame);
   body_.frame = humanmodel::SkeletonFrame{};
   body_.frame.t = t;
   body_.visible.fill(0.0);
   if (!body_.found) {
-    motion_.forget();
+    uncertainty_.forget();
     if (t - found_t_ > kTurns) {
       front_.reset();
       facing_known_ = false;
@@ -345,72 +340,11 @@ void BodyTracker::finish(double t) {
   if (!facesUpOrDown(body_.pose.X_WP.linear().col(0))) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   if (isHeadCut()) body_.visible[index(RigSegment::kHead)] = 0.0;
+  fit_.support(seen_, body_.X_WS, body_.support);
   fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
-  stateSpreads(t);
-}
-
-/// Of joints that are seen: trackedCovariances() and JointMotion. Of others: HiddenSpread, and what the last
-/// joint of the limb that is seen is off by, as all places are counted from there. The ellipsoids of a person
-/// who was just found, or whom the body explains badly, are balls.
-void BodyTracker::stateSpreads(double t) {
-  humanmodel::SkeletonFrame& frame = body_.frame;
-  SeenSegments seen = 0;
-  std::array<double, kRigSegments> visible = body_.visible;
-  for (std::size_t s = 0; s < kRigSegments; ++s) {
-    if (visible[s] >= kSeenShare) seen |= 1u << s;
-    if (visible[s] < kSeenShare) visible[s] = 1.0;  // the free space says more than how little is seen
-  }
-  space_.update(seen_, body_.X_WS, seen);
-  hidden_.see(t, seen, space_.extent(), space_.shape());
-  motion_.see(t, frame);
-  const double is_new = std::clamp(1.0 - (t - appeared_t_) / kConfirmed, 0.0, 1.0);
-  const double is_turned = lying_.lies && !facing_known_ ? 1.0 : 0.0;
-  const double doubt_hidden = std::max({is_new, is_turned, doubtOfExplained(body_.misfit.explained)});
-  const double doubt_seen = std::max({is_new, is_turned, doubtOf(body_.misfit)});
-  const JointCovariances tracked = trackedCovariances(
-      *rig_, fit_.problem(),
-      {.residual = body_.misfit.residual, .doubt = doubt_seen, .visible = visible, .gap = body_.gap});
-  JointCovariances covariance = tracked;
-  // Straight limbs on the floor do not show their joints.
-  const bool may_be_on_front = lying_.lies && (!facing_known_ || body_.pose.X_WP.linear()(2, 0) < 0.0);
-  const bool shows_joints = !may_be_on_front;
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const bool is_seen = (seen >> index(rig_->carrier[j]) & 1u) != 0;
-    const double of_stature = !shows_joints ? kOfStatureStraight
-                              : is_seen     ? kOfStatureSeen
-                                            : kOfStatureHidden;
-    const double stature = of_stature * stature_deviation_;
-    const double other_pose = lying_.apart[j] / humanmodel::kSpreadQuantile;
-    const double all_around = std::hypot(stature, other_pose, is_seen ? motion_.spread()[j] : 0.0);
-    covariance[j].diagonal().array() += all_around * all_around;
-    if (is_seen) continue;
-    covariance[j] += hidden_.covariance()[j];
-    frame.state[j] = humanmodel::JointState::kInferred;
-  }
-  for (const std::array<humanmodel::Joint, 4>& limb : kLimbJoints) {
-    Matrix3d attached = Matrix3d::Zero();
-    for (const humanmodel::Joint joint : limb) {
-      const auto j = static_cast<std::size_t>(joint);
-      if (frame.state[j] == humanmodel::JointState::kInferred)
-        covariance[j] = humanmodel::sumEnclosing(covariance[j], attached);
-      else
-        attached = tracked[j];
-    }
-  }
-  const humanmodel::SkeletonFrame other = facing_known_ ? frame : flippedFacing(frame);
-  frame.covariance = std::move(memory_);  // all are written below
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
-    const bool is_hidden = frame.state[j] == humanmodel::JointState::kInferred;
-    const auto side = static_cast<std::size_t>(mirrored(static_cast<humanmodel::Joint>(j)));
-    // A joint that is seen may be the other one, which is not.
-    if (!facing_known_ && !is_hidden && frame.state[side] == humanmodel::JointState::kInferred)
-      covariance[j] = humanmodel::enclosingCovariance(covariance[j], covariance[side]);
-    const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());
-    humanmodel::setCovariance(frame, static_cast<humanmodel::Joint>(j),
-                              rounded(both, is_hidden ? doubt_hidden : doubt_seen));
-  }
+  const PersonDoubts doubts{t - appeared_t_, stature_deviation_, facing_known_, lying_};
+  uncertainty_.state({t, seen_, fit_, limbs_}, doubts, body_);
 }
 
 }  // namespace abstand::tracking

@@ -4,25 +4,9 @@
 #include <optional>
 #include <random>
 
-#include "tracking/tracker/hidden_space.hpp"
-#include "tracking/tracker/hidden_spread.hpp"
-#include "tracking/tracker/joint_motion.hpp"
-#include "tracking/tracker/limb_search.hpp"
-#include "tracking/tracker/lying_start.hpp"
+#include "tracking/tracker/person_uncertainty.hpp"
 
 namespace abstand::tracking {
-
-/// State of the person after an image.
-struct TrackedBody {
-  bool found{false};
-  RigPose pose;
-  RigPlacement X_WS;
-  DepthMisfit misfit;
-  std::array<double, kRigSegments> visible{};  ///< share of each segment that is visible at its pose
-  std::array<double, kRigSegments> gap{};      ///< m, DepthFit::gaps() of the pose
-  humanmodel::SkeletonFrame
-      frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
-};
 
 /// Initial posture of a search.
 struct StartPosture {
@@ -70,8 +54,6 @@ class BodyTracker {
 
   /// m, typical distance from the visible skin to the middle of the body.
   static constexpr double kHalfBody = 0.10;
-  /// A segment is seen if this share of its samples is visible.
-  static constexpr double kSeenShare = 0.3;
 
  private:
   void find();
@@ -86,18 +68,14 @@ class BodyTracker {
   bool isHeadCut() const;
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
   void finish(double t);
-  void stateSpreads(double t);
 
   const BodyRig* rig_;
   DepthFit fit_;
   LimbSearch limbs_;
   BodyObservation seen_;
-  HiddenSpread hidden_;
-  HiddenSpace space_;
-  JointMotion motion_;
+  PersonUncertainty uncertainty_;
   std::mt19937_64 random_;
   TrackedBody body_;
-  humanmodel::JointMatrices memory_;                         ///< of body_.frame, while it states none
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body

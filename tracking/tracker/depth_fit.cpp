@@ -30,6 +30,13 @@ constexpr std::uint32_t kArms =
     DepthFit::bit(RigSegment::kForearmLeft) | DepthFit::bit(RigSegment::kForearmRight) |
     DepthFit::bit(RigSegment::kHandLeft) | DepthFit::bit(RigSegment::kHandRight);
 
+/// m^2
+float robustSquare(float score) {
+  constexpr float kC2 = kCostReach * kCostReach;
+  const float s2 = score * score;
+  return kC2 * s2 / (kC2 + s2);
+}
+
 /// Bit mask of the segments that a segment's samples must stay out of.
 std::uint32_t foes(RigSegment s) {
   using enum RigSegment;
@@ -164,12 +171,8 @@ void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::u
 }
 
 double DepthFit::robustMean(const float* score, std::size_t count) {
-  constexpr float kC2 = kCostReach * kCostReach;
   double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float s2 = score[i] * score[i];
-    sum += kC2 * s2 / (kC2 + s2);
-  }
+  for (std::size_t i = 0; i < count; ++i) sum += robustSquare(score[i]);
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
@@ -255,6 +258,27 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
     solver_.step(kStepDamping, kMaxStepTurn);
     pose = solver_.pose();
   }
+}
+
+void DepthFit::support(const BodyObservation& seen, const RigPlacement& X_WS,
+                       std::array<double, kRigSegments>& points) const {
+  constexpr float kUnexplained = kCostReach * kCostReach;
+  const SeenPoints& all = seen.points();
+  std::array<std::uint8_t, SeenPoints::kMax> segment;
+  std::array<float, SeenPoints::kMax> second;
+  std::fill_n(best_.begin(), all.count, std::numeric_limits<float>::max());
+  std::fill_n(second.begin(), all.count, std::numeric_limits<float>::max());
+  for (std::size_t s = 0; s < kRigSegments; ++s) {
+    score(s, all, X_WS[s]);
+    for (std::size_t i = 0; i < all.count; ++i) {
+      second[i] = std::min(second[i], std::max(best_[i], score_[i]));
+      if (score_[i] < best_[i]) segment[i] = static_cast<std::uint8_t>(s);
+      best_[i] = std::min(best_[i], score_[i]);
+    }
+  }
+  points.fill(0.0);
+  for (std::size_t i = 0; i < all.count; ++i)
+    points[segment[i]] += (robustSquare(second[i]) - robustSquare(best_[i])) / kUnexplained;
 }
 
 void DepthFit::gaps(const RigPlacement& X_WS, std::array<double, kRigSegments>& gap) const {

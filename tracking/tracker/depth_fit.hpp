@@ -55,6 +55,11 @@ class DepthFit {
   void visibility(const BodyObservation& seen, const RigPlacement& X_WS,
                   std::array<double, kRigSegments>& share) const;
 
+  /// How many points each segment alone explains: the sum over the points of the cost that the others add
+  /// without it, in units of that of an unexplained point. A segment without any may be elsewhere as well.
+  void support(const BodyObservation& seen, const RigPlacement& X_WS,
+               std::array<double, kRigSegments>& points) const;
+
   /// m, for each segment of a limb: smallest distance of its surface to what it can be confused with: of an
   /// arm the trunk, the head and the thighs, of a leg the other leg. Negative: inside. Infinite for the
   /// trunk, the head and the upper arms.

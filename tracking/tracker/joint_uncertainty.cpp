@@ -14,6 +14,12 @@ constexpr double kDeviationsPerResidual = 3.0;  // times the residual: standard 
 // which the term begins, at the second it is whole.
 constexpr double kTouchFrom = 0.04, kTouchWhole = 0.0;
 
+// Points that a segment alone explains: from the first on they begin to show that it is not mistaken for what
+// it touches or what covers it, from the second on by the shares below of both terms. Without these terms,
+// 0.981 of the joints of `sit to stand` were within reach, with these shares 0.99.
+constexpr double kLittleSupport = 1.0, kWholeSupport = 4.0;
+constexpr double kTouchRefuted = 0.7, kHiddenRefuted = 0.3;
+
 // rad, angle of a thigh to the trunk: below the first, they begin to hide each other; at the second, the
 // thigh lies on the trunk. m: error of the hips and of the knee then. The back of a person who bends so is
 // round, that of the model is straight.
@@ -117,11 +123,14 @@ JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& proble
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const std::size_t s = index(rig.carrier[j]);
     const double folded = kFolded * foldAt(fold, rig.carrier[j]);
-    const double hidden = 1.0 - state.visible[s];
-    const double touch = std::clamp((kTouchFrom - state.gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
+    const double supported =
+        std::clamp((state.support[s] - kLittleSupport) / (kWholeSupport - kLittleSupport), 0.0, 1.0);
+    const double touch = (1.0 - kTouchRefuted * supported) *
+                         std::clamp((kTouchFrom - state.gap[s]) / (kTouchFrom - kTouchWhole), 0.0, 1.0);
+    const double covered = 1.0 - state.visible[s];
+    const double hidden = (1.0 - kHiddenRefuted * supported) * covered * std::sqrt(covered);
     const Terms terms = termsOf(static_cast<humanmodel::Joint>(j));
-    const double all_around =
-        std::hypot(hidden * std::sqrt(hidden) * terms.hidden, touch * terms.touch, folded);
+    const double all_around = std::hypot(hidden * terms.hidden, touch * terms.touch, folded);
     const double share = terms.good + (1.0 - terms.good) * state.doubt;
     const Vector3d shape = share * Vector3d(terms.forward, terms.left, terms.along);
     const Matrix3d R_WS = problem.placement()[s].linear();

@@ -18,7 +18,7 @@ Matrix3d rounded(const Matrix3d& covariance, double doubt);
 /// What is known of a fit, see trackedCovariances().
 struct FitState {
   double residual, doubt;
-  const std::array<double, kRigSegments>&visible, &gap;
+  const std::array<double, kRigSegments>&visible, &gap, &support;
 };
 
 /// Covariance (m^2, world) of each joint's raw error; five independent terms:
@@ -28,9 +28,10 @@ struct FitState {
 /// - Fit: covariance of the last fit (jointCovariances) times the square of 3 `residual` (m, RMS of the
 ///   points), as errors of neighbouring points are correlated.
 /// - Occlusion: the less of a segment is visible, the likelier it is fitted to something else: a constant for
-///   each joint times (1 - `visible`)^1.5 of its segment.
+///   each joint times (1 - `visible`)^1.5 of its segment, 0.7 of it if the segment alone explains 4 points
+///   or more (`support`, DepthFit::support()).
 /// - Touch: a hand on the trunk or on a thigh and a foot at the other leg are hardly told from these: a
-///   constant for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on.
+///   constant for each joint, from a `gap` (m, DepthFit::gaps()) of 0.04 m on; 0.3 of it with such support.
 /// - Fold: the hips, and the knee of a thigh, are up to 0.2 m off where the thigh lies on the trunk: a term
 ///   that begins at an angle of 60 degrees between both and is whole at 20.
 /// The constants were chosen on the simulated captures and postures of tests/tracking/tracker; those of a

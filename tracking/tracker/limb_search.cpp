@@ -80,36 +80,59 @@ double LimbSearch::costOf(const BodyObservation& seen, const Limb& limb, const R
          kTurnCost * (turned * turned + bent * bent) + kLimitCost * beyond * beyond;
 }
 
-bool LimbSearch::search(const BodyObservation& seen, const Limb& limb, int tries, double spread,
-                        std::mt19937_64& random, RigPose& pose) {
+/// Selects points, and scores them to the other segments.
+void LimbSearch::prepare(const BodyObservation& seen, const Limb& limb, const RigPlacement& X_WS) {
   const SeenPoints& all = seen.points();
   const std::size_t stride = std::max<std::size_t>(1, all.count / kPoints);
   points_.count = 0;
   for (std::size_t i = 0; i < all.count; i += stride) points_.append(all, i);
+  const std::uint32_t mine = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
+  fit_->scores(points_, X_WS, DepthFit::kAll & ~mine, others_.data());
+}
+
+/// Records the place whose cost was computed last.
+void LimbSearch::keep(std::size_t k, double cost) {
+  if (tried_[k] == kMaxTries) return;
+  tries_[k][tried_[k]++] = {cost, X_WS_[index(kLimbs[k].lower)].translation(),
+                            X_WS_[index(kLimbs[k].end)].translation()};
+}
+
+double LimbSearch::cost(const BodyObservation& seen, std::size_t k, const RigPose& pose) {
+  const Limb& limb = kLimbs[k];
+  place(fit_->rig(), pose, X_WS_);
+  prepare(seen, limb, X_WS_);
+  return costOf(seen, limb, pose, pose);
+}
+
+bool LimbSearch::search(const BodyObservation& seen, std::size_t k, int tries, double spread,
+                        std::mt19937_64& random, RigPose& pose) {
+  const Limb& limb = kLimbs[k];
   const RigPose start = pose;
   place(fit_->rig(), start, X_WS_);
   const RigPlacement X_WS = X_WS_;
-  const std::uint32_t mine = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
-  fit_->scores(points_, X_WS, DepthFit::kAll & ~mine, others_.data());
+  prepare(seen, limb, X_WS);
   const Vector3d wrist = X_WS[index(limb.end)].translation();
 
   const double before = costOf(seen, limb, start, start);
+  tried_[k] = 0;
+  keep(k, before);
   double smallest_cost = before * kBetter;
   bool found = false;
   const auto attempt = [&](const Vector3d& goal, double swivel) {
     RigPose other = start;
     reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
     const double cost = costOf(seen, limb, other, start);
+    keep(k, cost);
     if (cost >= smallest_cost) return;
     smallest_cost = cost;
     pose = other;
     found = true;
   };
-  for (int k = 0; k < tries; ++k) {
+  for (int i = 0; i < tries; ++i) {
     const double swivel = uniform(random, -1.5, 1.5);  // compilers differ in the order of arguments
     attempt(wrist + normal(random, spread), swivel);
   }
-  for (int k = 0, picked = 0; k < 40 && picked < kUnexplainedTries && points_.count > 0; ++k) {
+  for (int draw = 0, picked = 0; draw < 40 && picked < kUnexplainedTries && points_.count > 0; ++draw) {
     const std::size_t i = random() % points_.count;
     if (others_[i] < kUnexplained) continue;
     ++picked;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <random>
+#include <span>
 
 #include "tracking/tracker/depth_fit.hpp"
 
@@ -37,21 +38,39 @@ inline constexpr std::array<std::array<humanmodel::Joint, 4>, 4> kLimbJoints{{
 void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, const Vector3d& goal,
               double swivel, RigPose& pose);
 
+/// A place that was tried.
+struct LimbTry {
+  double cost;           ///< m^2, LimbSearch::cost() of the pose
+  Vector3d middle, end;  ///< m, world: elbow and wrist, knee and ankle
+};
+
 /// Tries positions and keeps the best. Not shared between threads; no allocation, no throw.
 class LimbSearch {
  public:
   explicit LimbSearch(DepthFit& fit) : fit_{&fit} {}
 
-  /// Tries `tries` random positions around the wrist with standard deviation `spread` (m), positions of
-  /// points that no segment explains, and for a leg the straight one below the hip, on which a person stands.
-  /// `pose` changes only if one is better; returns whether it did.
-  bool search(const BodyObservation& seen, const Limb& limb, int tries, double spread,
+  /// Of kLimbs[`limb`], tries `tries` random positions around the wrist with standard deviation `spread` (m),
+  /// positions of points that no segment explains, and for a leg the straight one below the hip, on which a
+  /// person stands. `pose` changes only if one is better; returns whether it did.
+  bool search(const BodyObservation& seen, std::size_t limb, int tries, double spread,
               std::mt19937_64& random, RigPose& pose);
+  /// What the last search for kLimbs[`limb`] tried, the place where it started included.
+  std::span<const LimbTry> tries(std::size_t limb) const { return {tries_[limb].data(), tried_[limb]}; }
+  /// Nothing was tried in this image.
+  void forgetTries() { tried_.fill(0); }
+  /// Cost (m^2) of kLimbs[`limb`] at a pose, as of what was tried.
+  double cost(const BodyObservation& seen, std::size_t limb, const RigPose& pose);
 
  private:
+  static constexpr std::size_t kMaxTries = 160;  ///< kept of each search
+
+  void keep(std::size_t limb, double cost);
+  void prepare(const BodyObservation& seen, const Limb& limb, const RigPlacement& X_WS);
   double costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose, const RigPose& start);
 
   DepthFit* fit_;
+  std::array<std::array<LimbTry, kMaxTries>, kLimbs.size()> tries_{};
+  std::array<std::size_t, kLimbs.size()> tried_{};
   SeenPoints points_;  ///< subset of the image's points
   std::array<float, SeenPoints::kMax> others_{}, scores_{};
   RigPlacement X_WS_;

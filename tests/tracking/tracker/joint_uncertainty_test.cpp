@@ -55,5 +55,34 @@ TEST(FitDoubt, RoundsAnEllipsoidWithoutMakingItLargerThanItsBall) {
   }
 }
 
+TEST(TrackedCovariances, TouchCountsLessWhereAHandExplainsPointsThatNothingElseExplains) {
+  constexpr double kShareLeft = 0.3;  // of the standard deviation; 0.7 are refuted (joint_uncertainty.cpp)
+  constexpr double kSlope = 0.5;      // at 2.5 points, halfway from 1 to 4
+  const BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  BodySolver problem(rig);
+  problem.begin(RigPose{});
+  BodySolver::Vector weight;
+  weight.setOnes();
+  problem.addPrior(RigPose{}, weight);
+  problem.step(1e-3, 0.1);
+  std::array<double, kRigSegments> visible, gap, support;
+  visible.fill(1.0);
+  const auto varianceOfHand = [&](double gap_of_all, double support_of_all) {
+    gap.fill(gap_of_all);
+    support.fill(support_of_all);
+    const JointCovariances covariance = trackedCovariances(
+        rig, problem, {.residual = 0.01, .doubt = 0.0, .visible = visible, .gap = gap, .support = support});
+    return Matrix3d(covariance[static_cast<std::size_t>(humanmodel::Joint::kHandLeft)]);
+  };
+  const Matrix3d free = varianceOfHand(kInfinity, 0.0);
+  const Matrix3d touch = varianceOfHand(0.0, 0.0) - free;
+  EXPECT_GT(touch.trace(), 0.0);
+  EXPECT_TRUE((varianceOfHand(0.0, 4.0) - free).isApprox(kShareLeft * kShareLeft * touch, 1e-9));
+  EXPECT_TRUE((varianceOfHand(0.0, 99.0) - free).isApprox(kShareLeft * kShareLeft * touch, 1e-9));
+  const double half = 1.0 - kSlope * (1.0 - kShareLeft);
+  EXPECT_TRUE((varianceOfHand(0.0, 2.5) - free).isApprox(half * half * touch, 1e-9));
+  EXPECT_TRUE(varianceOfHand(kInfinity, 4.0).isApprox(free, 1e-9)) << "nothing to refute";
+}
+
 }  // namespace joint_uncertainty_test
 }  // namespace abstand::tracking
