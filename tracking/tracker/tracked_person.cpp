@@ -24,7 +24,7 @@ TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   humanmodel::HumanOptions body;
   body.height = *options.height;
   stature_ = Stature::given(*options.height);
-  use(body);
+  use(followerOf(body, stature_));
   fitted_ = !options.fit_body;
 }
 
@@ -34,19 +34,25 @@ TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
       stature_{known.stature},
       things_{known.things},
       held_{known.held} {
-  use(known.body);
+  use(followerOf(known.body, stature_));
   fitted_ = true;
 }
 
-void TrackedPerson::use(const humanmodel::HumanOptions& body) {
-  body_ = body;
-  auto rig = std::make_unique<BodyRig>(makeRig(humanmodel::makeHuman(body)));
-  tracker_ = std::make_unique<BodyTracker>(*rig, options_.seed);
-  tracker_->setStatureDeviation(stature_.deviation());
-  if (facing_.away) tracker_->expectAway();
-  if (facing_.lies) tracker_->expectLying(facing_.away);
-  tracker_->setFacingKnown(facing_.decided());
-  rig_ = std::move(rig);
+TrackedPerson::Follower TrackedPerson::followerOf(const humanmodel::HumanOptions& body,
+                                                  const Stature& stature) const {
+  Follower follower{body, std::make_unique<BodyRig>(makeRig(humanmodel::makeHuman(body))), nullptr};
+  follower.tracker = std::make_unique<BodyTracker>(*follower.rig, options_.seed);
+  follower.tracker->setStatureDeviation(stature.deviation());
+  if (facing_.away) follower.tracker->expectAway();
+  if (facing_.lies) follower.tracker->expectLying(facing_.away);
+  follower.tracker->setFacingKnown(facing_.decided());
+  return follower;
+}
+
+void TrackedPerson::use(Follower follower) {
+  body_ = follower.body;
+  tracker_ = std::move(follower.tracker);  // before the rig that the last one refers to
+  rig_ = std::move(follower.rig);
 }
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> images) {
@@ -89,20 +95,14 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
 bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) {
   if (stature_.source != Stature::Source::kMeasured || stature_.used > Stature::kTallestSeated) return false;
   const double upright_cost = tracker_->track(t, images).misfit.cost;
-  const Stature upright = stature_;
-  const humanmodel::HumanOptions upright_body = *body_;
-  std::shared_ptr<const BodyRig> upright_rig = rig_;
-  std::unique_ptr<BodyTracker> upright_tracker = std::move(tracker_);
-  stature_ = Stature::ofSeated(upright.used);
+  const Stature seated = Stature::ofSeated(stature_.used);
   humanmodel::HumanOptions body;
-  body.height = stature_.used;
-  use(body);
-  const TrackedBody& seated = tracker_->track(t, images);
-  if (seated.found && seated.misfit.cost < kSeatedCost * upright_cost) return true;
-  stature_ = upright;
-  body_ = upright_body;
-  tracker_ = std::move(upright_tracker);
-  rig_ = std::move(upright_rig);
+  body.height = seated.used;
+  Follower trial = followerOf(body, seated);
+  const TrackedBody& found = trial.tracker->track(t, images);
+  if (!found.found || found.misfit.cost >= kSeatedCost * upright_cost) return true;
+  stature_ = seated;
+  use(std::move(trial));
   return true;
 }
 
@@ -135,7 +135,7 @@ bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
   const RigPose last = tracker_->body().pose;
   humanmodel::HumanOptions body;
   body.height = stature_.used;
-  use(body);
+  use(followerOf(body, stature_));
   tracker_->resume(last, {});  // who stands upright
   calibration_ = BodyCalibration{};
   fitted_ = !options_.fit_body;
@@ -148,7 +148,7 @@ void TrackedPerson::settle() {
     humanmodel::HumanOptions body;
     stature_ = measureStature(extents_);
     body.height = stature_.used;
-    use(body);
+    use(followerOf(body, stature_));
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
     adopt(fitting_.valid()
@@ -196,7 +196,7 @@ void TrackedPerson::adopt(const Fit& fit) {
   stature_ = fit.stature;
   const TrackedBody last = tracker_->body();
   const Lying lying = tracker_->lying();
-  use(fit.body);
+  use(followerOf(fit.body, stature_));
   if (fit.turned) held_ = HeldThings();  // learned with the arms on the wrong side
   if (last.found) tracker_->resume(fit.turned ? flippedFacing(*rig_, last.pose) : last.pose, lying);
   fitted_ = true;

@@ -84,7 +84,14 @@ class TrackedPerson {
   static Fit fit(BodyCalibration images, const Fit& start);
   /// Likewise, of the facing: into fit.facing and fit.turned.
   static void decideFacing(const BodyCalibration& images, Fit& fit);
-  void use(const humanmodel::HumanOptions& body);
+  /// A body and what follows it.
+  struct Follower {
+    humanmodel::HumanOptions body;
+    std::shared_ptr<const BodyRig> rig;
+    std::unique_ptr<BodyTracker> tracker;
+  };
+  Follower followerOf(const humanmodel::HumanOptions& body, const Stature& stature) const;
+  void use(Follower follower);
   void adopt(const Fit& fit);
   const TrackedBody* follow(double t, std::span<const PersonImage> images);
   /// Returns whether there is a new body, which has tracked nothing yet.

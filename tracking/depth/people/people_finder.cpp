@@ -165,6 +165,10 @@ void PeopleFinder::follow(double t) {
       meet(track, place, false);
   }
   std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
+}
+
+/// Heads that no known person has are those of new people.
+void PeopleFinder::addHeads(double t) {
   const int first_new = next_id_;
   // The highest first: a bar in the hand of a person who sits is lower than the head.
   std::sort(heads_.begin(), heads_.end(), [&](const Head& a, const Head& b) {
@@ -181,14 +185,17 @@ void PeopleFinder::follow(double t) {
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
     }
-    if (!is_new) continue;
-    Track track;
-    track.id = next_id_++;
-    track.place = place;
-    track.born = track.seen = track.head_seen = t;
-    track.here = track.matched = track.suspect = true;
-    tracks_.push_back(track);
+    if (is_new) addTrack(t, place);
   }
+}
+
+void PeopleFinder::addTrack(double t, const Place& place) {
+  Track track;
+  track.id = next_id_++;
+  track.place = place;
+  track.born = track.seen = track.head_seen = t;
+  track.here = track.suspect = true;
+  tracks_.push_back(track);
 }
 
 /// People who lie have no head of that kind: those who are followed stay, others are new.
@@ -211,13 +218,7 @@ void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
     track.head_seen = t;
     is_new = false;
   }
-  if (!is_new) return;
-  Track track;
-  track.id = next_id_++;
-  track.place = place;
-  track.born = track.seen = track.head_seen = t;
-  track.here = track.suspect = true;
-  tracks_.push_back(track);
+  if (is_new) addTrack(t, place);
 }
 
 void PeopleFinder::label(const DepthImage& image) {
@@ -300,6 +301,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   projectToPlan(image, known);
   findHeads(plan_, kMaxPeople, heads_);
   follow(t);
+  addHeads(t);
   followLying(t);
   followHeadless(t);
   std::array<std::optional<Place>, kMaxPeople> places;

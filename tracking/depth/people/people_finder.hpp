@@ -82,9 +82,11 @@ class PeopleFinder {
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void follow(double t);
+  void addHeads(double t);
   void followLying(double t);
   void followHeadless(double t);
   void keepOrAdd(double t, const Place& place, double reach);
+  void addTrack(double t, const Place& place);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
