@@ -264,7 +264,7 @@ void DepthFit::support(const BodyObservation& seen, const RigPlacement& X_WS,
                        std::array<double, kRigSegments>& points) const {
   constexpr float kUnexplained = kCostReach * kCostReach;
   const SeenPoints& all = seen.points();
-  std::array<std::uint8_t, SeenPoints::kMax> segment;
+  std::array<std::uint8_t, SeenPoints::kMax> segment{};
   std::array<float, SeenPoints::kMax> second;
   std::fill_n(best_.begin(), all.count, std::numeric_limits<float>::max());
   std::fill_n(second.begin(), all.count, std::numeric_limits<float>::max());

@@ -147,7 +147,8 @@ void HeldThings::see(const BodyObservation& seen, const DepthFit& fit, const Rig
     hand.extents[static_cast<std::size_t>(hand.next)] = is_held ? static_cast<float>(surface.extent) : 0.0f;
     hand.next = (hand.next + 1) % kMemory;
     hand.without = hand.shown() >= kKept ? 0 : hand.without + 1;
-    hand.holds = hand.holds ? hand.without < kMemory : hand.shown() >= kNoticed;
+    const int enough = hands_[1 - k].holds ? kKept : kNoticed;
+    hand.holds = hand.holds ? hand.without < kMemory : hand.shown() >= enough;
     extent_[k] =
         hand.holds ? static_cast<double>(*std::max_element(hand.extents.begin(), hand.extents.end())) : 0.0;
     if (images_ <= kFirst) at_start_[k] = std::max(at_start_[k], extent_[k]);

@@ -12,10 +12,11 @@ namespace abstand::tracking {
 /// with the hand. The camera sees its front alone; it is assumed to be as deep as the smaller of its two
 /// visible extents.
 ///
-/// Noticed in kNoticed of the last kWindow images in which the hand or the thing was seen; forgotten after
-/// kMemory images in which none, or always fewer than kKept of the window, showed it. Its extent is the
-/// largest one of the last kMemory images: where an arm is fitted to a part of the thing, only the rest of it
-/// is left. Not shared between threads. see() does not allocate after the first image, and does not throw.
+/// Noticed in kNoticed of the last kWindow images in which the hand or the thing was seen, or in kKept if the
+/// other hand holds something, which may be the same thing. Forgotten after kMemory images in which none, or
+/// always fewer than kKept of the window, showed it. Its extent is the largest one of the last kMemory
+/// images: where an arm is fitted to a part of the thing, only the rest of it is left. Not shared between
+/// threads. see() does not allocate after the first image, and does not throw.
 class HeldThings {
  public:
   /// m, by which the thing in the left and the right hand extends beyond the hand in any direction; 0: none.

@@ -80,6 +80,18 @@ TEST(HeldThings, AreNoticedAfterSomeImages) {
   EXPECT_EQ(scene.held.atStart()[0], scene.held.extent()[0]);
 }
 
+TEST(HeldThings, AreNoticedSoonerInTheSecondHand) {
+  SquareAtHand scene;
+  const double apart = 2.0 * scene.hand(Vector3d::Zero()).y();  // m, of the hands
+  const Eigen::AlignedBox2d tray = area(-apart - 0.30, -0.10, 0.50, 0.20);
+  scene.showFor(HeldThings::kNoticed, kBox);
+  ASSERT_GT(scene.held.extent()[0], 0.0);
+  scene.showFor(HeldThings::kKept - 1, tray);
+  EXPECT_EQ(scene.held.extent()[1], 0.0);
+  scene.showFor(1, tray);
+  EXPECT_GT(scene.held.extent()[1], 0.0);
+}
+
 TEST(HeldThings, AreForgottenWhenTheHandIsEmpty) {
   SquareAtHand scene;
   scene.showFor(HeldThings::kWindow, kBox);
