@@ -9,8 +9,8 @@
 
 namespace abstand::coverage {
 
-/// A part counts as seen at a time if this share of its camera-facing surface is seen: the rule of the
-/// tracker for tracked joints.
+/// A part counts as seen at a time if this share of its camera-facing surface is seen: the share that the
+/// tracker requires of tracked joints.
 inline constexpr double kSeenShare = tracking::kSeenShare;
 
 struct HiddenSpan {

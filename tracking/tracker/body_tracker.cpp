@@ -153,7 +153,7 @@ void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, d
   bool found = false;
   RigPose other = body_.pose;
   for (std::size_t k = 0; k < kLimbs.size(); ++k) {
-    const bool arm = k < 2;
+    const bool arm = kLimbs[k].isArm();
     found |=
         limbs_.search(seen_, k, arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread, random_, other);
   }

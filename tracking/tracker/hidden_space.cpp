@@ -18,8 +18,6 @@ constexpr int kTries = 8;  // directions for a link of a sample until one is wit
 const double kMinFlexed = std::cos(unit::deg(155)), kMinHand = std::cos(unit::deg(75)),
              kMaxFoot = std::cos(unit::deg(35));
 
-bool isVisible(SeenSegments visible, RigSegment s) { return (visible >> index(s) & 1u) != 0; }
-
 /// Whether link `link` of a limb may point along `d` when its parent points along `parent`; world.
 bool isAllowed(const BodyRig& rig, const Limb& limb, int link, const Vector3d& d, const Transform& X_WP,
                const Vector3d& parent) {
@@ -28,7 +26,7 @@ bool isAllowed(const BodyRig& rig, const Limb& limb, int link, const Vector3d& d
     return d.dot(X_WP.linear() * part.middle) >= std::cos(part.cone);
   }
   if (link == 1) return d.dot(parent) >= kMinFlexed;
-  return limb.bend > 0.0 ? d.dot(parent) >= kMinHand : std::abs(d.dot(parent)) <= kMaxFoot;
+  return limb.isArm() ? d.dot(parent) >= kMinHand : std::abs(d.dot(parent)) <= kMaxFoot;
 }
 
 }  // namespace
@@ -64,10 +62,10 @@ void HiddenSpace::sample(const BodyObservation& seen, const RigPlacement& X_WS, 
   const BodyRig& rig = *rig_;
   const std::array<RigSegment, 3> segments{limb.upper, limb.lower, limb.end};
   int first = 0;
-  while (first < 3 && isVisible(visible, segments[static_cast<std::size_t>(first)])) ++first;
+  while (first < 3 && isSeen(visible, segments[static_cast<std::size_t>(first)])) ++first;
   if (first == 3) return;
   const RigPart& begin = rig[segments[static_cast<std::size_t>(first)]];
-  if (!isVisible(visible, begin.parent)) return;
+  if (!isSeen(visible, begin.parent)) return;
   const Transform& X_WP = X_WS[index(begin.parent)];
   // What each link carries at its end.
   std::array<std::size_t, 3> joints{};
@@ -99,7 +97,7 @@ void HiddenSpace::sample(const BodyObservation& seen, const RigPlacement& X_WS, 
   }
   if (count < kFewest) return;
   for (std::size_t k = static_cast<std::size_t>(first); k < links; ++k) {
-    if (isVisible(visible, segments[k])) continue;
+    if (isSeen(visible, segments[k])) continue;
     for (std::size_t i = 0; i < count; ++i) distance_[i] = offset_[k][i].norm();
     extent_[joints[k]] = shareOf(count);
     shape_[joints[k]] = shapeOf(k, count, extent_[joints[k]]);

@@ -8,6 +8,8 @@ namespace abstand::tracking {
 /// Bit mask of the visible segments, by RigSegment.
 using SeenSegments = std::uint32_t;
 
+inline bool isSeen(SeenSegments seen, RigSegment s) { return (seen >> index(s) & 1u) != 0; }
+
 /// For each canonical joint the shortest path length (m) along the bones from a visible segment; 0 for a
 /// joint of a visible segment, infinite if no segment is visible. Independent of joint angles: wherever the
 /// limb is, the joint is within this distance of the end of the visible segment.

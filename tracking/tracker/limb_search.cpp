@@ -43,7 +43,7 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
                                                         : Vector3d(-X_WP.linear().col(2));
   // Angle at the shoulder, law of cosines.
   const double cosine = std::clamp((a * a + reach * reach - b * b) / (2.0 * a * reach), -1.0, 1.0);
-  const Vector3d out = limb.bend > 0.0 ? Vector3d(-X_WP.linear().col(2)) : Vector3d(X_WP.linear().col(0));
+  const Vector3d out = limb.isArm() ? Vector3d(-X_WP.linear().col(2)) : Vector3d(X_WP.linear().col(0));
   Vector3d side = out - out.dot(line) * line;
   if (side.norm() < 1e-3) side = line.unitOrthogonal();
   side = Eigen::AngleAxisd(swivel, line) * side.normalized();
@@ -140,7 +140,7 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, int tries, d
     attempt(p + kUnderSkin * (p - seen.views()[points_.view[i]].eye()).normalized(),
             uniform(random, -1.5, 1.5));
   }
-  if (limb.bend < 0.0) {
+  if (!limb.isArm()) {
     const BodyRig& rig = fit_->rig();
     const Vector3d hip = X_WS[index(rig[limb.upper].parent)] * rig[limb.upper].p_parent;
     const double length = rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm();

@@ -12,6 +12,8 @@ namespace abstand::tracking {
 struct Limb {
   RigSegment upper, lower, end;
   double bend;  ///< +1: the lower segment bends towards x (elbow), -1: away (knee)
+
+  constexpr bool isArm() const { return bend > 0.0; }
 };
 inline constexpr std::array<Limb, 4> kLimbs{{
     {RigSegment::kUpperArmLeft, RigSegment::kForearmLeft, RigSegment::kHandLeft, 1.0},

@@ -27,12 +27,10 @@ struct SearchedImage {
 
 /// States which joints are seen, and the covariance (m^2, world) of each joint's error:
 /// - of joints that are seen: trackedCovariances(), JointMotion, LimbAlternatives;
-/// - of others: HiddenSpread with HiddenSpace, and the error of the last joint of the limb that is seen, as
-/// all
-///   places are counted from there;
+/// - of others: HiddenSpread with HiddenSpace, and the error of the last joint of the limb that is seen, from
+///   which all places are counted;
 /// - of all of them: the unknown stature, other poses of a person who lies, and the place in a person who
-/// faces
-///   the other way.
+///   faces the other way.
 /// The ellipsoids of a person who was just found, or whom the body explains badly, are balls. One for each
 /// person; not shared between threads. Allocates nothing after the first image.
 class PersonUncertainty {

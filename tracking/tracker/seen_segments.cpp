@@ -10,13 +10,12 @@ SeenSegments seenSegments(const std::array<double, kRigSegments>& visible,
   SeenSegments seen = 0;
   for (std::size_t s = 0; s < kRigSegments; ++s)
     if (visible[s] >= kSeenShare) seen |= 1u << s;
-  for (std::size_t k = 0; k < kLimbs.size(); ++k) {
-    const bool is_arm = k < 2;
+  for (const Limb& limb : kLimbs) {
     bool is_attached = true;
-    for (const RigSegment segment : {kLimbs[k].upper, kLimbs[k].lower, kLimbs[k].end}) {
+    for (const RigSegment segment : {limb.upper, limb.lower, limb.end}) {
       const bool is_supported = support[index(segment)] >= kSupported;
       if (!is_supported || !is_attached) seen &= ~(1u << index(segment));
-      if (is_arm) is_attached &= is_supported;
+      if (limb.isArm()) is_attached &= is_supported;
     }
   }
   return seen;

@@ -13,8 +13,6 @@ namespace abstand::tracking {
 SeenSegments seenSegments(const std::array<double, kRigSegments>& visible,
                           const std::array<double, kRigSegments>& support);
 
-inline bool isSeen(SeenSegments seen, RigSegment s) { return (seen >> index(s) & 1u) != 0; }
-
 inline constexpr double kSeenShare = 0.3;
 inline constexpr double kSupported = 0.5;  ///< points
 

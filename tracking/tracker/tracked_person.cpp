@@ -15,16 +15,21 @@ constexpr double kSeatedCost = 0.8;    // times that of the upright body, below 
 constexpr double kUpright = 0.96;      // share of the stature between sole and vertex of who stands upright
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
+/// The mean body of a stature (m).
+humanmodel::HumanOptions usualBody(double height) {
+  humanmodel::HumanOptions body;
+  body.height = height;
+  return body;
+}
+
 }  // namespace
 
 TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
   facing_.away = options.away.value_or(false);
   facing_.given = options.away.has_value();
   if (!options.height) return;
-  humanmodel::HumanOptions body;
-  body.height = *options.height;
   stature_ = Stature::given(*options.height);
-  use(followerOf(body, stature_));
+  use(usualBody(stature_.used));
   fitted_ = !options.fit_body;
 }
 
@@ -34,7 +39,7 @@ TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
       stature_{known.stature},
       things_{known.things},
       held_{known.held} {
-  use(followerOf(known.body, stature_));
+  use(known.body);
   fitted_ = true;
 }
 
@@ -49,7 +54,9 @@ TrackedPerson::Follower TrackedPerson::followerOf(const humanmodel::HumanOptions
   return follower;
 }
 
-void TrackedPerson::use(Follower follower) {
+void TrackedPerson::use(const humanmodel::HumanOptions& body) { adopt(followerOf(body, stature_)); }
+
+void TrackedPerson::adopt(Follower follower) {
   body_ = follower.body;
   tracker_ = std::move(follower.tracker);  // before the rig that the last one refers to
   rig_ = std::move(follower.rig);
@@ -96,13 +103,11 @@ bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) 
   if (stature_.source != Stature::Source::kMeasured || stature_.used > Stature::kTallestSeated) return false;
   const double upright_cost = tracker_->track(t, images).misfit.cost;
   const Stature seated = Stature::ofSeated(stature_.used);
-  humanmodel::HumanOptions body;
-  body.height = seated.used;
-  Follower trial = followerOf(body, seated);
+  Follower trial = followerOf(usualBody(seated.used), seated);
   const TrackedBody& found = trial.tracker->track(t, images);
   if (!found.found || found.misfit.cost >= kSeatedCost * upright_cost) return true;
   stature_ = seated;
-  use(std::move(trial));
+  adopt(std::move(trial));
   return true;
 }
 
@@ -133,9 +138,7 @@ bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
   stature_ = measured;
   // Lengths that were fitted belong to the other stature.
   const RigPose last = tracker_->body().pose;
-  humanmodel::HumanOptions body;
-  body.height = stature_.used;
-  use(followerOf(body, stature_));
+  use(usualBody(stature_.used));
   tracker_->resume(last, {});  // who stands upright
   calibration_ = BodyCalibration{};
   fitted_ = !options_.fit_body;
@@ -145,10 +148,8 @@ bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
 void TrackedPerson::settle() {
   if (!tracker_) {
     if (extents_.empty()) return;
-    humanmodel::HumanOptions body;
     stature_ = measureStature(extents_);
-    body.height = stature_.used;
-    use(followerOf(body, stature_));
+    use(usualBody(stature_.used));
     fitted_ = !options_.fit_body;
   } else if (!fitted_) {
     adopt(fitting_.valid()
@@ -196,7 +197,7 @@ void TrackedPerson::adopt(const Fit& fit) {
   stature_ = fit.stature;
   const TrackedBody last = tracker_->body();
   const Lying lying = tracker_->lying();
-  use(followerOf(fit.body, stature_));
+  use(fit.body);
   if (fit.turned) held_ = HeldThings();  // learned with the arms on the wrong side
   if (last.found) tracker_->resume(fit.turned ? flippedFacing(*rig_, last.pose) : last.pose, lying);
   fitted_ = true;

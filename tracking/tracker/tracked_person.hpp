@@ -91,8 +91,9 @@ class TrackedPerson {
     std::unique_ptr<BodyTracker> tracker;
   };
   Follower followerOf(const humanmodel::HumanOptions& body, const Stature& stature) const;
-  void use(Follower follower);
+  void adopt(Follower follower);
   void adopt(const Fit& fit);
+  void use(const humanmodel::HumanOptions& body);
   const TrackedBody* follow(double t, std::span<const PersonImage> images);
   /// Returns whether there is a new body, which has tracked nothing yet.
   bool remeasure(std::span<const PersonImage> images);
