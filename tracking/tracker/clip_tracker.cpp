@@ -46,7 +46,7 @@ class ClipPasses {
     }
     stream.seek(0);
     DepthFrame frame;
-    CameraStand camera_pose(cameras_.front());
+    CameraStand camera_pose(cameras_.front(), options_.person.height);
     while (!isInterrupted() && stream.next(frame) && !camera_pose.see(frame.t, frame.image)) {
     }
     camera_pose.settle();

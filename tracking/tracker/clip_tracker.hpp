@@ -75,8 +75,8 @@ void finishTrack(ClipTrack& track);
 
 /// Two passes over the stream: the first seconds to learn the sizes of the people, then all of it. People who
 /// appear later are measured then. If the recording has no camera pose, it is estimated from the floor;
-/// without a visible floor the camera is assumed level, above a floor at the lowest point of a person. Throws
-/// ParseError for images that cannot be read.
+/// without a visible floor the camera is assumed level, see CameraStand. Throws ParseError for images that
+/// cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
 
 /// The same for several cameras that look at the same people: one fit to the images of all of them. Each must

@@ -28,7 +28,7 @@ LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
     views_.emplace(cameras_, kHung);
   } else {
     track_.world = "undetermined: no image";
-    stand_.emplace(cameras_.front());
+    stand_.emplace(cameras_.front(), options_.person.height);
   }
 }
 

@@ -1,10 +1,8 @@
-// Depth recordings from end to end: real ones, and people who come and go.
+// Depth recordings from end to end: people who come and go.
 #include "tracking/tracker/clip_tracker.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <optional>
 
 #include "core/base/error.hpp"
 #include "tests/support/no_alloc.hpp"
@@ -15,100 +13,6 @@
 
 namespace abstand::tracking {
 namespace clip_tracker_test {
-
-using testing::JointErrors;
-
-// Of the sensor's own joints, once each joint's constant offset is taken off.
-constexpr double kOfKinect = 0.070;  // m
-// Raw: the sensor means other points by its joints.
-constexpr double kRawOfKinect = 0.120;  // m
-// Share of the raw errors within the reach. Measured: 0.851 and 0.876; 0.801 and 0.845 with the ellipsoids of
-// good fits: the offsets between the definitions are not along the axes of the segments.
-constexpr double kWithinOfKinect = 0.849;
-
-/// Joints that a Kinect's skeleton puts into its camera's axes (x right, y up, z away, as the reader gives
-/// them: z up, y towards the camera), in the world of the track.
-std::vector<humanmodel::SkeletonFrame> intoWorld(std::vector<humanmodel::SkeletonFrame> frames,
-                                                 const DepthCamera& camera) {
-  Matrix3d R_CK;  // from the reader's axes into the optical ones of the camera whose images were turned back
-  R_CK << -1, 0, 0, 0, 0, -1, 0, -1, 0;
-  for (humanmodel::SkeletonFrame& frame : frames)
-    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-      if (frame.state[j] != humanmodel::JointState::kMissing) frame.p[j] = camera.X_WC * (R_CK * frame.p[j]);
-  return frames;
-}
-
-struct ComparedClip {
-  std::size_t images{0};
-  JointErrors errors;
-};
-
-/// The tracked person against the skeleton of the sensor; nullopt without the files.
-std::optional<ComparedClip> compareWithKinect(const std::string& clip) {
-  const auto depth = testing::sharedData("depth/utd_mhad/" + clip + "_depth.mat");
-  if (!exists(depth)) return std::nullopt;
-  const auto stream = openDepthStream(depth);
-  const ClipTrack track = trackClip(*stream, {});
-  const Recording kinect = openRecording(testing::sharedData("depth/utd_mhad/" + clip + "_skeleton.mat"));
-  EXPECT_EQ(track.people.size(), 1u);
-  EXPECT_EQ(track.images, kinect.frames.size());
-  if (track.people.empty()) return std::nullopt;
-  return ComparedClip{track.images,
-                      testing::compare(track.people[0].frames, intoWorld(kinect.frames, track.camera))};
-}
-
-class UtdMhad : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(UtdMhad, TrackingMatchesKinect) {
-  const auto compared = compareWithKinect(GetParam());
-  if (!compared) GTEST_SKIP() << GetParam();
-  const JointErrors& errors = compared->errors;
-  std::printf(
-      "%s: raw %.0f mm on the mean, offsets off %.0f; raw within reach: tracked %.3f, inferred %.3f\n",
-      GetParam(), 1e3 * JointErrors::mean(errors.raw), 1e3 * JointErrors::mean(errors.aligned),
-      errors.tracked.within(), errors.inferred.within());
-  EXPECT_LE(JointErrors::mean(errors.raw), kRawOfKinect);
-  EXPECT_LE(JointErrors::mean(errors.aligned), kOfKinect);
-  EXPECT_GE(errors.tracked.within(), kWithinOfKinect);
-  EXPECT_EQ(errors.lost, 0u);
-  EXPECT_LE(errors.longest_swap, 0.2);
-}
-
-INSTANTIATE_TEST_SUITE_P(Clips, UtdMhad, ::testing::Values("a18_s1_t1", "a25_s3_t1"),
-                         [](const auto& one) { return std::string(one.param); });
-
-// The joints of the sensor's software lie elsewhere than those of the model, in the same direction for two
-// people: the offset that one shows, added to the reach, covers the errors of the other.
-TEST(UtdMhadJoints, OffsetsOfOnePersonCoverTheErrorsOfTheOther) {
-  constexpr double kCovered = 0.98;                // share; raw without the term: 0.81 and 0.87
-  constexpr double kAbove = 0.025, kBelow = 0.03;  // m
-  const auto first = compareWithKinect("a18_s1_t1"), second = compareWithKinect("a25_s3_t1");
-  if (!first || !second) GTEST_SKIP();
-  const auto lengths = [](const JointErrors& errors) {
-    std::array<double, humanmodel::kJointCount> length;
-    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) length[j] = errors.offset[j].norm();
-    return length;
-  };
-  for (const bool is_first : {true, false}) {
-    const JointErrors& judged = (is_first ? first : second)->errors;
-    const JointErrors& other = (is_first ? second : first)->errors;
-    const double with = judged.tracked.withinPlus(lengths(other));
-    std::printf("tracked within reach: raw %.3f, with the other's offsets %.3f\n", judged.tracked.within(),
-                with);
-    EXPECT_GE(with, kCovered);
-    // Positions of the model minus those of the sensor.
-    const auto up = [&](humanmodel::Joint j) { return judged.offset[static_cast<std::size_t>(j)].z(); };
-    using enum humanmodel::Joint;
-    for (const humanmodel::Joint j : {kPelvis, kHipLeft, kHipRight}) EXPECT_LT(up(j), -kAbove);
-    for (const humanmodel::Joint j : {kShoulderLeft, kShoulderRight, kNeck}) EXPECT_GT(up(j), kBelow);
-  }
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const Vector3d a = -1e3 * first->errors.offset[j], b = -1e3 * second->errors.offset[j];
-    std::printf("| %s | %.0f %.0f %.0f | %.0f %.0f %.0f | %.0f |\n",
-                std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))).c_str(), a.x(), a.y(),
-                a.z(), b.x(), b.y(), b.z(), (a - b).norm());
-  }
-}
 
 TEST(ClipTracker, FindsFivePeople) {
   const auto cloud = testing::sharedData("depth/pcl/five_people.pcd");
