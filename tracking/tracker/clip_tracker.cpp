@@ -70,7 +70,10 @@ class ClipPasses {
   /// Processes all moments before `end`; learns sizes, or tracks with the learned ones.
   void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
     moments_.rewind();
-    PeopleViews views(cameras_);
+    auto views_of_pass = std::make_unique<PeopleViews>(cameras_);
+    PeopleViews& views = *views_of_pass;
+    // Several cameras number people across them by the order of arrival, which would change.
+    if (before_ && views.size() == 1) views.expect(*before_);
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
@@ -100,6 +103,7 @@ class ClipPasses {
       if (options_.progress) options_.progress(i + 1, moments_.size());
     }
     learn(trackers, place, keep, learned);
+    before_ = std::move(views_of_pass);
   }
 
   void noteCameras(const DepthMoment& moment, const PeopleViews& views) {
@@ -137,6 +141,7 @@ class ClipPasses {
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
+  std::unique_ptr<PeopleViews> before_;  // of the last pass
   ClipTrack track_;
 };
 

@@ -32,6 +32,10 @@ PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after
     views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
 }
 
+void PeopleViews::expect(const PeopleViews& before) {
+  for (std::size_t c = 0; c < views_.size(); ++c) views_[c].finder.expect(before.views_[c].finder.arrivals());
+}
+
 void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
   moment_ = &moment;
   sightings_.clear();

@@ -41,6 +41,9 @@ class PeopleViews {
   /// With poses in one world; they must outlive this object.
   explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
+  /// Of a first pass over the same recordings (PeopleFinder::expect).
+  void expect(const PeopleViews& before);
+
   /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.
   void see(const DepthMoment& moment, const KnownThings& known);
   /// Adds the last moment to `shares`, one for each camera. Returns the time (s) since which the images of a

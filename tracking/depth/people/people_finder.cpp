@@ -1,6 +1,7 @@
 // Finds people in images of a fixed depth camera.
 #include "tracking/depth/people/people_finder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
@@ -23,9 +24,19 @@ constexpr float kLowestOfNew = 1.2f;  // m
 constexpr double kBodyBeside = 0.15;
 constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
+// m: a person who was found this near to an arrival is the one who arrived.
+constexpr double kSameArrival = 0.5;
+constexpr double kExpectedArea = 0.8;  // share of the surface at the arrival
 
 std::size_t pixelsOf(const DepthCamera& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+}
+
+/// Whether the upper border of the image cuts off a body.
+bool isCut(const PlanView& plan, const PlanView::Place& place) {
+  bool is_cut = false;
+  plan.around(place, kBodyRadius, [&](int i, double) { is_cut |= plan.cell(i).cut; });
+  return is_cut;
 }
 
 }  // namespace
@@ -40,7 +51,13 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
   heads_.reserve(kMaxPeople);
   tracks_.reserve(kMaxPeople);
+  arrivals_.reserve(kMaxPeople);
   people_.persons.reserve(kMaxPeople);
+}
+
+void PeopleFinder::expect(std::vector<Arrival> arrivals) {
+  expected_ = std::move(arrivals);
+  for (const Arrival& arrival : expected_) next_id_ = std::max(next_id_, arrival.id + 1);
 }
 
 void PeopleFinder::findFloor(double t, const DepthImage& image) {
@@ -169,7 +186,6 @@ void PeopleFinder::follow(double t) {
 
 /// Heads that no known person has are those of new people.
 void PeopleFinder::addHeads(double t) {
-  const int first_new = next_id_;
   // The highest first: a bar in the hand of a person who sits is lower than the head.
   std::sort(heads_.begin(), heads_.end(), [&](const Head& a, const Head& b) {
     const float top_a = plan_.cell(a.cell).top, top_b = plan_.cell(b.cell).top;
@@ -181,21 +197,50 @@ void PeopleFinder::addHeads(double t) {
     const bool is_low = plan_.cell(head.cell).top < kLowestOfNew;
     const double apart = is_low ? kSplitLow : kSplit;
     for (const Track& track : tracks_) {
-      if (!track.here || (track.id >= first_new && !is_low)) continue;
+      if (!track.here || (track.born == t && !is_low)) continue;
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
     }
-    if (is_new) addTrack(t, place);
+    if (is_new) addTrack(t, place, true);
   }
 }
 
-void PeopleFinder::addTrack(double t, const Place& place) {
+/// People who will be found soon, and are already where they will be.
+void PeopleFinder::addExpected(double t) {
+  for (std::size_t k = 0; k < expected_.size();) {
+    const Place place = expected_[k].place;
+    bool is_new = expected_[k].whole && t < expected_[k].t && t >= expected_[k].t - kForesight &&
+                  tracks_.size() < static_cast<std::size_t>(kMaxPeople) &&
+                  bodyArea(plan_, place, kBodyRadius) >= kExpectedArea * expected_[k].area;
+    for (const Track& track : tracks_)
+      is_new = is_new && !(track.here && (track.place - place).norm() < kSplit);
+    if (is_new)
+      addTrack(t, place, true);  // takes it off the list
+    else
+      ++k;
+  }
+}
+
+void PeopleFinder::addTrack(double t, const Place& place, bool has_head) {
   Track track;
-  track.id = next_id_++;
+  const auto distance = [&](const Arrival& arrival) {
+    return std::abs(arrival.t - t) <= kForesight ? (arrival.place - place).norm() : kInfinity;
+  };
+  auto arrived =
+      std::min_element(expected_.begin(), expected_.end(),
+                       [&](const Arrival& a, const Arrival& b) { return distance(a) < distance(b); });
+  if (arrived != expected_.end() && distance(*arrived) >= kSameArrival) arrived = expected_.end();
+  track.id = arrived != expected_.end() ? arrived->id : next_id_++;
+  if (arrived != expected_.end()) expected_.erase(arrived);
+  if (arrivals_.size() < kMaxPeople)
+    arrivals_.push_back(
+        {track.id, place, bodyArea(plan_, place, kBodyRadius), t, has_head && !isCut(plan_, place)});
   track.place = place;
   track.born = track.seen = track.head_seen = t;
   track.here = track.suspect = true;
-  tracks_.push_back(track);
+  const auto after =
+      std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& other) { return other.id > track.id; });
+  tracks_.insert(after, track);
 }
 
 /// People who lie have no head of that kind: those who are followed stay, others are new.
@@ -218,7 +263,7 @@ void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
     track.head_seen = t;
     is_new = false;
   }
-  if (is_new) addTrack(t, place);
+  if (is_new) addTrack(t, place, false);
 }
 
 void PeopleFinder::label(const DepthImage& image) {
@@ -238,6 +283,7 @@ void PeopleFinder::dropUncovered(const DepthImage& image) {
       people_.label[i] = 0;
       background_.set(i, image.z[i]);
     }
+    std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.id == tracks_[k].id; });
     tracks_[k].here = false;
     tracks_[k].seen = -kInfinity;  // removed with the next image
   }
@@ -304,6 +350,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   addHeads(t);
   followLying(t);
   followHeadless(t);
+  addExpected(t);
   std::array<std::optional<Place>, kMaxPeople> places;
   for (std::size_t p = 0; p < tracks_.size(); ++p)
     if (tracks_[p].here) places[p] = tracks_[p].place;

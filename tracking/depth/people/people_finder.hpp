@@ -19,6 +19,15 @@ struct PeopleFinderOptions {
   std::uint64_t seed{1};      ///< for the floor search
 };
 
+/// Where and when a person was first found.
+struct Arrival {
+  int id{-1};
+  PlanView::Place place{PlanView::Place::Zero()};  ///< m, in the plan view of the camera
+  double area{0.0};                                ///< m^2 of visible surface around it
+  double t{0.0};                                   ///< s
+  bool whole{false};                               ///< stood, and the upper border did not cut off the head
+};
+
 struct FoundPerson {
   int id{-1};                           ///< constant between images, from 1
   Vector3d centroid{kNaN, kNaN, kNaN};  ///< m, camera's frame: mean over the pixels
@@ -58,6 +67,13 @@ class PeopleFinder {
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
+  /// Of a finder that has seen the same images: these people get the same ids, and those that were whole are
+  /// found up to kForesight earlier, as soon as a surface of the size that they had is at the place.
+  void expect(std::vector<Arrival> arrivals);
+  static constexpr double kForesight = 1.0;  ///< s
+  /// Of all people so far, at most kMaxPeople.
+  const std::vector<Arrival>& arrivals() const { return arrivals_; }
+
   /// `t` (s) increases. `known`: depths (m; 0: none) of known objects, such as a robot; pixels within 6 cm of
   /// them or behind them are unassigned. The result is valid until the next call.
   const PeopleImage& find(double t, const DepthImage& image, const DepthImage* known = nullptr);
@@ -86,7 +102,8 @@ class PeopleFinder {
   void followLying(double t);
   void followHeadless(double t);
   void keepOrAdd(double t, const Place& place, double reach);
-  void addTrack(double t, const Place& place);
+  void addExpected(double t);
+  void addTrack(double t, const Place& place, bool has_head);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
@@ -106,6 +123,7 @@ class PeopleFinder {
   std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;
   std::vector<Track> tracks_;
+  std::vector<Arrival> arrivals_, expected_;
   PeopleImage people_;
   int next_id_{1};
   double last_t_{kNaN};

@@ -1,0 +1,119 @@
+// A second look at a recording: who was found later is found from the start.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "tracking/depth/people/people_finder.hpp"
+
+namespace abstand::tracking {
+namespace expected_people_test {
+
+constexpr double kEye = 1.3;   // m, of a level camera
+constexpr double kStep = 0.1;  // s between images
+
+DepthCamera levelCamera() {
+  DepthCamera camera;
+  camera.width = 320;
+  camera.height = 240;
+  camera.fx = camera.fy = 285.63;
+  camera.cx = 159.5;
+  camera.cy = 119.5;
+  camera.X_WC.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  camera.X_WC.translation() = Vector3d(0, 0, kEye);
+  return camera;
+}
+
+/// A trunk 3 m away, `right` (m) of the axis; a head only with `has_head`.
+void draw(DepthImage& image, double right, bool has_head) {
+  constexpr double kAway = 3.0, kShoulders = 1.4, kVertex = 1.7;  // m
+  const DepthCamera camera = levelCamera();
+  for (int v = 0; v < image.height; ++v)
+    for (int u = 0; u < image.width; ++u) {
+      const Vector3d p = camera.at(u, v, kAway);
+      const double up = kEye - p.y(), aside = std::abs(p.x() - right);
+      if (up > 0.1 && (up < kShoulders ? aside < 0.22 : has_head && up < kVertex && aside < 0.09))
+        image.z[static_cast<std::size_t>(v * image.width + u)] = static_cast<float>(kAway);
+    }
+}
+
+/// Two people; where each is in image i, and from which image on a head is seen.
+struct Scene {
+  std::array<int, 2> head_from{0, 0};
+  std::array<int, 2> there_from{0, 0};
+  DepthImage image(int i) const {
+    DepthImage image(320, 240);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (i >= there_from[k]) draw(image, k == 0 ? -0.6 : 0.6, i >= head_from[k]);
+    return image;
+  }
+};
+
+constexpr int kImages = 20;
+
+/// In each image the ids of the people, from left to right.
+std::vector<std::vector<int>> look(const Scene& scene, PeopleFinder& finder) {
+  std::vector<std::vector<int>> ids;
+  for (int i = 0; i < kImages; ++i) {
+    std::vector<FoundPerson> people = finder.find(kStep * i, scene.image(i)).persons;
+    EXPECT_TRUE(std::is_sorted(people.begin(), people.end(),
+                               [](const FoundPerson& a, const FoundPerson& b) { return a.id < b.id; }));
+    std::sort(people.begin(), people.end(),
+              [](const FoundPerson& a, const FoundPerson& b) { return a.centroid.x() < b.centroid.x(); });
+    ids.emplace_back();
+    for (const FoundPerson& person : people) ids.back().push_back(person.id);
+  }
+  return ids;
+}
+
+TEST(ExpectedPeople, AreFoundBeforeTheirHeads) {
+  const Scene scene{.head_from = {6, 0}};
+  PeopleFinder first(levelCamera());
+  const auto before = look(scene, first);
+  EXPECT_EQ(before[0], (std::vector<int>{1}));
+  EXPECT_EQ(before[6], (std::vector<int>{2, 1}));
+  ASSERT_EQ(first.arrivals().size(), 2u);
+  PeopleFinder second(levelCamera());
+  second.expect(first.arrivals());
+  for (const std::vector<int>& ids : look(scene, second)) EXPECT_EQ(ids, (std::vector<int>{2, 1}));
+}
+
+TEST(ExpectedPeople, KeepTheirNumbersInAnotherOrder) {
+  // The right one is found first, and the left one could have been before.
+  const Scene scene{.head_from = {8, 4}, .there_from = {0, 3}};
+  PeopleFinder first(levelCamera()), second(levelCamera());
+  const auto before = look(scene, first);
+  EXPECT_EQ(before[4], (std::vector<int>{1}));
+  EXPECT_EQ(before[8], (std::vector<int>{2, 1}));
+  second.expect(first.arrivals());
+  const auto after = look(scene, second);
+  EXPECT_EQ(after[0], (std::vector<int>{2}));
+  EXPECT_EQ(after[2], (std::vector<int>{2}));
+  EXPECT_EQ(after[3], (std::vector<int>{2, 1}));
+  EXPECT_EQ(after.back(), (std::vector<int>{2, 1}));
+}
+
+TEST(ExpectedPeople, AreNotWhereNobodyIsYet) {
+  const Scene scene{.head_from = {8, 0}, .there_from = {8, 0}};
+  PeopleFinder first(levelCamera()), second(levelCamera());
+  const auto before = look(scene, first);
+  second.expect(first.arrivals());
+  EXPECT_EQ(look(scene, second), before);
+}
+
+TEST(ExpectedPeople, AreFoundAtMostOneSecondEarlier) {
+  constexpr int kLate = 15;
+  const Scene scene{.head_from = {kLate, 0}};
+  PeopleFinder first(levelCamera()), second(levelCamera());
+  look(scene, first);
+  second.expect(first.arrivals());
+  const auto after = look(scene, second);
+  const int earliest = kLate - static_cast<int>(std::lround(PeopleFinder::kForesight / kStep));
+  for (int i = 0; i < kImages; ++i)
+    EXPECT_EQ(after[static_cast<std::size_t>(i)].size(), i < earliest ? 1u : 2u) << i;
+}
+
+}  // namespace expected_people_test
+}  // namespace abstand::tracking
