@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tests/tracking/tracker/small_camera.hpp"
 #include "tracking/tracker/stature.hpp"
 
 namespace abstand::tracking {
@@ -17,19 +18,16 @@ using ::testing::Not;
 constexpr double kEye = 1.0;    // m, of a level camera above the true floor
 constexpr double kNear = 0.05;  // m, some rows of the image, and points below the floor's substitute
 
-DepthCamera smallCamera() {
-  DepthCamera camera;
-  camera.width = 320;
-  camera.height = 240;
-  camera.fx = camera.fy = 290.0;
-  camera.cx = 159.5;
-  camera.cy = 119.5;
+/// Its pose is to be found.
+DepthCamera unplacedCamera() {
+  DepthCamera camera = smallCamera();
+  camera.X_WC = Transform::Identity();
   return camera;
 }
 
 /// A trunk with head, `height` (m) high, at a distance of `z` (m), in front of nothing.
 DepthImage personAt(double z, double height) {
-  const DepthCamera camera = smallCamera();
+  const DepthCamera camera = unplacedCamera();
   DepthImage image(camera.width, camera.height);
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) {
@@ -48,7 +46,7 @@ struct Decision {
 };
 
 Decision decide(const DepthImage& image, std::optional<double> stature = {}) {
-  CameraStand stand(smallCamera(), stature);
+  CameraStand stand(unplacedCamera(), stature);
   for (int i = 0; !stand.see(i / 30.0, image) && i < 30;) ++i;
   return {stand.X_WC().translation().z(), stand.reason()};
 }

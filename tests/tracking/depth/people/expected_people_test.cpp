@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/tracking/tracker/small_camera.hpp"
 #include "tracking/depth/people/people_finder.hpp"
 
 namespace abstand::tracking {
@@ -14,17 +15,7 @@ namespace expected_people_test {
 constexpr double kEye = 1.3;   // m, of a level camera
 constexpr double kStep = 0.1;  // s between images
 
-DepthCamera levelCamera() {
-  DepthCamera camera;
-  camera.width = 320;
-  camera.height = 240;
-  camera.fx = camera.fy = 285.63;
-  camera.cx = 159.5;
-  camera.cy = 119.5;
-  camera.X_WC.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  camera.X_WC.translation() = Vector3d(0, 0, kEye);
-  return camera;
-}
+DepthCamera levelCamera() { return smallCameraAt({0.0, 0.0, kEye}, {1.0, 0.0, kEye}); }
 
 /// A trunk 3 m away, `right` (m) of the axis; a head only with `has_head`.
 void draw(DepthImage& image, double right, bool has_head) {
@@ -44,7 +35,7 @@ struct Scene {
   std::array<int, 2> head_from{0, 0};
   std::array<int, 2> there_from{0, 0};
   DepthImage image(int i) const {
-    DepthImage image(320, 240);
+    DepthImage image(levelCamera().width, levelCamera().height);
     for (std::size_t k = 0; k < 2; ++k)
       if (i >= there_from[k]) draw(image, k == 0 ? -0.6 : 0.6, i >= head_from[k]);
     return image;
