@@ -134,7 +134,8 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   return body_;
 }
 
-void BodyTracker::resume(const RigPose& pose, const Lying& lying) {
+void BodyTracker::resume(const RigPose& pose, const Lying& lying, double since) {
+  appeared_t_ = since;
   lying_ = lying;
   body_.pose = pose;
   body_.found = true;

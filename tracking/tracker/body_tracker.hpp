@@ -45,8 +45,9 @@ class BodyTracker {
   /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend
   /// beyond them.
   void widenHands(const std::array<double, 2>& extent);
-  /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it.
-  void resume(const RigPose& pose, const Lying& lying);
+  /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it;
+  /// `since` (s): of the first image in which it found it.
+  void resume(const RigPose& pose, const Lying& lying, double since = -kInfinity);
   const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }

@@ -14,6 +14,13 @@ namespace {
 constexpr double kLearning = 5.0;   // s of the stream used to learn sizes
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
+/// An image of a person, kept until the person is tracked.
+struct EarlierImage {
+  std::size_t number;  ///< of the image in the clip
+  DepthFrame frame;
+  std::vector<std::uint8_t> is_person;
+};
+
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 class ClipPasses {
@@ -83,18 +90,21 @@ class ClipPasses {
       views.see(moment, options_.known);
       if (keep) noteCameras(moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
+        if (views.isForeseen(person)) {
+          const auto is_person = images.front().is_person;
+          earlier_[person].push_back({i, *moment.frames[first], {is_person.begin(), is_person.end()}});
+          return;
+        }
         TrackedPerson& tracker = trackerOf(person, learned, trackers);
         const TrackedBody* body = tracker.see(moment.t, images);
         if (!keep) return;
+        if (body && body->found) trackBefore(i, person, tracker, place);
         noteMoment(track_, place, person, moment.t, body, true);
         if (body && body->found) noteHeld(track_.people[place[person]], tracker.held().extent());
         std::vector<humanmodel::SkeletonFrame>& frames = track_.people[place[person]].frames;
         if (images.size() > 1 && frames.size() > 1)
           widenByLag(moment.lag, frames[frames.size() - 2], frames.back());
-        if (!body || !options_.watch) return;
-        const double pause = processorSeconds();
-        options_.watch({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body});
-        track_.seconds -= processorSeconds() - pause;
+        if (body) show({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body});
       });
       if (!keep) continue;
       noteAbsent(moment.t, place);
@@ -104,6 +114,35 @@ class ClipPasses {
     }
     learn(trackers, place, keep, learned);
     before_ = std::move(views_of_pass);
+  }
+
+  /// Takes no time of the track.
+  void show(const ClipMoment& moment) {
+    if (!options_.watch) return;
+    const double pause = processorSeconds();
+    options_.watch(moment);
+    track_.seconds -= processorSeconds() - pause;
+  }
+
+  /// Tracks a person whose body was found in image `i` backwards through the images that end there.
+  void trackBefore(std::size_t i, int person, TrackedPerson& tracker, std::map<int, std::size_t>& place) {
+    const auto kept = earlier_.extract(person);
+    if (!kept) return;
+    const std::vector<EarlierImage>& images = kept.mapped();
+    std::vector<TrackedBody> bodies;
+    for (auto it = images.rbegin(); it != images.rend() && it->number + bodies.size() + 1 == i; ++it) {
+      const PersonImage image{&it->frame.image, &cameras_.front(), it->is_person};
+      const TrackedBody body = tracker.seeBefore(it->frame.t, {&image, 1});
+      if (!body.found) break;
+      bodies.push_back(body);
+    }
+    for (; !bodies.empty(); bodies.pop_back()) {
+      const EarlierImage& image = images[images.size() - bodies.size()];
+      const TrackedBody& body = bodies.back();
+      noteMoment(track_, place, person, image.frame.t, &body, true);
+      noteHeld(track_.people[place[person]], tracker.held().extent());
+      show({image.number, person, image.frame, cameras_.front(), tracker.rig(), body});
+    }
   }
 
   void noteCameras(const DepthMoment& moment, const PeopleViews& views) {
@@ -141,7 +180,8 @@ class ClipPasses {
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
-  std::unique_ptr<PeopleViews> before_;  // of the last pass
+  std::unique_ptr<PeopleViews> before_;               // of the last pass
+  std::map<int, std::vector<EarlierImage>> earlier_;  // of people who were not found yet
   ClipTrack track_;
 };
 

@@ -74,9 +74,10 @@ void widenByLag(double lag, const humanmodel::SkeletonFrame& before, humanmodel:
 void finishTrack(ClipTrack& track);
 
 /// Two passes over the stream: the first seconds to learn the sizes of the people, then all of it. People who
-/// appear later are measured then. If the recording has no camera pose, it is estimated from the floor;
-/// without a visible floor the camera is assumed level, see CameraStand. Throws ParseError for images that
-/// cannot be read.
+/// appear later are measured then. A person who was in images before the first one in which the body is found
+/// is tracked backwards through these (PeopleFinder::expect). If the recording has no camera pose, it is
+/// estimated from the floor; without a visible floor the camera is assumed level, see CameraStand. Throws
+/// ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
 
 /// The same for several cameras that look at the same people: one fit to the images of all of them. Each must

@@ -9,6 +9,7 @@ void JointMotion::see(double t, const humanmodel::SkeletonFrame& frame) {
   const double dt = t - last_t_;
   const bool moves = dt > 0.0 && dt < kMaxGap;
   const double kept = dt > 0.0 ? std::exp(-dt / kDecay) : 1.0;
+  if (std::isnan(last_t_)) spread_.fill(kTime * kUnknown);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     spread_[j] *= kept;
     if (moves) {

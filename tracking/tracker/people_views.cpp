@@ -52,7 +52,7 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
     }
     if (isHung(c)) continue;
     for (const FoundPerson& person : view.finder.people().persons) {
-      sightings_.push_back({person.id, c, person.id});
+      sightings_.push_back({person.id, c, person.id, person.foreseen});
       places_.push_back({c, person.id, placeOf(person, *view.camera)});
     }
   }
@@ -65,6 +65,12 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
 
 bool PeopleViews::isHung(std::size_t camera) const {
   return moment_->t - views_[camera].watch.unchangedSince() >= hung_after_;
+}
+
+bool PeopleViews::isForeseen(int person) const {
+  return std::any_of(sightings_.begin(), sightings_.end(), [&](const Sighting& sighting) {
+    return sighting.person == person && sighting.foreseen;
+  });
 }
 
 void PeopleViews::addImage(const Sighting& sighting) {

@@ -53,6 +53,8 @@ class PeopleViews {
   bool isMoved(std::size_t camera) const { return std::isfinite(views_[camera].watch.movedAt()); }
   /// At the last moment.
   bool isHung(std::size_t camera) const;
+  /// Whether the last images show the person before the arrival (PeopleFinder::expect).
+  bool isForeseen(int person) const;
   bool empty() const { return sightings_.empty(); }
   std::size_t size() const { return views_.size(); }
 
@@ -81,6 +83,7 @@ class PeopleViews {
     int person;  ///< common to all cameras
     std::size_t camera;
     int id;  ///< of the camera's finder
+    bool foreseen;
   };
   void addImage(const Sighting& sighting);
 

@@ -72,6 +72,18 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> ima
   return body;
 }
 
+TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> images) {
+  if (!before_.tracker) {
+    before_ = followerOf(*body_, stature_);
+    before_.tracker->resume(tracker_->body().pose, tracker_->lying(), -tracker_->body().frame.t);
+  }
+  before_.tracker->track(-t, things_.remove(images));
+  before_.tracker->widenHands(held_.extent());
+  TrackedBody body = before_.tracker->body();
+  body.frame.t = t;
+  return body;
+}
+
 const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> images) {
   bool is_tracked = false;
   if (!tracker_) {

@@ -59,6 +59,9 @@ class TrackedPerson {
 
   /// One image of each camera that looks at `t` (s). Null while the stature is being measured.
   const TrackedBody* see(double t, std::span<const PersonImage> images);
+  /// The body in an image from before the first one that was tracked, in which it was found: tracked
+  /// backwards from it. `t` (s) decreases.
+  TrackedBody seeBefore(double t, std::span<const PersonImage> images);
   bool fitted() const { return fitted_; }
   /// The current body; nullopt while the stature is being measured.
   const std::optional<humanmodel::HumanOptions>& body() const { return body_; }
@@ -107,6 +110,7 @@ class TrackedPerson {
   Stature stature_;
   std::shared_ptr<const BodyRig> rig_;
   std::unique_ptr<BodyTracker> tracker_;
+  Follower before_;  ///< backwards in time
   BodyCalibration calibration_;
   StillThings things_;
   HeldThings held_;

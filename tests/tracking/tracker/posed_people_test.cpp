@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/tracking/tracker/posed_scenes.hpp"
-#include "tracking/depth/people/lying_people.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -18,12 +17,10 @@ constexpr double kRightWayRound = 0.99, kWithinReach = 0.99, kHiddenWithin = 0.9
 constexpr double kRawMean = 0.050, kRawP95 = 0.130;                                 // m, tracked joints
 constexpr double kWidestInterval = 0.60;                                            // m, of statures
 constexpr double kStature = 0.04;                                                   // m
-constexpr std::size_t kLate = 3;  // images until a head is found that is out of the image
 
 struct Case {
   testing::PosedScene scene;
   double within{kWithinReach}, mean{kRawMean}, p95{kRawP95};
-  std::size_t late{0};  ///< images until the person is found
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene.name; }
 
@@ -35,8 +32,6 @@ std::vector<Case> cases() {
     if (c.scene.name == "seated" || c.scene.name == "sitting_down" || c.scene.name == "standing_up")
       c.mean = 0.035, c.p95 = 0.070;
     if (c.scene.name == "still_from_behind_at_5_m") c.mean = 0.065;
-    if (c.scene.name.starts_with("lying") && c.scene.name != "lying_down") c.late = LyingPeople::kImages - 1;
-    if (c.scene.name.starts_with("near_") && c.scene.name != "near_1_2_m") c.late = kLate;
     // The mark of standing columns, which is for chairs, made it 38 mm.
     if (c.scene.name == "kneeling") c.mean = 0.030;
     out.push_back(std::move(c));
@@ -115,7 +110,7 @@ TEST_P(PosedPeople, AreTrackedWithinTolerance) {
       errors.tracked.error.size(), errors.inferred.within(), errors.inferred.medianRatio(),
       errors.inferred.error.size());
   EXPECT_GE(shareRightWayRound(person.frames, clip.truth), kRightWayRound);
-  EXPECT_GE(person.first->found + c.late, clip.truth.size());
+  EXPECT_EQ(person.first->found, clip.truth.size());
   EXPECT_EQ(person.numbers, 1u);
   EXPECT_EQ(person.ghosts, 0u);
   if (stature.known()) {

@@ -100,7 +100,7 @@ int printJoints(const std::vector<std::string>& chosen) {
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       const auto joint = static_cast<humanmodel::Joint>(j);
       std::printf("%-14s", std::string(humanmodel::jointName(joint)).c_str());
-      for (double t = 0.0; t <= clip.truth.back().t; t += kSlice) {
+      for (double t = clip.truth.front().t; t <= clip.truth.back().t; t += kSlice) {
         double sum = 0.0;
         int count = 0, inferred = 0;
         for (const humanmodel::SkeletonFrame& f : frames) {

@@ -32,13 +32,6 @@ std::size_t pixelsOf(const DepthCamera& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
 }
 
-/// Whether the upper border of the image cuts off a body.
-bool isCut(const PlanView& plan, const PlanView::Place& place) {
-  bool is_cut = false;
-  plan.around(place, kBodyRadius, [&](int i, double) { is_cut |= plan.cell(i).cut; });
-  return is_cut;
-}
-
 }  // namespace
 
 PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options)
@@ -201,7 +194,7 @@ void PeopleFinder::addHeads(double t) {
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
     }
-    if (is_new) addTrack(t, place, true);
+    if (is_new) addTrack(t, place);
   }
 }
 
@@ -209,19 +202,20 @@ void PeopleFinder::addHeads(double t) {
 void PeopleFinder::addExpected(double t) {
   for (std::size_t k = 0; k < expected_.size();) {
     const Place place = expected_[k].place;
-    bool is_new = expected_[k].whole && t < expected_[k].t && t >= expected_[k].t - kForesight &&
+    const double arrives = expected_[k].t;
+    bool is_new = t < arrives && t >= arrives - kForesight &&
                   tracks_.size() < static_cast<std::size_t>(kMaxPeople) &&
                   bodyArea(plan_, place, kBodyRadius) >= kExpectedArea * expected_[k].area;
     for (const Track& track : tracks_)
       is_new = is_new && !(track.here && (track.place - place).norm() < kSplit);
     if (is_new)
-      addTrack(t, place, true);  // takes it off the list
+      addTrack(t, place).arrives = arrives;  // takes it off the list
     else
       ++k;
   }
 }
 
-void PeopleFinder::addTrack(double t, const Place& place, bool has_head) {
+PeopleFinder::Track& PeopleFinder::addTrack(double t, const Place& place) {
   Track track;
   const auto distance = [&](const Arrival& arrival) {
     return std::abs(arrival.t - t) <= kForesight ? (arrival.place - place).norm() : kInfinity;
@@ -233,14 +227,13 @@ void PeopleFinder::addTrack(double t, const Place& place, bool has_head) {
   track.id = arrived != expected_.end() ? arrived->id : next_id_++;
   if (arrived != expected_.end()) expected_.erase(arrived);
   if (arrivals_.size() < kMaxPeople)
-    arrivals_.push_back(
-        {track.id, place, bodyArea(plan_, place, kBodyRadius), t, has_head && !isCut(plan_, place)});
+    arrivals_.push_back({track.id, place, bodyArea(plan_, place, kBodyRadius), t});
   track.place = place;
   track.born = track.seen = track.head_seen = t;
   track.here = track.suspect = true;
   const auto after =
       std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& other) { return other.id > track.id; });
-  tracks_.insert(after, track);
+  return *tracks_.insert(after, track);
 }
 
 /// People who lie have no head of that kind: those who are followed stay, others are new.
@@ -263,7 +256,7 @@ void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
     track.head_seen = t;
     is_new = false;
   }
-  if (is_new) addTrack(t, place, false);
+  if (is_new) addTrack(t, place);
 }
 
 void PeopleFinder::label(const DepthImage& image) {
@@ -328,6 +321,7 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
     FoundPerson& person = sums[p].person;
     if (person.pixels >= kMinPixels) {
       person.id = tracks_[p].id;
+      person.foreseen = t < tracks_[p].arrives;
       person.centroid = sums[p].p / static_cast<double>(person.pixels);
       people_.persons.push_back(person);
       number[p + 1] = static_cast<std::uint8_t>(people_.persons.size());

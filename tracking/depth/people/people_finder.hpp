@@ -25,11 +25,11 @@ struct Arrival {
   PlanView::Place place{PlanView::Place::Zero()};  ///< m, in the plan view of the camera
   double area{0.0};                                ///< m^2 of visible surface around it
   double t{0.0};                                   ///< s
-  bool whole{false};                               ///< stood, and the upper border did not cut off the head
 };
 
 struct FoundPerson {
   int id{-1};                           ///< constant between images, from 1
+  bool foreseen{false};                 ///< before the arrival (PeopleFinder::expect)
   Vector3d centroid{kNaN, kNaN, kNaN};  ///< m, camera's frame: mean over the pixels
   double top{kNaN};                     ///< m above the floor, highest pixel
   std::size_t pixels{0};
@@ -67,8 +67,8 @@ class PeopleFinder {
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
-  /// Of a finder that has seen the same images: these people get the same ids, and those that were whole are
-  /// found up to kForesight earlier, as soon as a surface of the size that they had is at the place.
+  /// Of a finder that has seen the same images: these people get the same ids, and are foreseen in up to
+  /// kForesight of images before, as soon as a surface of the size that they had is at the place.
   void expect(std::vector<Arrival> arrivals);
   static constexpr double kForesight = 1.0;  ///< s
   /// Of all people so far, at most kMaxPeople.
@@ -87,6 +87,7 @@ class PeopleFinder {
     int id{-1};
     Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
     double born{0.0}, seen{0.0}, head_seen{0.0};       ///< s, first seen, last seen, last seen with a head
+    double arrives{-kInfinity};                        ///< s; foreseen before
     bool here{false};                                  ///< seen in this image
     bool matched{false};                               ///< matched to a head of this image
     bool suspect{false};  ///< younger than a second, or at a place where it was not
@@ -103,7 +104,7 @@ class PeopleFinder {
   void followHeadless(double t);
   void keepOrAdd(double t, const Place& place, double reach);
   void addExpected(double t);
-  void addTrack(double t, const Place& place, bool has_head);
+  Track& addTrack(double t, const Place& place);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);

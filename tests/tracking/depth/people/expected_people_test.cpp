@@ -44,8 +44,9 @@ struct Scene {
 
 constexpr int kImages = 20;
 
-/// In each image the ids of the people, from left to right.
-std::vector<std::vector<int>> look(const Scene& scene, PeopleFinder& finder) {
+/// In each image the ids of the people, from left to right. Person k + 1 is foreseen before image arrives[k].
+std::vector<std::vector<int>> look(const Scene& scene, PeopleFinder& finder,
+                                   std::array<int, 2> arrives = {0, 0}) {
   std::vector<std::vector<int>> ids;
   for (int i = 0; i < kImages; ++i) {
     std::vector<FoundPerson> people = finder.find(kStep * i, scene.image(i)).persons;
@@ -54,7 +55,10 @@ std::vector<std::vector<int>> look(const Scene& scene, PeopleFinder& finder) {
     std::sort(people.begin(), people.end(),
               [](const FoundPerson& a, const FoundPerson& b) { return a.centroid.x() < b.centroid.x(); });
     ids.emplace_back();
-    for (const FoundPerson& person : people) ids.back().push_back(person.id);
+    for (const FoundPerson& person : people) {
+      ids.back().push_back(person.id);
+      EXPECT_EQ(person.foreseen, i < arrives.at(static_cast<std::size_t>(person.id - 1))) << i;
+    }
   }
   return ids;
 }
@@ -68,7 +72,7 @@ TEST(ExpectedPeople, AreFoundBeforeTheirHeads) {
   ASSERT_EQ(first.arrivals().size(), 2u);
   PeopleFinder second(levelCamera());
   second.expect(first.arrivals());
-  for (const std::vector<int>& ids : look(scene, second)) EXPECT_EQ(ids, (std::vector<int>{2, 1}));
+  for (const std::vector<int>& ids : look(scene, second, {0, 6})) EXPECT_EQ(ids, (std::vector<int>{2, 1}));
 }
 
 TEST(ExpectedPeople, KeepTheirNumbersInAnotherOrder) {
@@ -79,7 +83,7 @@ TEST(ExpectedPeople, KeepTheirNumbersInAnotherOrder) {
   EXPECT_EQ(before[4], (std::vector<int>{1}));
   EXPECT_EQ(before[8], (std::vector<int>{2, 1}));
   second.expect(first.arrivals());
-  const auto after = look(scene, second);
+  const auto after = look(scene, second, {4, 8});
   EXPECT_EQ(after[0], (std::vector<int>{2}));
   EXPECT_EQ(after[2], (std::vector<int>{2}));
   EXPECT_EQ(after[3], (std::vector<int>{2, 1}));
@@ -100,7 +104,7 @@ TEST(ExpectedPeople, AreFoundAtMostOneSecondEarlier) {
   PeopleFinder first(levelCamera()), second(levelCamera());
   look(scene, first);
   second.expect(first.arrivals());
-  const auto after = look(scene, second);
+  const auto after = look(scene, second, {0, kLate});
   const int earliest = kLate - static_cast<int>(std::lround(PeopleFinder::kForesight / kStep));
   for (int i = 0; i < kImages; ++i)
     EXPECT_EQ(after[static_cast<std::size_t>(i)].size(), i < earliest ? 1u : 2u) << i;
