@@ -209,5 +209,19 @@ TEST_F(ViewportTest, LegendStaysWithinView) {
   EXPECT_GT(overlay.placeLegend().rows.back(), wide.rows.back()) << "wrapped, not cut";
 }
 
+TEST_F(ViewportTest, LabelsStayWithinNarrowView) {
+  Overlay overlay(nullptr);
+  const QString text = QStringLiteral("⚠ left_arm/link7: unterschritten, virtuell 48,7 N");
+  overlay.content().labels.push_back({QPointF(150.0, 200.0), text});
+  overlay.resize(900, 400);
+  const double row = overlay.placeLabels().at(0).box.height();
+  for (const int width : {360, 300, 200}) {
+    overlay.resize(width, 400);
+    const PlacedLabel placed = overlay.placeLabels().at(0);
+    EXPECT_TRUE(QRectF(overlay.rect()).contains(placed.box)) << width;
+  }
+  EXPECT_GT(overlay.placeLabels().at(0).box.height(), row) << "wrapped, not cut";
+}
+
 }  // namespace viewport_test
 }  // namespace abstand::ui

@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -80,8 +81,22 @@ PlotPanel::PlotPanel(QWidget* parent)
   head->addWidget(of);
   head->addWidget(joint_);
   layout->addLayout(head);
+  // Names of lines take more rows where the panel is narrow; a low window must not grow by them.
+  auto* area = new QScrollArea(this);
+  auto* column = new QWidget(area);
+  auto* rows = new QVBoxLayout(column);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(2);
+  column->setMinimumWidth(1);  // as narrow as the panel, whatever the plots would like
+  area->setAccessibleName(tr("Plots"));
+  area->setWidget(column);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  layout->addWidget(area);
   for (StripChart* chart : charts_) {
-    layout->addWidget(chart, chart == charts_.back() ? 4 : 3);
+    rows->addWidget(chart, chart == charts_.back() ? 4 : 3);
     connect(chart, &StripChart::timePicked, this, &PlotPanel::timePicked);
     connect(chart, &StripChart::windowMoved, this, [this](double left, double right) {
       setFollow(false);

@@ -32,8 +32,9 @@ constexpr double kShortestWindow = 0.05;  // s
 constexpr double kZoomStep = 0.8;         // a notch of the wheel
 constexpr int kTimeLabelOverhang = 14;    // px
 constexpr int kMinHeight = 90;            // px
-// px: a plot with its title, and also with a time axis, below the names of its lines.
-constexpr int kMinWithTitle = 40, kMinWithTitles = 64;
+constexpr int kMinPlot = 32;              // px, below the names of several lines, without the time axis
+constexpr double kValueRoom = 1.5;        // lines of text for each value of the axis
+constexpr int kMinValues = 2, kMaxValues = 4;
 constexpr int kSpareWidth = 24;           // px, so that the room of a value seldom changes
 constexpr double kValueAxisWidth = 44.0;  // px; the same for all charts, so that their times line up
 
@@ -96,7 +97,6 @@ StripChart::StripChart(Text text, const QColor& colour, QWidget* parent)
   plot_->axisScaleDraw(QwtPlot::yLeft)->setMinimumExtent(kValueAxisWidth);
   // The same overhang of the last label, whether there is one or not.
   plot_->axisWidget(QwtPlot::xBottom)->setMinBorderDist(kTimeLabelOverhang, kTimeLabelOverhang);
-  plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
   plot_->setAxisMaxMajor(QwtPlot::xBottom, 6);
   if (text_.time_axis) {
     QwtText axis_title(tr("Time [s]"));
@@ -152,17 +152,11 @@ void StripChart::setLines(const std::vector<Line>& lines) {
   }
   values_box_->setVisible(names_.size() > 1);
   placeValues();
-  if (names_.size() > 1) {
-    // Whatever the width is: the window must not grow where it is narrow for a moment.
-    const int rows = static_cast<int>(names_.size()) - 1;
-    setMinimumHeight(rows * values_->fontMetrics().lineSpacing() +
-                     (text_.time_axis ? kMinWithTitles : kMinWithTitle));
-  }
   value_->setVisible(names_.size() <= 1);
   dirty_ = true;
 }
 
-/// Room for the widest values, which stand one after the other.
+/// Room for the widest values, which stand one after the other, and for the plot below them.
 void StripChart::placeValues() {
   const QMargins edges = values_->contentsMargins();
   const int width = std::max(1, this->width() - edges.left() - edges.right());
@@ -173,11 +167,23 @@ void StripChart::placeValues() {
   text.setTextWidth(width);
   values_box_->setFixedHeight(static_cast<int>(std::ceil(text.size().height())) + 2);
   values_->setGeometry(0, 0, this->width(), values_box_->height());
+  if (names_.size() <= 1) return;
+  const int axis = text_.time_axis ? plot_->axisWidget(QwtPlot::xBottom)->sizeHint().height() : 0;
+  setMinimumHeight(title_->sizeHint().height() + values_box_->height() + kMinPlot + axis);
+}
+
+/// As many values as stand above each other on an axis of `height` (px) without touching.
+void StripChart::spaceValues(double height) {
+  const double line = QFontMetricsF(plot_->axisFont(QwtPlot::yLeft)).height();
+  const int room = static_cast<int>(height / (kValueRoom * line));
+  plot_->setAxisMaxMajor(QwtPlot::yLeft, std::clamp(room, kMinValues, kMaxValues));
+  plot_->updateAxes();
 }
 
 void StripChart::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeValues();
+  dirty_ = true;
 }
 
 void StripChart::setSeries(const FrameSeries* series, std::size_t line) {
@@ -249,6 +255,7 @@ void StripChart::refresh() {
   dirty_ = false;
   shown_revision_ = now;
   fitValues();
+  spaceValues(plot_->canvas()->height());
   const double value = shownNow() * text_.factor;
   if (names_.size() > 1) values_->setText(valuesText(false));
   const QString text = QStringLiteral("%1 %2").arg(fixed(value, text_.decimals), text_.unit);
@@ -295,7 +302,10 @@ void StripChart::paint(QPainter& painter, const QRectF& area) {
   QwtPlotRenderer renderer;
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardCanvasBackground);
-  renderer.render(plot_, &painter, QRectF(area.left(), rest.top(), area.width(), area.bottom() - rest.top()));
+  const QRectF plot(area.left(), rest.top(), area.width(), area.bottom() - rest.top());
+  spaceValues(plot.height());
+  renderer.render(plot_, &painter, plot);
+  spaceValues(plot_->canvas()->height());
 }
 
 void StripChart::fitValues() {

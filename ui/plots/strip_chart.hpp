@@ -82,6 +82,7 @@ class StripChart : public QWidget {
   /// Names and values above the chart; `widest`: with as much room as a value takes.
   QString valuesText(bool widest) const;
   void placeValues();
+  void spaceValues(double height);
   long revision() const;
   void applyPalette();
   double timeAt(int x) const;

@@ -5861,6 +5861,10 @@ und nichts berührt sich. Früherer Sicherheitsabstände: abgespielt vor einer �
         <source>contact and margins</source>
         <translation>Kontakt und Sicherheitsabstände</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
 </context>
 <context>
     <name>abstand::ui::ProjectCommands</name>

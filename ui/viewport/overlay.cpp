@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +19,8 @@ constexpr double kAxesRoom = kMargin + 2.0 * (kAxisLength + 6.0) + 10.0;  // px,
 constexpr int kMarkWidth = 34, kDotWidth = 12;          // px, of the legend's arrows, of its dots
 constexpr double kLegendPad = 30.0, kMinLegend = 60.0;  // px, about its marks and texts; of its texts
 constexpr double kNameLift = 66.0;  // px from a point up to a name, so that the names do not hide the contact
+// px: of labels, from the edge of the view, beside the text, least room for the text
+constexpr double kLabelEdge = 4.0, kLabelPad = 16.0, kMinLabel = 60.0;
 constexpr double kPointRoom = 9.0;  // px about the ends of a line that no label covers
 constexpr double kLineWidth = 2.0, kArrowWidth = 3.5, kArrowHead = 14.0;  // px
 constexpr double kValueDrop = 30.0;                                       // px from a point down to a value
@@ -42,6 +45,12 @@ void arrow(QPainter& p, QPointF from, QPointF to, double head) {
   p.setBrush(p.pen().color());
   arrowHead(p, from, to, head);
   p.restore();
+}
+
+/// A value and its unit stay in one line.
+QString unitsWithValues(QString text) {
+  static const QRegularExpression kAfterDigit(QStringLiteral("(?<=\\d) (?=\\S)"));
+  return text.replace(kAfterDigit, QStringLiteral("\u00a0"));
 }
 
 QColor edgeColour(OverlayLabel::Style style) {
@@ -153,17 +162,22 @@ std::vector<PlacedLabel> Overlay::placeLabels() const {
   std::stable_sort(order.begin(), order.end(),
                    [](const auto* a, const auto* b) { return a->at.y() > b->at.y(); });
   for (const OverlayLabel* each : order) {
-    const OverlayLabel& label = *each;
+    OverlayLabel label = *each;
+    label.text = unitsWithValues(label.text);
     if (!rect().adjusted(-20, -20, 20, 20).contains(label.at.toPoint())) continue;
-    QRectF box(0, 0, metrics.horizontalAdvance(label.text) + 16, metrics.height() + 6);
+    // Wrapped if it is longer than the view is wide.
+    const QRectF room(0.0, 0.0, std::max(kMinLabel, width() - 2.0 * kLabelEdge - kLabelPad), 1e4);
+    const QRectF text = metrics.boundingRect(room, Qt::TextWordWrap, label.text);
+    QRectF box(0, 0, std::ceil(text.width()) + kLabelPad, std::ceil(text.height()) + 6);
     box.moveCenter(label.at + QPointF(0, label.below ? kValueDrop : -kNameLift));
     const auto overlaps = [&](const QRectF& other) { return other.adjusted(-2, -2, 2, 2).intersects(box); };
-    box.moveLeft(std::clamp(box.left(), 4.0, std::max(4.0, width() - box.width() - 4.0)));
+    box.moveLeft(
+        std::clamp(box.left(), kLabelEdge, std::max(kLabelEdge, width() - box.width() - kLabelEdge)));
     // Away from what is there already; from the edge on in the other direction.
     double step = (label.below ? 1.0 : -1.0) * (box.height() + 3);
     for (int tries = 0; tries < 16; ++tries) {
-      if (box.top() < 4.0 || box.bottom() > height() - 4.0) {
-        box.moveTop(box.top() < 4.0 ? 4.0 : height() - box.height() - 4.0);
+      if (box.top() < kLabelEdge || box.bottom() > height() - kLabelEdge) {
+        box.moveTop(box.top() < kLabelEdge ? kLabelEdge : height() - box.height() - kLabelEdge);
         step = box.top() < 0.5 * height() ? std::abs(step) : -std::abs(step);
       }
       if (std::none_of(taken.begin(), taken.end(), overlaps)) break;
@@ -192,7 +206,8 @@ void Overlay::paintLabels(QPainter& painter) const {
     painter.setBrush(contact ? edge : colours.label_back);
     painter.drawRoundedRect(box, 4.0, 4.0);
     painter.setPen(contact ? QColor(Qt::white) : colours.label_text);
-    painter.drawText(box, Qt::AlignCenter, label.text);
+    painter.drawText(box.adjusted(0.5 * kLabelPad - 1.0, 0.0, 1.0 - 0.5 * kLabelPad, 0.0),
+                     Qt::AlignCenter | Qt::TextWordWrap, label.text);
   }
 }
 

@@ -1,0 +1,53 @@
+// A chart with the names of several lines, as low as it may become.
+#include "ui/plots/strip_chart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <algorithm>
+
+namespace abstand::ui {
+namespace strip_chart_test {
+
+const std::vector<StripChart::Line> kLines{{"Person - Roboter, gesichert", Qt::blue},
+                                           {"Person - Gegenstand", Qt::cyan},
+                                           {"Roboter - Roboter", Qt::gray},
+                                           {"Roboter - Gegenstand", Qt::darkYellow}};
+
+struct LowChart : ::testing::TestWithParam<int> {
+  LowChart() {
+    for (int i = 0; i <= 10; ++i) series.add(0.1 * i, 0.06 * i);
+    chart.setLines(kLines);
+    chart.setSeries(&series);
+    chart.setWindow(0.0, 1.0);
+    chart.resize(GetParam(), 400);
+    chart.show();
+    QCoreApplication::sendPostedEvents();
+    chart.resize(GetParam(), chart.minimumHeight());
+    QCoreApplication::sendPostedEvents();
+    chart.refresh();
+  }
+
+  FrameSeries series{0.0, 1.0, 0.1, Keep::kSmallest};
+  StripChart chart{{"Distance", "mm", 1e3, 1, true}, Qt::black};
+};
+
+TEST_P(LowChart, PlotIsBelowTheNamesOfItsLines) {
+  const QList<QWidget*> children = chart.findChildren<QWidget*>();
+  const auto it = std::find_if(children.begin(), children.end(),
+                               [](const QWidget* child) { return child->inherits("QwtPlot"); });
+  ASSERT_NE(it, children.end());
+  const QWidget* plot = *it;
+  for (const QLabel* label : chart.findChildren<QLabel*>()) {
+    if (!label->isVisible()) continue;
+    const QRect place(label->mapTo(&chart, QPoint(0, 0)), label->size());
+    EXPECT_LE(place.bottom(), plot->geometry().top()) << label->text().toStdString();
+  }
+  EXPECT_LE(plot->geometry().bottom(), chart.height());
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, LowChart, ::testing::Values(300, 360, 800));
+
+}  // namespace strip_chart_test
+}  // namespace abstand::ui
