@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSlider>
 #include <QStatusBar>
 #include <QTimer>
@@ -84,7 +85,8 @@ namespace abstand::ui {
 namespace {
 
 constexpr int kNoticeMs = 4000;
-constexpr int kPlotWidth = 280;  // px, at least
+constexpr int kPlotWidth = 280;                     // px, at least
+const QSize kFirstSize(1440, 900), kFrame(16, 48);  // px, of a first start; of what surrounds the window
 constexpr char kDemonstration[] = "scenes/hug_boxing.yaml";
 
 using Id = ActionId;
@@ -128,7 +130,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectInspector();
   connectHelp();
   connectDocument();
-  resize(1440, 900);
+  resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
   docks_->arrange();
   arrange_at_first_show_ = !restoreSettings(*this, *actions_, *opacity_);
   applyOptions();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csignal>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "app/cli/version.hpp"
@@ -40,7 +41,7 @@ using namespace abstand;
 constexpr int kWrongUsage = 2, kBadInput = 3, kNotWritten = 4;
 constexpr int kSettleMs = 700;         // until the first snapshots are drawn
 constexpr int kLongestWaitMs = 20000;  // for the analysis of a recording that shall be in a picture
-const QSize kDefaultSize(1500, 950);
+const QSize kUnattendedSize(1500, 950);
 
 int fail(int code, const QString& text) {
   QTextStream(stderr) << text << "\n";
@@ -52,7 +53,7 @@ struct Arguments {
   QString recording, server, screenshot;
   robot_file::PackagePaths packages;
   bool react{true};
-  QSize size{kDefaultSize};
+  std::optional<QSize> size;
   ui::Language language{ui::Language::kSystem};
   double at{0.0};
   double play_s{0.0};
@@ -157,7 +158,7 @@ bool parse(const QStringList& arguments, Arguments& args) {
   if (parser.isSet("size")) {
     const QStringList wh = parser.value("size").split('x');
     if (wh.size() == 2) args.size = QSize(wh[0].toInt(), wh[1].toInt());
-    if (wh.size() != 2 || args.size.width() < 200 || args.size.height() < 200) {
+    if (wh.size() != 2 || args.size->width() < 200 || args.size->height() < 200) {
       fail(kWrongUsage, "abstand-studio: error: --size: expected WxH, at least 200x200");
       return false;
     }
@@ -315,7 +316,7 @@ int main(int argc, char** argv) {
   }
   ui::applyTheme(app, ui::themeOf(app.palette()));
   ui::MainWindow window;
-  window.resize(args.size);
+  if (args.size || unattended) window.resize(args.size.value_or(kUnattendedSize));
   window.show();
   window.actions()[ui::ActionId::kReact]->setChecked(args.react);
   window.projects().setDialogs(!unattended);

@@ -10,10 +10,11 @@
 namespace abstand::ui {
 namespace strip_chart_test {
 
-const std::vector<StripChart::Line> kLines{{"Person - Roboter, gesichert", Qt::blue},
-                                           {"Person - Gegenstand", Qt::cyan},
-                                           {"Roboter - Roboter", Qt::gray},
-                                           {"Roboter - Gegenstand", Qt::darkYellow}};
+const std::vector<StripChart::Line> kLines{{"Person – Roboter, gesichert", Qt::blue},
+                                           {"Person – Gegenstand", Qt::cyan},
+                                           {"Roboter – Roboter", Qt::gray},
+                                           {"Roboter – Gegenstand", Qt::darkYellow},
+                                           {"left_arm/link7 – operator/biceps_right", Qt::green}};
 
 struct LowChart : ::testing::TestWithParam<int> {
   LowChart() {
@@ -21,11 +22,13 @@ struct LowChart : ::testing::TestWithParam<int> {
     chart.setLines(kLines);
     chart.setSeries(&series);
     chart.setWindow(0.0, 1.0);
+    chart.setStyleSheet(QStringLiteral("* { font-size: 11pt; }"));  // larger than Qwt expects
     chart.resize(GetParam(), 400);
     chart.show();
     QCoreApplication::sendPostedEvents();
-    chart.resize(GetParam(), chart.minimumHeight());
+    chart.resize(GetParam(), chart.minimumSizeHint().height());
     QCoreApplication::sendPostedEvents();
+    for (std::size_t i = 0; i < kLines.size(); ++i) chart.setNow(0.1213, i);
     chart.refresh();
   }
 
@@ -43,11 +46,12 @@ TEST_P(LowChart, PlotIsBelowTheNamesOfItsLines) {
     if (!label->isVisible()) continue;
     const QRect place(label->mapTo(&chart, QPoint(0, 0)), label->size());
     EXPECT_LE(place.bottom(), plot->geometry().top()) << label->text().toStdString();
+    if (label->wordWrap()) EXPECT_LE(label->heightForWidth(label->width()), label->height());
   }
   EXPECT_LE(plot->geometry().bottom(), chart.height());
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, LowChart, ::testing::Values(300, 360, 800));
+INSTANTIATE_TEST_SUITE_P(Widths, LowChart, ::testing::Range(280, 480, 3));
 
 }  // namespace strip_chart_test
 }  // namespace abstand::ui

@@ -152,24 +152,24 @@ void StripChart::setLines(const std::vector<Line>& lines) {
   }
   values_box_->setVisible(names_.size() > 1);
   placeValues();
+  if (names_.size() > 1) {
+    // Else the layout would take from the names what Qwt wants for a plot.
+    const int axis = text_.time_axis ? plot_->axisWidget(QwtPlot::xBottom)->sizeHint().height() : 0;
+    plot_->setMinimumHeight(kMinPlot + axis);
+    setMinimumHeight(0);
+  }
   value_->setVisible(names_.size() <= 1);
   dirty_ = true;
 }
 
-/// Room for the widest values, which stand one after the other, and for the plot below them.
+/// Room for the widest values, which stand one after the other.
 void StripChart::placeValues() {
-  const QMargins edges = values_->contentsMargins();
-  const int width = std::max(1, this->width() - edges.left() - edges.right());
-  QTextDocument text;
-  text.setDefaultFont(values_->font());
-  text.setDocumentMargin(0.0);
-  text.setHtml(valuesText(true));
-  text.setTextWidth(width);
-  values_box_->setFixedHeight(static_cast<int>(std::ceil(text.size().height())) + 2);
+  if (names_.size() > 1) {
+    values_->setText(valuesText(true));
+    values_box_->setFixedHeight(values_->heightForWidth(width()) + 2);
+    values_->setText(valuesText(false));
+  }
   values_->setGeometry(0, 0, this->width(), values_box_->height());
-  if (names_.size() <= 1) return;
-  const int axis = text_.time_axis ? plot_->axisWidget(QwtPlot::xBottom)->sizeHint().height() : 0;
-  setMinimumHeight(title_->sizeHint().height() + values_box_->height() + kMinPlot + axis);
 }
 
 /// As many values as stand above each other on an axis of `height` (px) without touching.
