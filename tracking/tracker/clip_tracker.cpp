@@ -7,19 +7,13 @@
 
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_stand.hpp"
+#include "tracking/tracker/earlier_images.hpp"
 
 namespace abstand::tracking {
 namespace {
 
 constexpr double kLearning = 5.0;   // s of the stream used to learn sizes
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
-
-/// An image of a person, kept until the person is tracked.
-struct EarlierImage {
-  std::size_t number;  ///< of the image in the clip
-  DepthFrame frame;
-  std::vector<std::uint8_t> is_person;
-};
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -79,8 +73,7 @@ class ClipPasses {
     moments_.rewind();
     auto views_of_pass = std::make_unique<PeopleViews>(cameras_);
     PeopleViews& views = *views_of_pass;
-    // Several cameras number people across them by the order of arrival, which would change.
-    if (before_ && views.size() == 1) views.expect(*before_);
+    if (before_) views.expect(*before_);
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
@@ -88,23 +81,19 @@ class ClipPasses {
       if (isInterrupted()) break;
       const double begin = processorSeconds();
       views.see(moment, options_.known);
-      if (keep) noteCameras(moment, views);
+      if (keep) loseSince(track_, views.note(track_.cameras));
+      earlier_.keep(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
-        if (views.isForeseen(person)) {
-          const auto is_person = images.front().is_person;
-          earlier_[person].push_back({i, *moment.frames[first], {is_person.begin(), is_person.end()}});
-          return;
-        }
         TrackedPerson& tracker = trackerOf(person, learned, trackers);
         const TrackedBody* body = tracker.see(moment.t, images);
         if (!keep) return;
-        if (body && body->found) trackBefore(i, person, tracker, place);
-        noteMoment(track_, place, person, moment.t, body, true);
-        if (body && body->found) noteHeld(track_.people[place[person]], tracker.held().extent());
-        std::vector<humanmodel::SkeletonFrame>& frames = track_.people[place[person]].frames;
-        if (images.size() > 1 && frames.size() > 1)
-          widenByLag(moment.lag, frames[frames.size() - 2], frames.back());
-        if (body) show({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body});
+        if (!body) return noteMoment(track_, place, person, moment.t, nullptr, true);
+        if (body->found && place.count(person) == 0)
+          for (const EarlierImages::Tracked& before : earlier_.track(i, person, views, tracker))
+            record({before.number, person, before.frame, *before.camera, tracker.rig(), before.body},
+                   before.lag, tracker, place);
+        record({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body},
+               images.size() > 1 ? moment.lag : 0.0, tracker, place);
       });
       if (!keep) continue;
       noteAbsent(moment.t, place);
@@ -116,38 +105,19 @@ class ClipPasses {
     before_ = std::move(views_of_pass);
   }
 
-  /// Takes no time of the track.
-  void show(const ClipMoment& moment) {
+  /// Into track_, and to whom it may concern. `lag` (s): of images that were fitted together.
+  void record(const ClipMoment& moment, double lag, const TrackedPerson& tracker,
+              std::map<int, std::size_t>& place) {
+    noteMoment(track_, place, moment.id, moment.body.frame.t, &moment.body, true);
+    ClipPerson& person = track_.people[place[moment.id]];
+    if (moment.body.found) noteHeld(person, tracker.held().extent());
+    track_.lag = std::max(track_.lag, lag);
+    if (person.frames.size() > 1)
+      widenByLag(lag, person.frames[person.frames.size() - 2], person.frames.back());
     if (!options_.watch) return;
     const double pause = processorSeconds();
     options_.watch(moment);
     track_.seconds -= processorSeconds() - pause;
-  }
-
-  /// Tracks a person whose body was found in image `i` backwards through the images that end there.
-  void trackBefore(std::size_t i, int person, TrackedPerson& tracker, std::map<int, std::size_t>& place) {
-    const auto kept = earlier_.extract(person);
-    if (!kept) return;
-    const std::vector<EarlierImage>& images = kept.mapped();
-    std::vector<TrackedBody> bodies;
-    for (auto it = images.rbegin(); it != images.rend() && it->number + bodies.size() + 1 == i; ++it) {
-      const PersonImage image{&it->frame.image, &cameras_.front(), it->is_person};
-      const TrackedBody body = tracker.seeBefore(it->frame.t, {&image, 1});
-      if (!body.found) break;
-      bodies.push_back(body);
-    }
-    for (; !bodies.empty(); bodies.pop_back()) {
-      const EarlierImage& image = images[images.size() - bodies.size()];
-      const TrackedBody& body = bodies.back();
-      noteMoment(track_, place, person, image.frame.t, &body, true);
-      noteHeld(track_.people[place[person]], tracker.held().extent());
-      show({image.number, person, image.frame, cameras_.front(), tracker.rig(), body});
-    }
-  }
-
-  void noteCameras(const DepthMoment& moment, const PeopleViews& views) {
-    loseSince(track_, views.note(track_.cameras));
-    if (!views.empty()) track_.lag = std::max(track_.lag, moment.lag);
   }
 
   /// People not in these images are lost.
@@ -180,8 +150,8 @@ class ClipPasses {
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
-  std::unique_ptr<PeopleViews> before_;               // of the last pass
-  std::map<int, std::vector<EarlierImage>> earlier_;  // of people who were not found yet
+  std::unique_ptr<PeopleViews> before_;  // of the last pass
+  EarlierImages earlier_;
   ClipTrack track_;
 };
 

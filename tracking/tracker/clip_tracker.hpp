@@ -75,7 +75,7 @@ void finishTrack(ClipTrack& track);
 
 /// Two passes over the stream: the first seconds to learn the sizes of the people, then all of it. People who
 /// appear later are measured then. A person who was in images before the first one in which the body is found
-/// is tracked backwards through these (PeopleFinder::expect). If the recording has no camera pose, it is
+/// is tracked backwards through these (EarlierImages). If the recording has no camera pose, it is
 /// estimated from the floor; without a visible floor the camera is assumed level, see CameraStand. Throws
 /// ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);

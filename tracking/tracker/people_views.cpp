@@ -39,6 +39,7 @@ void PeopleViews::expect(const PeopleViews& before) {
 void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
   moment_ = &moment;
   sightings_.clear();
+  foreseen_.clear();
   places_.clear();
   for (std::size_t c = 0; c < views_.size(); ++c) {
     if (!moment.frames[c] || isMoved(c)) continue;
@@ -52,7 +53,8 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
     }
     if (isHung(c)) continue;
     for (const FoundPerson& person : view.finder.people().persons) {
-      sightings_.push_back({person.id, c, person.id, person.foreseen});
+      (person.foreseen ? foreseen_ : sightings_).push_back({person.id, c, person.id});
+      if (person.foreseen) continue;
       places_.push_back({c, person.id, placeOf(person, *view.camera)});
     }
   }
@@ -67,16 +69,16 @@ bool PeopleViews::isHung(std::size_t camera) const {
   return moment_->t - views_[camera].watch.unchangedSince() >= hung_after_;
 }
 
-bool PeopleViews::isForeseen(int person) const {
-  return std::any_of(sightings_.begin(), sightings_.end(), [&](const Sighting& sighting) {
-    return sighting.person == person && sighting.foreseen;
-  });
+int PeopleViews::idOf(int person, std::size_t camera) const {
+  const auto is_it = [&](const Sighting& s) { return s.person == person && s.camera == camera; };
+  const auto it = std::find_if(sightings_.begin(), sightings_.end(), is_it);
+  return it == sightings_.end() ? -1 : it->id;
 }
 
-void PeopleViews::addImage(const Sighting& sighting) {
+PersonImage PeopleViews::imageOf(const Sighting& sighting) {
   View& view = views_[sighting.camera];
   view.finder.mask(sighting.id, view.mask);
-  images_.push_back({&moment_->frames[sighting.camera]->image, view.camera, view.mask, sighting.camera});
+  return {&moment_->frames[sighting.camera]->image, view.camera, view.mask, sighting.camera};
 }
 
 double PeopleViews::note(std::vector<CameraShare>& shares) const {

@@ -53,8 +53,8 @@ class PeopleViews {
   bool isMoved(std::size_t camera) const { return std::isfinite(views_[camera].watch.movedAt()); }
   /// At the last moment.
   bool isHung(std::size_t camera) const;
-  /// Whether the last images show the person before the arrival (PeopleFinder::expect).
-  bool isForeseen(int person) const;
+  /// Id of a person of the last moment in the images of one camera; -1: it does not see the person.
+  int idOf(int person, std::size_t camera) const;
   bool empty() const { return sightings_.empty(); }
   std::size_t size() const { return views_.size(); }
 
@@ -66,9 +66,16 @@ class PeopleViews {
       const int person = sightings_[k].person;
       const std::size_t first = sightings_[k].camera;
       images_.clear();
-      for (; k < sightings_.size() && sightings_[k].person == person; ++k) addImage(sightings_[k]);
+      for (; k < sightings_.size() && sightings_[k].person == person; ++k)
+        images_.push_back(imageOf(sightings_[k]));
       use(person, first, std::span<const PersonImage>(images_));
     }
+  }
+  /// Calls use(PersonImage, idOf() of the later person) for people before their arrival, whom each() leaves
+  /// out (PeopleFinder::expect).
+  template <class Use>
+  void eachForeseen(Use use) {
+    for (const Sighting& sighting : foreseen_) use(imageOf(sighting), sighting.id);
   }
 
  private:
@@ -83,14 +90,13 @@ class PeopleViews {
     int person;  ///< common to all cameras
     std::size_t camera;
     int id;  ///< of the camera's finder
-    bool foreseen;
   };
-  void addImage(const Sighting& sighting);
+  PersonImage imageOf(const Sighting& sighting);
 
   std::vector<View> views_;
   double hung_after_;
   PeopleAcross across_;
-  std::vector<Sighting> sightings_;
+  std::vector<Sighting> sightings_, foreseen_;
   std::vector<SeenPlace> places_;
   std::vector<PersonImage> images_;
   const DepthMoment* moment_{nullptr};

@@ -1,0 +1,46 @@
+#include "tracking/tracker/earlier_images.hpp"
+
+#include <algorithm>
+
+namespace abstand::tracking {
+
+void EarlierImages::keep(std::size_t number, const DepthMoment& moment, PeopleViews& views) {
+  views.eachForeseen([&](const PersonImage& image, int id) {
+    kept_[{image.number, id}].push_back({number,
+                                         moment.t,
+                                         moment.lag,
+                                         *moment.frames[image.number],
+                                         image.camera,
+                                         {image.is_person.begin(), image.is_person.end()}});
+  });
+}
+
+std::vector<EarlierImages::Tracked> EarlierImages::track(std::size_t number, int person,
+                                                         const PeopleViews& views, TrackedPerson& tracker) {
+  std::vector<std::pair<std::size_t, std::vector<Kept>>> cameras;
+  for (std::size_t c = 0; c < views.size(); ++c)
+    if (auto node = kept_.extract({c, views.idOf(person, c)}))
+      cameras.emplace_back(c, std::move(node.mapped()));
+  std::vector<Tracked> out;
+  std::vector<PersonImage> images;
+  while (number-- > 0) {
+    images.clear();
+    const Kept* first = nullptr;
+    for (auto& [c, kept] : cameras) {
+      const auto it =
+          std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.number == number; });
+      if (it == kept.end()) continue;
+      images.push_back({&it->frame.image, it->camera, it->is_person, c});
+      if (!first) first = &*it;
+    }
+    if (!first) break;
+    TrackedBody body = tracker.seeBefore(first->t, images);
+    if (!body.found) break;
+    out.push_back(
+        {number, images.size() > 1 ? first->lag : 0.0, first->frame, first->camera, std::move(body)});
+  }
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace abstand::tracking

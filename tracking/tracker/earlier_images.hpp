@@ -1,0 +1,46 @@
+// Images of people from before they were found.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "tracking/tracker/people_views.hpp"
+#include "tracking/tracker/tracked_person.hpp"
+
+namespace abstand::tracking {
+
+/// Keeps the images of people whose arrival is foreseen (PeopleFinder::expect). When the body of one is
+/// found, it is tracked backwards through these. One thread. Allocates.
+class EarlierImages {
+ public:
+  /// A body at a moment before.
+  struct Tracked {
+    std::size_t number;         ///< of the moment
+    double lag;                 ///< s, of images that were fitted together; 0 for one
+    DepthFrame frame;           ///< of the first camera that sees the person
+    const DepthCamera* camera;  ///< of that image
+    TrackedBody body;
+  };
+
+  /// Keeps those of the last moment, the `number`th.
+  void keep(std::size_t number, const DepthMoment& moment, PeopleViews& views);
+
+  /// A person whose body `tracker` found at moment `number`, the last one of `views`: the bodies at the
+  /// moments that end there without a gap, by increasing time. Its images are not kept any longer.
+  std::vector<Tracked> track(std::size_t number, int person, const PeopleViews& views,
+                             TrackedPerson& tracker);
+
+ private:
+  struct Kept {
+    std::size_t number;
+    double t, lag;  ///< s, of the moment
+    DepthFrame frame;
+    const DepthCamera* camera;
+    std::vector<std::uint8_t> is_person;
+  };
+  /// By camera and PeopleViews::idOf(); each by increasing number.
+  std::map<std::pair<std::size_t, int>, std::vector<Kept>> kept_;
+};
+
+}  // namespace abstand::tracking
