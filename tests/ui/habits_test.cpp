@@ -121,6 +121,15 @@ TEST_F(KeyboardTest, LargeWindowHasLargerPanels) {
   EXPECT_GT(window.viewport().width(), 2880 / 2);
 }
 
+TEST_F(KeyboardTest, NextStartHasSizeOfLast) {
+  const QSize size(1130, 760);
+  window.resize(size);
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(window.close());
+  const MainWindow next;
+  EXPECT_EQ(next.size(), size);
+}
+
 TEST_F(KeyboardTest, FitsSmallScreen) {
   const QSize small(1024, 700);
   for (const int round : {0, 1}) {
