@@ -46,7 +46,9 @@ TEST_P(LowChart, PlotIsBelowTheNamesOfItsLines) {
     if (!label->isVisible()) continue;
     const QRect place(label->mapTo(&chart, QPoint(0, 0)), label->size());
     EXPECT_LE(place.bottom(), plot->geometry().top()) << label->text().toStdString();
-    if (label->wordWrap()) EXPECT_LE(label->heightForWidth(label->width()), label->height());
+    if (label->wordWrap()) {
+      EXPECT_LE(label->heightForWidth(label->width()), label->height());
+    }
   }
   EXPECT_LE(plot->geometry().bottom(), chart.height());
 }
