@@ -71,9 +71,8 @@ class ClipPasses {
   /// Processes all moments before `end`; learns sizes, or tracks with the learned ones.
   void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
     moments_.rewind();
-    auto views_of_pass = std::make_unique<PeopleViews>(cameras_);
-    PeopleViews& views = *views_of_pass;
-    if (before_) views.expect(*before_);
+    PeopleViews views(cameras_);
+    views.expect(arrivals_);
     std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
@@ -102,7 +101,7 @@ class ClipPasses {
       if (options_.progress) options_.progress(i + 1, moments_.size());
     }
     learn(trackers, place, keep, learned);
-    before_ = std::move(views_of_pass);
+    arrivals_ = views.arrivals();
   }
 
   /// Into track_, and to whom it may concern. `lag` (s): of images that were fitted together.
@@ -150,7 +149,7 @@ class ClipPasses {
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
-  std::unique_ptr<PeopleViews> before_;  // of the last pass
+  std::vector<std::vector<Arrival>> arrivals_;  // in the last pass, for each camera
   EarlierImages earlier_;
   ClipTrack track_;
 };

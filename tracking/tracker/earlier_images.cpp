@@ -25,7 +25,7 @@ std::vector<EarlierImages::Tracked> EarlierImages::track(std::size_t number, int
   std::vector<PersonImage> images;
   while (number-- > 0) {
     images.clear();
-    const Kept* first = nullptr;
+    Kept* first = nullptr;
     for (auto& [c, kept] : cameras) {
       const auto it =
           std::find_if(kept.begin(), kept.end(), [&](const Kept& k) { return k.number == number; });
@@ -36,8 +36,8 @@ std::vector<EarlierImages::Tracked> EarlierImages::track(std::size_t number, int
     if (!first) break;
     TrackedBody body = tracker.seeBefore(first->t, images);
     if (!body.found) break;
-    out.push_back(
-        {number, images.size() > 1 ? first->lag : 0.0, first->frame, first->camera, std::move(body)});
+    out.push_back({number, images.size() > 1 ? first->lag : 0.0, std::move(first->frame), first->camera,
+                   std::move(body)});
   }
   std::reverse(out.begin(), out.end());
   return out;

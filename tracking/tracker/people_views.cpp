@@ -32,8 +32,14 @@ PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after
     views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
 }
 
-void PeopleViews::expect(const PeopleViews& before) {
-  for (std::size_t c = 0; c < views_.size(); ++c) views_[c].finder.expect(before.views_[c].finder.arrivals());
+void PeopleViews::expect(const std::vector<std::vector<Arrival>>& arrivals) {
+  for (std::size_t c = 0; c < arrivals.size(); ++c) views_[c].finder.expect(arrivals[c]);
+}
+
+std::vector<std::vector<Arrival>> PeopleViews::arrivals() const {
+  std::vector<std::vector<Arrival>> arrivals;
+  for (const View& view : views_) arrivals.push_back(view.finder.arrivals());
+  return arrivals;
 }
 
 void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {

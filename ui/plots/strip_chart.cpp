@@ -177,7 +177,6 @@ void StripChart::spaceValues(double height) {
   const double line = QFontMetricsF(plot_->axisFont(QwtPlot::yLeft)).height();
   const int room = static_cast<int>(height / (kValueRoom * line));
   plot_->setAxisMaxMajor(QwtPlot::yLeft, std::clamp(room, kMinValues, kMaxValues));
-  plot_->updateAxes();
 }
 
 void StripChart::resizeEvent(QResizeEvent* event) {
@@ -304,8 +303,9 @@ void StripChart::paint(QPainter& painter, const QRectF& area) {
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardCanvasBackground);
   const QRectF plot(area.left(), rest.top(), area.width(), area.bottom() - rest.top());
   spaceValues(plot.height());
+  plot_->updateAxes();
   renderer.render(plot_, &painter, plot);
-  spaceValues(plot_->canvas()->height());
+  dirty_ = true;  // the axis is that of the picture
 }
 
 void StripChart::fitValues() {

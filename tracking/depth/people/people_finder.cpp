@@ -194,38 +194,45 @@ void PeopleFinder::addHeads(double t) {
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
     }
-    if (is_new) addTrack(t, place);
+    if (is_new) addTrack(t, place, idAt(t, place));
   }
 }
 
 /// People who will be found soon, and are already where they will be.
 void PeopleFinder::addExpected(double t) {
   for (std::size_t k = 0; k < expected_.size();) {
-    const Place place = expected_[k].place;
-    const double arrives = expected_[k].t;
-    bool is_new = t < arrives && t >= arrives - kForesight &&
+    const Arrival arrival = expected_[k];
+    bool is_new = t < arrival.t && t >= arrival.t - kForesight &&
                   tracks_.size() < static_cast<std::size_t>(kMaxPeople) &&
-                  bodyArea(plan_, place, kBodyRadius) >= kExpectedArea * expected_[k].area;
+                  bodyArea(plan_, arrival.place, kBodyRadius) >= kExpectedArea * arrival.area;
     for (const Track& track : tracks_)
-      is_new = is_new && !(track.here && (track.place - place).norm() < kSplit);
-    if (is_new)
-      addTrack(t, place).arrives = arrives;  // takes it off the list
-    else
+      is_new = is_new && !(track.here && (track.place - arrival.place).norm() < kSplit);
+    if (!is_new) {
       ++k;
+      continue;
+    }
+    expected_.erase(expected_.begin() + static_cast<std::ptrdiff_t>(k));
+    addTrack(t, arrival.place, arrival.id).arrives = arrival.t;
   }
 }
 
-PeopleFinder::Track& PeopleFinder::addTrack(double t, const Place& place) {
-  Track track;
+/// The id of who arrives now at a place, who is then expected no more, or a new one.
+int PeopleFinder::idAt(double t, const Place& place) {
   const auto distance = [&](const Arrival& arrival) {
     return std::abs(arrival.t - t) <= kForesight ? (arrival.place - place).norm() : kInfinity;
   };
-  auto arrived =
+  const auto nearest =
       std::min_element(expected_.begin(), expected_.end(),
                        [&](const Arrival& a, const Arrival& b) { return distance(a) < distance(b); });
-  if (arrived != expected_.end() && distance(*arrived) >= kSameArrival) arrived = expected_.end();
-  track.id = arrived != expected_.end() ? arrived->id : next_id_++;
-  if (arrived != expected_.end()) expected_.erase(arrived);
+  if (nearest == expected_.end() || distance(*nearest) >= kSameArrival) return next_id_++;
+  const int id = nearest->id;
+  expected_.erase(nearest);
+  return id;
+}
+
+PeopleFinder::Track& PeopleFinder::addTrack(double t, const Place& place, int id) {
+  Track track;
+  track.id = id;
   if (arrivals_.size() < kMaxPeople)
     arrivals_.push_back({track.id, place, bodyArea(plan_, place, kBodyRadius), t});
   track.place = place;
@@ -256,7 +263,7 @@ void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
     track.head_seen = t;
     is_new = false;
   }
-  if (is_new) addTrack(t, place);
+  if (is_new) addTrack(t, place, idAt(t, place));
 }
 
 void PeopleFinder::label(const DepthImage& image) {

@@ -104,7 +104,8 @@ class PeopleFinder {
   void followHeadless(double t);
   void keepOrAdd(double t, const Place& place, double reach);
   void addExpected(double t);
-  Track& addTrack(double t, const Place& place);
+  int idAt(double t, const Place& place);
+  Track& addTrack(double t, const Place& place, int id);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
