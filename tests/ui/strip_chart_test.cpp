@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QLabel>
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace abstand::ui {
 namespace strip_chart_test {
@@ -54,6 +56,26 @@ TEST_P(LowChart, PlotIsBelowTheNamesOfItsLines) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, LowChart, ::testing::Range(280, 480, 3));
+
+TEST(StripChart, ReadsNoSeriesOfEarlierLines) {
+  StripChart chart({"Distance", "mm", 1e3, 1, true}, Qt::black);
+  chart.setLines(kLines);
+  auto series = std::make_unique<FrameSeries>(0.0, 1.0, 0.1, Keep::kSmallest);
+  series->add(0.0, 0.5);
+  for (std::size_t i = 0; i < kLines.size(); ++i) chart.setSeries(series.get(), i);
+  chart.show();
+  chart.refresh();
+  EXPECT_EQ(chart.shownNow(1), 0.5);
+  chart.setNow(0.4, 1);
+  series.reset();
+  // As Qt resizes a chart while the lines of its neighbour are laid.
+  chart.resize(chart.width() / 2, chart.height());
+  chart.setLines(kLines);
+  for (std::size_t i = 0; i < kLines.size(); ++i) {
+    EXPECT_EQ(chart.series(i), nullptr);
+    EXPECT_TRUE(std::isnan(chart.shownNow(i)));
+  }
+}
 
 }  // namespace strip_chart_test
 }  // namespace abstand::ui

@@ -144,6 +144,10 @@ void StripChart::setLines(const std::vector<Line>& lines) {
     trace->attach(plot_);
     traces_.push_back(trace);
   }
+  for (Trace* trace : traces_) {
+    trace->series = nullptr;
+    trace->now.reset();
+  }
   names_.clear();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     traces_[i]->colour = lines[i].colour;
@@ -162,12 +166,14 @@ void StripChart::setLines(const std::vector<Line>& lines) {
   dirty_ = true;
 }
 
-/// Room for the widest values, which stand one after the other.
+/// Room for the widest values, which stand one after the other. Reads no series: while the lines of one chart
+/// are laid, Qt may resize its neighbours, whose series are already gone.
 void StripChart::placeValues() {
   if (names_.size() > 1) {
+    const QString shown = values_->text();
     values_->setText(valuesText(true));
     values_box_->setFixedHeight(values_->heightForWidth(width()) + 2);
-    values_->setText(valuesText(false));
+    values_->setText(shown);
   }
   values_->setGeometry(0, 0, this->width(), values_box_->height());
 }
@@ -203,7 +209,7 @@ QString StripChart::valuesText(bool widest) const {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const Trace& trace = *traces_[i];
     const QString mark = trace.style == Qt::SolidLine ? QStringLiteral("━") : QStringLiteral("╍");
-    // A name and its value stay together. Lines can have been laid before their series are set.
+    // A name and its value stay together.
     const QString number =
         widest ? QStringLiteral("-8888.8") : fixed(trace.valueAtPlayhead() * text_.factor, text_.decimals);
     QString words = QStringLiteral("%1 %2").arg(names_[i], number).toHtmlEscaped();

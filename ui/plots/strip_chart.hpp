@@ -41,7 +41,8 @@ class StripChart : public QWidget {
     QColor colour;
     Qt::PenStyle style{Qt::SolidLine};
   };
-  /// Instead of the one line of the constructor; their names and values stand above the chart.
+  /// Instead of the one line of the constructor; their names and values stand above the chart. No line has a
+  /// series before setSeries(), as those of the lines before may be gone.
   void setLines(const std::vector<Line>& lines);
   /// The series must outlive the chart or be replaced; null for none. `line`: counts setLines().
   void setSeries(const FrameSeries* series, std::size_t line = 0);
