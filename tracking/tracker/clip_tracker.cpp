@@ -8,11 +8,11 @@
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/earlier_images.hpp"
+#include "tracking/tracker/learned_people.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-constexpr double kLearning = 5.0;   // s of the stream used to learn sizes
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -28,11 +28,8 @@ class ClipPasses {
     track_.camera = cameras_.front();
     for (const DepthCamera& camera : cameras_)
       track_.camera.spread = std::max(track_.camera.spread, camera.spread);
-    std::map<int, KnownBody> learned;
-    const double end =
-        moments_.size() == 0 ? 0.0 : std::min(moments_.times().front() + kLearning, options_.until);
-    pass(end, learned, false);
-    pass(options_.until, learned, true);
+    learnPeople();
+    trackPeople();
     finishTrack(track_);
     return std::move(track_);
   }
@@ -60,32 +57,43 @@ class ClipPasses {
     return track_.interrupted;
   }
 
-  TrackedPerson& trackerOf(int person, const std::map<int, KnownBody>& learned,
-                           std::map<int, TrackedPerson>& trackers) const {
-    if (const auto it = trackers.find(person); it != trackers.end()) return it->second;
-    const auto of = learned.find(person);
-    return of != learned.end() ? trackers.try_emplace(person, options_.person, of->second).first->second
-                               : trackers.try_emplace(person, options_.person).first->second;
+  /// First pass: the bodies of the people, and their arrivals.
+  void learnPeople() {
+    moments_.rewind();
+    PeopleViews views(cameras_);
+    DepthMoment moment;
+    for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
+      views.see(moment, options_.known);
+      learned_.see(moment.t, views);
+      if (options_.progress) options_.progress(i + 1, 2 * moments_.size());
+    }
+    learned_.settle(views);
+    arrivals_ = views.arrivals();
   }
 
-  /// Processes all moments before `end`; learns sizes, or tracks with the learned ones.
-  void pass(double end, std::map<int, KnownBody>& learned, bool keep) {
+  /// Second pass: the bodies in all moments.
+  void trackPeople() {
     moments_.rewind();
     PeopleViews views(cameras_);
     views.expect(arrivals_);
-    std::map<int, TrackedPerson> trackers;
     std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
-    for (std::size_t i = 0; moments_.next(moment) && moment.t < end; ++i) {
-      if (isInterrupted()) break;
+    for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
       const double begin = processorSeconds();
       views.see(moment, options_.known);
-      if (keep) loseSince(track_, views.note(track_.cameras));
-      earlier_.keep(i, moment, views);
+      loseSince(track_, views.note(track_.cameras));
+      earlier_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
-        TrackedPerson& tracker = trackerOf(person, learned, trackers);
+        auto it = trackers_.find(person);
+        if (it == trackers_.end()) {
+          const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
+          // A later image shows more of who comes in.
+          if (learned && moment.t < learned->start) return earlier_.keep(i, moment, person, images, views);
+          it = learned ? trackers_.try_emplace(person, options_.person, *learned->body).first
+                       : trackers_.try_emplace(person, options_.person).first;
+        }
+        TrackedPerson& tracker = it->second;
         const TrackedBody* body = tracker.see(moment.t, images);
-        if (!keep) return;
         if (!body) return noteMoment(track_, place, person, moment.t, nullptr, true);
         if (body->found && place.count(person) == 0)
           for (const EarlierImages::Tracked& before : earlier_.track(i, person, views, tracker))
@@ -94,17 +102,22 @@ class ClipPasses {
         record({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body},
                images.size() > 1 ? moment.lag : 0.0, tracker, place);
       });
-      if (!keep) continue;
       noteAbsent(moment.t, place);
       track_.seconds += processorSeconds() - begin;
       ++track_.images;
-      if (options_.progress) options_.progress(i + 1, moments_.size());
+      if (options_.progress) options_.progress(moments_.size() + i + 1, 2 * moments_.size());
     }
-    learn(trackers, place, keep, learned);
-    arrivals_ = views.arrivals();
+    for (const auto& [id, k] : place) {
+      const TrackedPerson& tracker = trackers_.at(id);
+      if (!tracker.body()) continue;
+      track_.people[k].body = *tracker.body();
+      track_.people[k].facing = tracker.facing();
+      track_.people[k].stature = tracker.stature();
+    }
   }
 
-  /// Into track_, and to whom it may concern. `lag` (s): of images that were fitted together.
+  /// Into track_, and to whom it may concern. `lag` (s): of images that were fitted
+  /// together.
   void record(const ClipMoment& moment, double lag, const TrackedPerson& tracker,
               std::map<int, std::size_t>& place) {
     noteMoment(track_, place, moment.id, moment.body.frame.t, &moment.body, true);
@@ -127,29 +140,13 @@ class ClipPasses {
       if (track_.people[k].frames.back().t < t) track_.people[k].frames.push_back(none);
   }
 
-  void learn(std::map<int, TrackedPerson>& trackers, const std::map<int, std::size_t>& place, bool keep,
-             std::map<int, KnownBody>& learned) {
-    for (auto& [id, person] : trackers) {
-      if (!keep) {
-        person.settle();
-        person.settle();
-      }
-      if (!person.body()) continue;
-      learned.insert_or_assign(id, KnownBody{*person.body(), person.stature(), person.facing(),
-                                             person.things(), person.held().atStart()});
-      if (!keep || place.count(id) == 0) continue;
-      ClipPerson& tracked = track_.people[place.at(id)];
-      tracked.body = *person.body();
-      tracked.facing = person.facing();
-      tracked.stature = person.stature();
-    }
-  }
-
   std::span<const ClipCamera> streams_;
   const ClipTrackerOptions& options_;
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
-  std::vector<std::vector<Arrival>> arrivals_;  // in the last pass, for each camera
+  LearnedPeople learned_{options_.person};
+  std::vector<std::vector<Arrival>> arrivals_;  // in the first pass, for each camera
+  std::map<int, TrackedPerson> trackers_;
   EarlierImages earlier_;
   ClipTrack track_;
 };

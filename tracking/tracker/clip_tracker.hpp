@@ -25,11 +25,12 @@ struct ClipMoment {
 
 struct ClipTrackerOptions {
   TrackedPerson::Options person;
-  double until{kInfinity};                                 ///< s; later images are not tracked
-  std::function<void(std::size_t, std::size_t)> progress;  ///< images done, and total; may be empty
-  std::function<bool()> interrupted;                       ///< may be empty
-  KnownThings known;                                       ///< may be empty
-  std::function<void(const ClipMoment&)> watch;            ///< may be empty
+  double until{kInfinity};  ///< s; later images are not tracked
+  /// Images done, and total, of both passes; may be empty.
+  std::function<void(std::size_t, std::size_t)> progress;
+  std::function<bool()> interrupted;             ///< may be empty
+  KnownThings known;                             ///< may be empty
+  std::function<void(const ClipMoment&)> watch;  ///< may be empty
 };
 
 /// Result for one person.
@@ -55,7 +56,7 @@ struct ClipTrack {
   std::string world;               ///< source of that pose
   std::vector<ClipPerson> people;  ///< sorted by the number of images found, descending
   std::size_t images{0};           ///< images of one camera, moments of several
-  double seconds{0.0};             ///< s of processor time for all images, without reading them
+  double seconds{0.0};             ///< s of processor time for tracking all images, without reading them
   bool interrupted{false};
 };
 
@@ -73,9 +74,9 @@ void widenByLag(double lag, const humanmodel::SkeletonFrame& before, humanmodel:
 /// found.
 void finishTrack(ClipTrack& track);
 
-/// Two passes over the stream: the first seconds to learn the sizes of the people, then all of it. People who
-/// appear later are measured then. A person who was in images before the first one in which the body is found
-/// is tracked backwards through these (EarlierImages). If the recording has no camera pose, it is
+/// Two passes over the stream: the first finds the people and learns the size of each from the first seconds
+/// in view, the second tracks their bodies. A person who was in images before the first one in which the body
+/// is found is tracked backwards through these (EarlierImages). If the recording has no camera pose, it is
 /// estimated from the floor; without a visible floor the camera is assumed level, see CameraStand. Throws
 /// ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);

@@ -4,15 +4,22 @@
 
 namespace abstand::tracking {
 
-void EarlierImages::keep(std::size_t number, const DepthMoment& moment, PeopleViews& views) {
-  views.eachForeseen([&](const PersonImage& image, int id) {
-    kept_[{image.number, id}].push_back({number,
-                                         moment.t,
-                                         moment.lag,
-                                         *moment.frames[image.number],
-                                         image.camera,
-                                         {image.is_person.begin(), image.is_person.end()}});
-  });
+void EarlierImages::keepForeseen(std::size_t number, const DepthMoment& moment, PeopleViews& views) {
+  views.eachForeseen([&](const PersonImage& image, int id) { add(number, moment, image, id); });
+}
+
+void EarlierImages::keep(std::size_t number, const DepthMoment& moment, int person,
+                         std::span<const PersonImage> images, const PeopleViews& views) {
+  for (const PersonImage& image : images) add(number, moment, image, views.idOf(person, image.number));
+}
+
+void EarlierImages::add(std::size_t number, const DepthMoment& moment, const PersonImage& image, int id) {
+  kept_[{image.number, id}].push_back({number,
+                                       moment.t,
+                                       moment.lag,
+                                       *moment.frames[image.number],
+                                       image.camera,
+                                       {image.is_person.begin(), image.is_person.end()}});
 }
 
 std::vector<EarlierImages::Tracked> EarlierImages::track(std::size_t number, int person,

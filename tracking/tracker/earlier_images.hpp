@@ -10,8 +10,8 @@
 
 namespace abstand::tracking {
 
-/// Keeps the images of people whose arrival is foreseen (PeopleFinder::expect). When the body of one is
-/// found, it is tracked backwards through these. One thread. Allocates.
+/// Keeps the images of people whose arrival is foreseen (PeopleFinder::expect), and of people who are not yet
+/// searched. When the body of one is found, it is tracked backwards through these. One thread. Allocates.
 class EarlierImages {
  public:
   /// A body at a moment before.
@@ -23,8 +23,11 @@ class EarlierImages {
     TrackedBody body;
   };
 
-  /// Keeps those of the last moment, the `number`th.
-  void keep(std::size_t number, const DepthMoment& moment, PeopleViews& views);
+  /// Keeps those of the last moment, the `number`th, of people whose arrival is foreseen.
+  void keepForeseen(std::size_t number, const DepthMoment& moment, PeopleViews& views);
+  /// Likewise, of a person who is seen in `images`.
+  void keep(std::size_t number, const DepthMoment& moment, int person, std::span<const PersonImage> images,
+            const PeopleViews& views);
 
   /// A person whose body `tracker` found at moment `number`, the last one of `views`: the bodies at the
   /// moments that end there without a gap, by increasing time. Its images are not kept any longer.
@@ -39,6 +42,8 @@ class EarlierImages {
     const DepthCamera* camera;
     std::vector<std::uint8_t> is_person;
   };
+  void add(std::size_t number, const DepthMoment& moment, const PersonImage& image, int id);
+
   /// By camera and PeopleViews::idOf(); each by increasing number.
   std::map<std::pair<std::size_t, int>, std::vector<Kept>> kept_;
 };

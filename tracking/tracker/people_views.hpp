@@ -51,7 +51,9 @@ class PeopleViews {
   /// camera that is now known to be moved are wrong; infinite: none.
   double note(std::vector<CameraShare>& shares) const;
 
-  bool isMoved(std::size_t camera) const { return std::isfinite(views_[camera].watch.movedAt()); }
+  /// CameraWatch::movedAt(), s; infinite: not moved.
+  double movedAt(std::size_t camera) const { return views_[camera].watch.movedAt(); }
+  bool isMoved(std::size_t camera) const { return std::isfinite(movedAt(camera)); }
   /// At the last moment.
   bool isHung(std::size_t camera) const;
   /// Id of a person of the last moment in the images of one camera; -1: it does not see the person.

@@ -40,7 +40,7 @@ TrackedPerson::TrackedPerson(const Options& options, const KnownBody& known)
       things_{known.things},
       held_{known.held} {
   use(known.body);
-  fitted_ = true;
+  started_ = fitted_ = true;
 }
 
 TrackedPerson::Follower TrackedPerson::followerOf(const humanmodel::HumanOptions& body,
@@ -86,10 +86,13 @@ TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> imag
 
 const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> images) {
   bool is_tracked = false;
+  if (!started_) {
+    coming_.see(t, images);
+    if (!tracker_) measure(images);
+    if (coming_.isGrowing() || (!tracker_ && extents_.size() < kMeasured)) return nullptr;
+    started_ = true;
+  }
   if (!tracker_) {
-    const VerticalExtent extent = verticalExtent(images);
-    if (extent.height > 0.0) extents_.push_back(extent);
-    if (extents_.size() < kMeasured) return nullptr;
     settle();
     is_tracked = checkUpright(t, images);
   }
@@ -107,6 +110,14 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
     return body;
   settle();
   return &tracker_->track(t, images);
+}
+
+/// Keeps the last images that show the person's height.
+void TrackedPerson::measure(std::span<const PersonImage> images) {
+  const VerticalExtent extent = verticalExtent(images);
+  if (extent.height <= 0.0) return;
+  if (extents_.size() == kMeasured) extents_.erase(extents_.begin());
+  extents_.push_back(extent);
 }
 
 /// A tall person on a chair is as high as a short one who stands: if the first image is explained better by a

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tracking/tracker/body_calibration.hpp"
+#include "tracking/tracker/coming_into_view.hpp"
 #include "tracking/tracker/held_things.hpp"
 #include "tracking/tracker/stature.hpp"
 #include "tracking/tracker/still_things.hpp"
@@ -97,6 +98,7 @@ class TrackedPerson {
   void adopt(Follower follower);
   void adopt(const Fit& fit);
   void use(const humanmodel::HumanOptions& body);
+  void measure(std::span<const PersonImage> images);
   const TrackedBody* follow(double t, std::span<const PersonImage> images);
   /// Returns whether there is a new body, which has tracked nothing yet.
   bool remeasure(std::span<const PersonImage> images);
@@ -115,7 +117,8 @@ class TrackedPerson {
   StillThings things_;
   HeldThings held_;
   std::future<Fit> fitting_;
-  bool fitted_{false};
+  ComingIntoView coming_;
+  bool started_{false}, fitted_{false};
 };
 
 }  // namespace abstand::tracking

@@ -44,7 +44,7 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
   heads_.reserve(kMaxPeople);
   tracks_.reserve(kMaxPeople);
-  arrivals_.reserve(kMaxPeople);
+  arrivals_.reserve(kMaxArrivals);
   people_.persons.reserve(kMaxPeople);
 }
 
@@ -233,7 +233,7 @@ int PeopleFinder::idAt(double t, const Place& place) {
 PeopleFinder::Track& PeopleFinder::addTrack(double t, const Place& place, int id) {
   Track track;
   track.id = id;
-  if (arrivals_.size() < kMaxPeople)
+  if (arrivals_.size() < kMaxArrivals)
     arrivals_.push_back({track.id, place, bodyArea(plan_, place, kBodyRadius), t});
   track.place = place;
   track.born = track.seen = track.head_seen = t;

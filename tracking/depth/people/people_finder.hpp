@@ -63,7 +63,8 @@ struct PeopleImage {
 /// image. Cost: see README.md.
 class PeopleFinder {
  public:
-  static constexpr int kMaxPeople = 64;
+  static constexpr int kMaxPeople = 64;  ///< at once
+  static constexpr std::size_t kMaxArrivals = 1024;
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
@@ -71,7 +72,7 @@ class PeopleFinder {
   /// kForesight of images before, as soon as a surface of the size that they had is at the place.
   void expect(std::vector<Arrival> arrivals);
   static constexpr double kForesight = 1.0;  ///< s
-  /// Of all people so far, at most kMaxPeople.
+  /// Of all people so far, at most kMaxArrivals.
   const std::vector<Arrival>& arrivals() const { return arrivals_; }
 
   /// `t` (s) increases. `known`: depths (m; 0: none) of known objects, such as a robot; pixels within 6 cm of

@@ -1,0 +1,51 @@
+#include "tracking/tracker/learned_people.hpp"
+
+#include <algorithm>
+
+namespace abstand::tracking {
+
+void LearnedPeople::see(double t, PeopleViews& views) {
+  views.each([&](int id, std::size_t, std::span<const PersonImage> images) {
+    const auto [it, is_new] = people_.try_emplace(id);
+    Person& person = it->second;
+    if (is_new) person = {std::make_unique<TrackedPerson>(options_), t + kLearning};
+    for (const PersonImage& image : images) person.ids.emplace(image.number, views.idOf(id, image.number));
+    if (!person.tracker) return;
+    person.coming.see(t, images);
+    person.tracker->see(t, images);
+    if (t >= person.end) settle(person);
+  });
+}
+
+void LearnedPeople::settle(Person& person) {
+  if (!person.tracker) return;
+  TrackedPerson& tracker = *person.tracker;
+  tracker.settle();  // measures
+  tracker.settle();  // fits
+  if (tracker.body())
+    person.body = std::make_shared<KnownBody>(KnownBody{*tracker.body(), tracker.stature(), tracker.facing(),
+                                                        tracker.things(), tracker.held().atStart()});
+  person.tracker.reset();
+}
+
+void LearnedPeople::settle(const PeopleViews& views) {
+  const std::vector<std::vector<Arrival>> arrivals = views.arrivals();
+  double moved_at = kInfinity;  // later images do not show what they seem to
+  for (std::size_t c = 0; c < views.size(); ++c) moved_at = std::min(moved_at, views.movedAt(c));
+  for (auto& [number, person] : people_) {
+    settle(person);
+    if (!person.body) continue;
+    for (const auto& [camera, id] : person.ids) {
+      const auto is_it = [id = id](const Arrival& arrival) { return arrival.id == id; };
+      if (std::any_of(arrivals[camera].begin(), arrivals[camera].end(), is_it))
+        learned_.insert_or_assign({camera, id}, Learned{person.body, person.coming.start(moved_at)});
+    }
+  }
+}
+
+const LearnedPeople::Learned* LearnedPeople::find(std::size_t camera, int id) const {
+  const auto it = learned_.find({camera, id});
+  return it == learned_.end() ? nullptr : &it->second;
+}
+
+}  // namespace abstand::tracking
