@@ -55,12 +55,6 @@ bool isCutAbove(std::span<const PersonImage> images) {
   });
 }
 
-double topOf(const SeenPoints& points) {
-  float top = 0.0f;
-  for (std::size_t i = 0; i < points.count; ++i) top = std::max(top, points.z[i]);
-  return static_cast<double>(top);
-}
-
 /// Whether a knee is on the floor. There is no chair then, and thighs stand on the floor beside the hands.
 bool kneels(const RigPlacement& X_WS) {
   return std::min(X_WS[index(RigSegment::kCalfLeft)].translation().z(),
@@ -102,7 +96,7 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
   seen_.update(images);
-  const double highest = topOf(seen_.points()), top = highest / rig_->height;
+  const double highest = seen_.points().top(), top = highest / rig_->height;
   if (!(highest < kLyingTop)) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
   is_cut_ = isCutAbove(images);
@@ -131,6 +125,14 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     appeared_t_ = t;
   }
   finish(t);
+  return body_;
+}
+
+const TrackedBody& BodyTracker::search(const BodyObservation& seen, bool is_cut, double yaw) {
+  seen_ = seen;
+  is_cut_ = is_cut;
+  front_ = yaw;
+  find();
   return body_;
 }
 

@@ -48,6 +48,11 @@ class BodyTracker {
   /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it;
   /// `since` (s): of the first image in which it found it.
   void resume(const RigPose& pose, const Lying& lying, double since = -kInfinity);
+  /// An initial search for a person who faces `yaw` (rad, world) up to 60 degrees, in an observation from
+  /// before; `is_cut`: isCut() then. Sets pose and misfit of body().
+  const TrackedBody& search(const BodyObservation& seen, bool is_cut, double yaw);
+  /// Whether the upper border of the last image cuts off the person.
+  bool isCut() const { return is_cut_; }
   const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }

@@ -17,6 +17,12 @@ int squared(std::array<std::int16_t, 2> w) { return w[0] * w[0] + w[1] * w[1]; }
 
 }  // namespace
 
+double SeenPoints::top() const {
+  float top = 0.0f;
+  for (std::size_t i = 0; i < count; ++i) top = std::max(top, z[i]);
+  return static_cast<double>(top);
+}
+
 void SeenPoints::append(const SeenPoints& from, std::size_t i) {
   if (count == kMax) return;
   const std::size_t k = count++;

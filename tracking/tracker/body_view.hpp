@@ -28,6 +28,8 @@ struct SeenPoints {
 
   Vector3d point(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vector3d normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+  /// m, the highest z; 0 if no point is above that.
+  double top() const;
   /// Appends point `i` of other points; ignored if there is no room.
   void append(const SeenPoints& from, std::size_t i);
 };

@@ -13,6 +13,9 @@
 namespace abstand::tracking {
 namespace {
 
+constexpr int kSearches = 5;          // at most, for the first body of a person
+constexpr double kSearchEvery = 0.1;  // s
+constexpr double kWorse = 1.03;     // times the usual cost, from which on a first body is searched for again
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -71,6 +74,28 @@ class ClipPasses {
     arrivals_ = views.arrivals();
   }
 
+  /// Whether a person is searched for in a later image.
+  bool isAwaited(int person, const LearnedPeople::Learned* learned, double t) const {
+    if (!learned || trackers_.count(person) > 0) return false;
+    const auto it = searches_.find(person);
+    return t < (it == searches_.end() ? learned->start : it->second.next);
+  }
+
+  /// Whether the first body that was found explains the images worse than the person usually is explained,
+  /// and a later image may be explained better: the search is random, and people in motion have hard poses.
+  bool searchesAgain(int person, const LearnedPeople::Learned& learned, double t, const TrackedBody& body) {
+    Searches& searches = searches_[person];
+    searches.next = t + kSearchEvery;
+    return ++searches.count < kSearches && searches.next <= learned.last &&
+           (!body.found || body.misfit.cost > kWorse * learned.cost);
+  }
+
+  TrackedPerson& trackerOf(int person, const LearnedPeople::Learned* learned) {
+    if (const auto it = trackers_.find(person); it != trackers_.end()) return it->second;
+    return learned ? trackers_.try_emplace(person, options_.person, *learned->body).first->second
+                   : trackers_.try_emplace(person, options_.person).first->second;
+  }
+
   /// Second pass: the bodies in all moments.
   void trackPeople() {
     moments_.rewind();
@@ -84,16 +109,15 @@ class ClipPasses {
       loseSince(track_, views.note(track_.cameras));
       earlier_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
-        auto it = trackers_.find(person);
-        if (it == trackers_.end()) {
-          const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
-          // A later image shows more of who comes in.
-          if (learned && moment.t < learned->start) return earlier_.keep(i, moment, person, images, views);
-          it = learned ? trackers_.try_emplace(person, options_.person, *learned->body).first
-                       : trackers_.try_emplace(person, options_.person).first;
-        }
-        TrackedPerson& tracker = it->second;
+        const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
+        if (isAwaited(person, learned, moment.t)) return earlier_.keep(i, moment, person, images, views);
+        const bool is_first = trackers_.count(person) == 0;
+        TrackedPerson& tracker = trackerOf(person, learned);
         const TrackedBody* body = tracker.see(moment.t, images);
+        if (is_first && learned && body && searchesAgain(person, *learned, moment.t, *body)) {
+          trackers_.erase(person);
+          return earlier_.keep(i, moment, person, images, views);
+        }
         if (!body) return noteMoment(track_, place, person, moment.t, nullptr, true);
         if (body->found && place.count(person) == 0)
           for (const EarlierImages::Tracked& before : earlier_.track(i, person, views, tracker))
@@ -147,6 +171,11 @@ class ClipPasses {
   LearnedPeople learned_{options_.person};
   std::vector<std::vector<Arrival>> arrivals_;  // in the first pass, for each camera
   std::map<int, TrackedPerson> trackers_;
+  struct Searches {
+    int count{0};
+    double next{0.0};  // s, not before
+  };
+  std::map<int, Searches> searches_;  // of people who are not tracked yet
   EarlierImages earlier_;
   ClipTrack track_;
 };

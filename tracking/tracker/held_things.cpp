@@ -13,7 +13,7 @@ constexpr std::size_t kFewestOfThing = 10;  // points; fewer are noise at an out
 constexpr double kOnFloor = 0.15;           // m; soles are cut off with the floor up to there
 constexpr double kHandMoved = 0.15, kThingMoved = 0.10;  // m
 constexpr double kHandSeen = 0.3;                        // share of its samples
-constexpr double kOutline = 0.02;                        // m; cells that show little of a thing are left out
+constexpr double kOutline = 0.03;  // m, one cell; cells that show little of a thing are left out
 
 /// m; neighbours on one surface are at most this far apart: two cells, and the steps of a Kinect's depth.
 double linkAt(double depth) { return 0.06 + 0.004 * depth * depth; }

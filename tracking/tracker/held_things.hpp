@@ -35,7 +35,7 @@ class HeldThings {
   const Extents& atStart() const { return at_start_; }
 
   static constexpr int kWindow = 16, kNoticed = 10, kKept = 3, kMemory = 60, kFirst = 60;
-  static constexpr double kFist = 0.08;  ///< m beyond the hand; smaller things are part of it
+  static constexpr double kFist = 0.09;  ///< m beyond the hand; smaller things are part of it
 
  private:
   /// Unexplained surface that is connected to a hand.

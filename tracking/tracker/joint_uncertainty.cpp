@@ -68,7 +68,7 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.037, 0.020, 0.037, 0.7, 0.20};
     case kShoulderLeft:
     case kShoulderRight:
-      return {0.040, 0.040, 0.040, 0.5, 0.08};
+      return {0.040, 0.040, 0.040, 0.6, 0.08};
     case kElbowLeft:
     case kElbowRight:
       return {0.032, 0.032, 0.032, 0.5, 0.12};
@@ -80,13 +80,13 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.030, 0.030, 0.030, 0.5, 0.15, 0.28};
     case kHipLeft:
     case kHipRight:
-      return {0.030, 0.024, 0.030, 0.5, 0.06};
+      return {0.030, 0.027, 0.030, 0.6, 0.06};
     case kKneeLeft:
     case kKneeRight:
-      return {0.028, 0.022, 0.028, 0.75, 0.03};
+      return {0.032, 0.026, 0.032, 0.75, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
-      return {0.030, 0.018, 0.033, 0.5, 0.25, 0.10};
+      return {0.034, 0.022, 0.037, 0.6, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
       return {0.038, 0.038, 0.038, 0.65, 0.15};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/math/quantile.hpp"
+
 namespace abstand::tracking {
 
 void LearnedPeople::see(double t, PeopleViews& views) {
@@ -10,9 +12,11 @@ void LearnedPeople::see(double t, PeopleViews& views) {
     Person& person = it->second;
     if (is_new) person = {std::make_unique<TrackedPerson>(options_), t + kLearning};
     for (const PersonImage& image : images) person.ids.emplace(image.number, views.idOf(id, image.number));
+    person.last = t;
     if (!person.tracker) return;
     person.coming.see(t, images);
-    person.tracker->see(t, images);
+    const TrackedBody* body = person.tracker->see(t, images);
+    if (body && body->found) person.costs.push_back(body->misfit.cost);
     if (t >= person.end) settle(person);
   });
 }
@@ -35,10 +39,12 @@ void LearnedPeople::settle(const PeopleViews& views) {
   for (auto& [number, person] : people_) {
     settle(person);
     if (!person.body) continue;
+    Learned learned{person.body, person.coming.start(moved_at), kInfinity, person.last};
+    if (!person.costs.empty()) learned.cost = nearestQuantile(person.costs, 0.5);
     for (const auto& [camera, id] : person.ids) {
       const auto is_it = [id = id](const Arrival& arrival) { return arrival.id == id; };
       if (std::any_of(arrivals[camera].begin(), arrivals[camera].end(), is_it))
-        learned_.insert_or_assign({camera, id}, Learned{person.body, person.coming.start(moved_at)});
+        learned_.insert_or_assign({camera, id}, learned);
     }
   }
 }

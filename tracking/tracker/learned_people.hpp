@@ -21,7 +21,9 @@ class LearnedPeople {
   /// For a second pass.
   struct Learned {
     std::shared_ptr<const KnownBody> body;
-    double start{0.0};  ///< s, ComingIntoView::start()
+    double start{0.0};       ///< s, ComingIntoView::start()
+    double cost{kInfinity};  ///< median of Misfit::cost; infinite: no body was found
+    double last{0.0};        ///< s, of the last image
   };
 
   explicit LearnedPeople(const TrackedPerson::Options& options) : options_{options} {}
@@ -41,6 +43,8 @@ class LearnedPeople {
     std::unique_ptr<TrackedPerson> tracker;  // null at the end
     double end;                              // s
     ComingIntoView coming{};
+    std::vector<double> costs{};  // Misfit::cost where the body was found
+    double last{0.0};             // s
     std::set<Id> ids{};
     std::shared_ptr<const KnownBody> body{};
   };

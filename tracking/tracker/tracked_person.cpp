@@ -104,7 +104,7 @@ const TrackedBody* TrackedPerson::follow(double t, std::span<const PersonImage> 
     if (!calibration_.complete()) return body;
     if (options_.fit_aside)
       fitting_ = std::async(std::launch::async, fit, std::move(calibration_),
-                            Fit{*body_, facing_, stature_, tracker_->lying().front_over_back});
+                            Fit{*body_, facing_, stature_, tracker_->lying().front_over_back, options_.seed});
   }
   if (fitting_.valid() && fitting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return body;
@@ -177,8 +177,22 @@ void TrackedPerson::settle() {
   } else if (!fitted_) {
     adopt(fitting_.valid()
               ? fitting_.get()
-              : fit(std::move(calibration_), {*body_, facing_, stature_, tracker_->lying().front_over_back}));
+              : fit(std::move(calibration_),
+                    {*body_, facing_, stature_, tracker_->lying().front_over_back, options_.seed}));
   }
+}
+
+void Facing::decide(double turning, double searching) {
+  if (std::isnan(searching)) searching = 1.0;
+  const bool agree = searching != 1.0 && (searching < 1.0) == (turning < 1.0);
+  if (!agree)
+    ratio = 1.0;
+  else if (lies && std::abs(std::log(searching)) < std::abs(std::log(turning)))
+    ratio = searching;
+  else
+    ratio = turning;
+  // Neither side is the likelier one of people who lie.
+  away = (agree && !lies ? ratio : turning * searching) < (lies ? 1.0 : kBackBelow);
 }
 
 void TrackedPerson::decideFacing(const BodyCalibration& images, Fit& fit) {
@@ -186,19 +200,8 @@ void TrackedPerson::decideFacing(const BodyCalibration& images, Fit& fit) {
   const bool is_away = on_front.value_or(false);
   const double turned = images.whenTurned(fit.body);
   fit.facing.lies = on_front.has_value();
-  fit.facing.ratio = is_away ? 1.0 / turned : turned;
-  fit.facing.away = fit.facing.ratio < Facing::kBackBelow;
-  if (fit.facing.lies) {
-    // The search from both sides must agree, because a turned pose has lost what a search would find. If they
-    // do not, the likelier side is assumed.
-    const double turning = fit.facing.ratio;
-    const double searched = std::isnan(fit.front_over_back) ? 1.0 : fit.front_over_back;
-    fit.facing.away = turning * searched < 1.0;
-    if ((searched < 1.0) != (turning < 1.0))
-      fit.facing.ratio = 1.0;
-    else if (std::abs(std::log(searched)) < std::abs(std::log(turning)))
-      fit.facing.ratio = searched;
-  }
+  fit.facing.decide(is_away ? 1.0 / turned : turned,
+                    on_front ? fit.front_over_back : images.whenSearchedTurned(fit.body, fit.seed));
   fit.turned = fit.facing.away != is_away;
 }
 

@@ -25,6 +25,11 @@ struct Facing {
   static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
   /// Neither direction is the likelier one of people who lie.
   double backBelow() const { return lies ? 1.0 / kFrontAbove : kBackBelow; }
+  /// From the costs of facing away over facing the camera, of turned poses and of searches for both. A turned
+  /// pose has lost what a search would find: if they disagree, `ratio` is 1, and the likelier side is
+  /// assumed. For people who lie, whose search is the better judge of the two, `ratio` is that of the less
+  /// certain one.
+  void decide(double turning, double searching);
   bool decided() const { return given || ratio < backBelow() || ratio > kFrontAbove; }
 };
 
@@ -82,6 +87,7 @@ class TrackedPerson {
     Facing facing;
     Stature stature;
     double front_over_back{kNaN};  ///< Lying::front_over_back
+    std::uint64_t seed{1};         ///< of searches
     bool turned{false};            ///< the person in the images faces the other way than tracked
   };
   /// Compares facing directions unless given, and statures unless one is known.

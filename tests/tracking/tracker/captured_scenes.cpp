@@ -1,6 +1,8 @@
 // Files, times, cameras.
 #include "tests/tracking/tracker/captured_scenes.hpp"
 
+#include <cmath>
+
 #include "tests/support/paths.hpp"
 
 namespace abstand::testing {
@@ -57,6 +59,34 @@ std::vector<CapturedScene> hardScenes() {
         .eye = {-3.2, 0.0, 1.2},
         .width = 240}},
   };
+}
+
+std::vector<CapturedScene> scenesFromAllSides() {
+  constexpr int kSides = 8;
+  constexpr double kLong = 1.0, kFar = 2.8;  // s, m
+  const auto mocap = [](const char* file) { return sharedData(std::string("mocap/bvh/") + file); };
+  const struct {
+    const char* name;
+    std::filesystem::path recording;
+    double start;  // s
+  } captures[] = {{"reaching", projectFile("data/scenes/hug_reach.bvh"), 0.0},
+                  {"boxing", debianBvh("Boxing_Toes.bvh"), 6.0},
+                  {"waving", mocap("fair1_wave_hello.bvh"), 1.0},
+                  {"walking", mocap("bvhtoolbox_walk01.bvh"), 0.0},
+                  {"jumping", mocap("cmu_jumping_jacks_3dsmax_names.bvh"), 1.0},
+                  {"sitting", sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), 0.0}};
+  std::vector<CapturedScene> scenes;
+  for (const auto& [name, recording, start] : captures)
+    for (int side = 0; side < kSides; ++side) {
+      const double angle = 2.0 * kPi * side / kSides;
+      scenes.push_back({std::string(name) + "_from_" + std::to_string(360 * side / kSides),
+                        {.recording = recording,
+                         .start = start,
+                         .end = start + kLong,
+                         .eye = {kFar * std::cos(angle), kFar * std::sin(angle), 1.2},
+                         .width = 240}});
+    }
+  return scenes;
 }
 
 }  // namespace abstand::testing

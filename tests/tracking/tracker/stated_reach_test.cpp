@@ -53,6 +53,29 @@ TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
   EXPECT_GE(inferred.within(), kInferred);
 }
 
+// People in motion, and those who sit, from eight sides: the first search often finds a wrong pose, and the
+// back was taken for the front. Measured: TRACKED, INFERRED; when the first search counted, and turned poses
+// alone decided the facing: 0.696, 0.773.
+TEST(StatedUncertainty, CoversPeopleFromAllSides) {
+  constexpr double kTrackedFromAllSides = 0.95, kInferredFromAllSides = 0.95;
+  JointErrors::Stated tracked, inferred;
+  for (const auto& [name, plan] : testing::scenesFromAllSides()) {
+    if (!exists(plan.recording)) continue;
+    if (!name.starts_with("boxing") && !name.starts_with("jumping") && !name.starts_with("sitting")) continue;
+    auto clip = testing::simulate(plan);
+    const ClipTrack track = trackClip(*clip.stream, {});
+    ASSERT_FALSE(track.people.empty()) << name;
+    const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
+    tracked.add(errors.tracked);
+    inferred.add(errors.inferred);
+  }
+  std::printf("from all sides: %zu joints, %.4f of the raw errors within reach, of inferred ones %.4f\n",
+              tracked.error.size(), tracked.within(), inferred.within());
+  if (tracked.error.empty()) GTEST_SKIP() << "no capture";
+  EXPECT_GE(tracked.within(), kTrackedFromAllSides);
+  EXPECT_GE(inferred.within(), kInferredFromAllSides);
+}
+
 TEST(StatedUncertainty, IsSmallWhereTheBodyExplainsThePersonWell) {
   for (const auto& [name, plan] : testing::capturedScenes()) {
     if (name != "reaching") continue;

@@ -37,6 +37,7 @@ std::vector<TableClip> clipsOf(const std::vector<PosedScene>& scenes) {
 std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
   return {{"hard captures", clipsOf(hardScenes())},
           {"captures", clipsOf(capturedScenes())},
+          {"captures from all sides", clipsOf(scenesFromAllSides())},
           {"postures", clipsOf(posedScenes())},
           {"held-out postures", clipsOf(heldOutScenes())}};
 }
@@ -88,7 +89,7 @@ constexpr double kSlice = 0.5;  // s
 int printJoints(const std::vector<std::string>& chosen) {
   std::vector<TableClip> clips = clipsOf(posedScenes());
   for (TableClip& clip : clipsOf(heldOutScenes())) clips.push_back(std::move(clip));
-  for (const auto& scenes : {hardScenes(), capturedScenes()})
+  for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
   for (const TableClip& named : clips) {
     if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
