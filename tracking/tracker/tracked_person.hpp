@@ -25,10 +25,10 @@ struct Facing {
   static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
   /// Neither direction is the likelier one of people who lie.
   double backBelow() const { return lies ? 1.0 / kFrontAbove : kBackBelow; }
-  /// From the costs of facing away over facing the camera, of turned poses and of searches for both. A turned
-  /// pose has lost what a search would find: if they disagree, `ratio` is 1, and the likelier side is
-  /// assumed. For people who lie, whose search is the better judge of the two, `ratio` is that of the less
-  /// certain one.
+  /// Sets `away` and `ratio` from two ratios of costs, facing away over facing the camera: `turning`, of
+  /// turned poses, and `searching`, of searches from both sides; NaN: none. A turned pose has lost what a
+  /// search would find: if they disagree, `ratio` is 1, and the likelier side is assumed. If they agree,
+  /// `ratio` is `turning`; of people who lie, the less certain of both.
   void decide(double turning, double searching);
   bool decided() const { return given || ratio < backBelow() || ratio > kFrontAbove; }
 };
