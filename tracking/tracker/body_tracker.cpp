@@ -324,6 +324,16 @@ bool BodyTracker::isHeadCut() const {
                       [&](const BodyView& view) { return view.pixelOf(view.X_CW() * above).has_value(); });
 }
 
+/// Whether the feet are outside of the images of all cameras: what is seen does not show where the legs end.
+bool BodyTracker::areFeetCut() const {
+  for (const humanmodel::Joint ankle : {humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kAnkleRight}) {
+    const Vector3d p_W = jointPosition(*rig_, body_.X_WS, ankle);
+    for (const BodyView& view : seen_.views())
+      if (view.pixelOf(view.X_CW() * p_W)) return false;
+  }
+  return true;
+}
+
 void BodyTracker::finish(double t) {
   uncertainty_.reuse(body_.frame);
   body_.frame = humanmodel::SkeletonFrame{};
@@ -346,7 +356,7 @@ void BodyTracker::finish(double t) {
   fit_.support(seen_, body_.X_WS, body_.support);
   fit_.gaps(body_.X_WS, body_.gap);
   jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, body_.frame);
-  const PersonDoubts doubts{t - appeared_t_, stature_deviation_, facing_known_, lying_};
+  const PersonDoubts doubts{t - appeared_t_, stature_deviation_, areFeetCut(), facing_known_, lying_};
   uncertainty_.state({t, seen_, fit_, limbs_}, doubts, body_);
 }
 

@@ -72,6 +72,7 @@ class BodyTracker {
   void follow(double dt);
   void plantHiddenFeet();
   bool isHeadCut() const;
+  bool areFeetCut() const;
   void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
   void finish(double t);
 

@@ -13,10 +13,11 @@
 namespace abstand::tracking {
 namespace {
 
-// Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, the
-// places of hidden ones follow from the lengths of the bones, and so do those of the straight limbs of who
-// lies.
-constexpr double kOfStatureSeen = 0.10, kOfStatureHidden = 0.30, kOfStatureStraight = 0.40;
+// Share of a stature error by which a joint moves: visible ones are still fitted to the observed points, more
+// loosely if the images do not show where the legs end; the places of hidden ones follow from the lengths of
+// the bones, and so do those of the straight limbs of who lies.
+constexpr double kOfStatureSeen = 0.10, kOfStatureCut = 0.20, kOfStatureHidden = 0.30,
+                 kOfStatureStraight = 0.40;
 constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
 
 /// The places of hidden joints are counted from the last one of the limb that is seen, which has an error,
@@ -55,9 +56,10 @@ void PersonUncertainty::addTerms(const PersonDoubts& doubts, const TrackedBody& 
   const bool may_be_on_front = lying.lies && (!doubts.facing_known || body.pose.X_WP.linear()(2, 0) < 0.0);
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const bool is_seen = isSeen(seen, rig_->carrier[j]);
-    const double of_stature = may_be_on_front ? kOfStatureStraight
-                              : is_seen       ? kOfStatureSeen
-                                              : kOfStatureHidden;
+    const double of_stature = may_be_on_front   ? kOfStatureStraight
+                              : !is_seen        ? kOfStatureHidden
+                              : doubts.feet_cut ? kOfStatureCut
+                                                : kOfStatureSeen;
     const double stature = of_stature * doubts.stature_deviation;
     const double elsewhere = is_seen ? alternatives_.distance()[j] : 0.0;
     const double other_pose = std::max(lying.apart[j], elsewhere) / humanmodel::kSpreadQuantile;

@@ -13,6 +13,7 @@ namespace abstand::tracking {
 struct PersonDoubts {
   double found_for;          ///< s since the person was found
   double stature_deviation;  ///< m, standard deviation of the rig's stature
+  bool feet_cut;             ///< BodyTracker::areFeetCut()
   bool facing_known;         ///< BodyTracker::setFacingKnown()
   const Lying& lying;
 };

@@ -232,7 +232,9 @@ TEST(UtdMhadClock, TrackerDoesNotLag) {
 
 // Nothing shows the floor if the feet are below the image: it is assumed, and the stature is an interval.
 TEST_P(UtdMhad, FeetAreCutOff) {
-  constexpr double kTracked = 0.94, kInferred = 0.99;  // shares of the joints within the reach
+  // Shares of the joints within the reach. Measured: 0.979 to 1.000 (0.949 to 0.987 with the share of the
+  // stature's deviation of people whose feet are in the image), 1.000.
+  constexpr double kTracked = 0.97, kInferred = 0.99;
   // Of the person who stands. The other one is 1.54 m tall, is taken for 1.70 m, and sits down: 0.05 to 0.09
   // m.
   const bool stands = std::string(GetParam()) == "a18_s1_t1";
