@@ -55,6 +55,12 @@ bool isCutAbove(std::span<const PersonImage> images) {
   });
 }
 
+/// Whether a point (m, world) is within the image of any camera.
+bool isInView(const BodyObservation& seen, const Vector3d& p_W) {
+  return std::any_of(seen.views().begin(), seen.views().end(),
+                     [&](const BodyView& view) { return view.pixelOf(view.X_CW() * p_W).has_value(); });
+}
+
 /// Whether a knee is on the floor. There is no chair then, and thighs stand on the floor beside the hands.
 bool kneels(const RigPlacement& X_WS) {
   return std::min(X_WS[index(RigSegment::kCalfLeft)].translation().z(),
@@ -320,18 +326,14 @@ bool BodyTracker::isHeadCut() const {
   if (!is_cut_) return false;
   const Vector3d above =
       jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kHeadTop) + kAboveVertex * Vector3d::UnitZ();
-  return std::none_of(seen_.views().begin(), seen_.views().end(),
-                      [&](const BodyView& view) { return view.pixelOf(view.X_CW() * above).has_value(); });
+  return !isInView(seen_, above);
 }
 
 /// Whether the feet are outside of the images of all cameras: what is seen does not show where the legs end.
 bool BodyTracker::areFeetCut() const {
-  for (const humanmodel::Joint ankle : {humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kAnkleRight}) {
-    const Vector3d p_W = jointPosition(*rig_, body_.X_WS, ankle);
-    for (const BodyView& view : seen_.views())
-      if (view.pixelOf(view.X_CW() * p_W)) return false;
-  }
-  return true;
+  using enum humanmodel::Joint;
+  return !isInView(seen_, jointPosition(*rig_, body_.X_WS, kAnkleLeft)) &&
+         !isInView(seen_, jointPosition(*rig_, body_.X_WS, kAnkleRight));
 }
 
 void BodyTracker::finish(double t) {
