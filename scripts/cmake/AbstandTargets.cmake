@@ -107,7 +107,7 @@ function(abstand_test name)
   else()
     # Without the values of parameters, which gtest prints as bytes: they differ from run to run.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES
-      PROPERTIES LABELS ${T_LABELS} TIMEOUT 300 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+      PROPERTIES LABELS ${T_LABELS} TIMEOUT 900 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
   endif()
 endfunction()
 
