@@ -76,6 +76,10 @@ function(abstand_fingerprint target header name what)
   target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
 endfunction()
 
+# s; ends tests that hang, and whole programs with a sanitizer. On a busy machine, some take minutes.
+set(ABSTAND_TEST_TIMEOUT 900)
+set(ABSTAND_SANITIZED_TIMEOUT 1800)
+
 # Builds the test programs that start threads, for the thread sanitizer; their labels end with `_threads`.
 add_custom_target(threaded_tests)
 
@@ -101,13 +105,13 @@ function(abstand_test name)
       math(EXPR index "${shard} - 1")
       add_test(NAME ${name}_${shard} COMMAND ${name})
       # Long tests start first, so that no core is idle at the end.
-      set_tests_properties(${name}_${shard} PROPERTIES LABELS ${T_LABELS} COST ${T_SHARDS} TIMEOUT 1800
+      set_tests_properties(${name}_${shard} PROPERTIES LABELS ${T_LABELS} COST ${T_SHARDS} TIMEOUT ${ABSTAND_SANITIZED_TIMEOUT}
         ENVIRONMENT "GTEST_TOTAL_SHARDS=${T_SHARDS};GTEST_SHARD_INDEX=${index}")
     endforeach()
   else()
     # Without the values of parameters, which gtest prints as bytes: they differ from run to run.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES
-      PROPERTIES LABELS ${T_LABELS} TIMEOUT 900 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+      PROPERTIES LABELS ${T_LABELS} TIMEOUT ${ABSTAND_TEST_TIMEOUT} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
   endif()
 endfunction()
 
