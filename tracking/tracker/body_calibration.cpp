@@ -14,8 +14,6 @@ namespace {
 constexpr double kApart = 0.2;  // s
 constexpr double kExplained = 0.8;
 constexpr int kSteps = 5;                          // solver steps for an image and a changed body
-constexpr std::size_t kSearched = 3;               // images of whenSearchedTurned()
-constexpr int kTurnSteps = 15;                     // solver steps for one that faces the other way
 constexpr std::array kChanges{0.06, 0.03, 0.015};  // relative change of a size, by sweep
 // Share of the cost for each size that is 10 % off the usual one; regularises sizes that no image shows.
 constexpr double kUnusual = 0.01;
@@ -75,7 +73,7 @@ void BodyCalibration::add(double t, const BodyTracker& tracker) {
   const TrackedBody& body = tracker.body();
   if (complete() || !body.found || body.misfit.explained < kExplained) return;
   if (!images_.empty() && t - images_.back().t < kApart) return;
-  images_.push_back({t, tracker.seen(), body.pose, tracker.lying().lies, tracker.isCut()});
+  images_.push_back({t, tracker.seen(), body.pose, tracker.lying().lies});
 }
 
 std::optional<bool> BodyCalibration::lyingOnFront() const {
@@ -107,31 +105,6 @@ double BodyCalibration::whenTurned(const humanmodel::HumanOptions& body) const {
   if (images_.empty()) return kNaN;
   std::vector<RigPose> as_tracked = poses(), turned = turnedPoses(body);
   return costOf(body, kTurnSteps, turned) / costOf(body, kTurnSteps, as_tracked);
-}
-
-double BodyCalibration::whenSearchedTurned(const humanmodel::HumanOptions& body, std::uint64_t seed) const {
-  std::vector<const Image*> images;
-  for (const Image& image : images_) images.push_back(&image);
-  std::stable_sort(images.begin(), images.end(), [](const Image* a, const Image* b) {
-    return a->seen.points().top() > b->seen.points().top();
-  });
-  images.resize(std::min(images.size(), kSearched));
-  const BodyRig rig = makeRig(humanmodel::makeHuman(body));
-  std::array<double, 2> sum{};  // as tracked, turned
-  std::size_t turned_better = 0;
-  for (const Image* image : images) {
-    const double front = yawOf(image->pose);
-    const auto cost_of = [&](double yaw) {
-      BodyTracker tracker(rig, seed);
-      return tracker.search(image->seen, image->is_cut, yaw).misfit.cost;
-    };
-    const double as_tracked = cost_of(front), turned = cost_of(front + kPi);
-    sum[0] += as_tracked;
-    sum[1] += turned;
-    turned_better += turned < as_tracked;
-  }
-  if (images.empty()) return kNaN;
-  return turned_better == 0 || turned_better == images.size() ? sum[1] / sum[0] : 1.0;
 }
 
 void BodyCalibration::flipFacing(const humanmodel::HumanOptions& body) {

@@ -22,9 +22,6 @@ class BodyCalibration {
   /// Ratio of the fit costs if the person faces the other way, each image refitted; above 1: worse. NaN
   /// without images.
   double whenTurned(const humanmodel::HumanOptions& body) const;
-  /// The same of new searches for the person, in up to three images in which the person is highest; 1 if they
-  /// do not agree which way is better. A turned pose has lost what a search would find.
-  double whenSearchedTurned(const humanmodel::HumanOptions& body, std::uint64_t seed) const;
   /// Whether the person lies in most of the images, and then, whether on the front, as tracked.
   std::optional<bool> lyingOnFront() const;
   /// Declares that the person in the images faces the other way.
@@ -46,8 +43,7 @@ class BodyCalibration {
     double t;
     BodyObservation seen;
     RigPose pose;
-    bool lies;    ///< Lying::lies
-    bool is_cut;  ///< BodyTracker::isCut()
+    bool lies;  ///< Lying::lies
   };
   std::vector<RigPose> poses() const;
   std::vector<RigPose> turnedPoses(const humanmodel::HumanOptions& body) const;

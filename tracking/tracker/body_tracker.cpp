@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "humanmodel/joint_covariance.hpp"
+#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/tracker/crossed_legs.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -21,7 +22,6 @@ constexpr int kBadImages = 5;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
-constexpr double kTurns = 1.0;   // s; a person out of sight for longer may have turned around
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
 /// Upright, the head above the image, which cuts it off at the neck or at the forehead.
@@ -134,9 +134,9 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   return body_;
 }
 
-const TrackedBody& BodyTracker::search(const BodyObservation& seen, bool is_cut, double yaw) {
-  seen_ = seen;
-  is_cut_ = is_cut;
+const TrackedBody& BodyTracker::search(const BodyTracker& other, double yaw) {
+  seen_ = other.seen_;
+  is_cut_ = other.is_cut_;
   front_ = yaw;
   find();
   return body_;
@@ -156,6 +156,17 @@ void BodyTracker::widenHands(const std::array<double, 2>& extent) {
   using enum humanmodel::Joint;
   humanmodel::addRadius(body_.frame, kHandLeft, extent[0]);
   humanmodel::addRadius(body_.frame, kHandRight, extent[1]);
+}
+
+void BodyTracker::encloseOther(const humanmodel::SkeletonFrame& other) {
+  humanmodel::SkeletonFrame& frame = body_.frame;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto joint = static_cast<humanmodel::Joint>(j);
+    const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
+    const Matrix3d either = humanmodel::enclosingCovariance(humanmodel::covarianceOf(frame, joint),
+                                                            humanmodel::covarianceOf(other, joint));
+    humanmodel::setCovariance(frame, joint, humanmodel::sumEnclosing(either, offset * offset.transpose()));
+  }
 }
 
 void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
@@ -243,6 +254,7 @@ void BodyTracker::find() {
   } else {
     for (std::size_t v = 0; v < seen_.views().size(); ++v)
       if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (away_ ? kPi : 0.0), best);
+    if (expected_) tryExpected(middle, top, best);
   }
   body_ = best;
   if (std::isfinite(body_.misfit.cost) && crossesLegs(body_.X_WS)) uncrossLegs();
@@ -310,6 +322,12 @@ void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
   if (body_.misfit.cost < best.misfit.cost) best = body_;
 }
 
+/// Tries the expected direction, too; drops `best` if it faces another way.
+void BodyTracker::tryExpected(const Vector3d& middle, double top, TrackedBody& best) {
+  tryStarts(middle, top, *expected_, best);
+  if (std::cos(yawOf(best.pose) - *expected_) < 0.0) best = TrackedBody{};
+}
+
 /// Puts each leg at the place of the other one, unless the image then is explained worse.
 void BodyTracker::uncrossLegs() {
   const TrackedBody crossed = body_;
@@ -351,6 +369,7 @@ void BodyTracker::finish(double t) {
   }
   found_t_ = t;
   away_ = false;
+  expected_.reset();
   on_front_.reset();
   if (!facesUpOrDown(body_.pose.X_WP.linear().col(0))) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);

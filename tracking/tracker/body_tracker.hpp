@@ -34,6 +34,9 @@ class BodyTracker {
   const TrackedBody& track(double t, std::span<const PersonImage> images);
   /// The initial search assumes that the person's back is to the camera.
   void expectAway() { away_ = true; }
+  /// The initial search of a person who does not lie starts from `yaw` (rad, world), too, and finds none who
+  /// faces another way by more than 90 degrees.
+  void expectFacing(double yaw) { expected_ = yaw; }
   /// The initial search assumes that a person who lies does so on the front, or on the back.
   void expectLying(bool on_front) { on_front_ = on_front; }
   /// Whether it is known which way the person faces. If not, the reach of each joint includes its place in a
@@ -45,14 +48,15 @@ class BodyTracker {
   /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend
   /// beyond them.
   void widenHands(const std::array<double, 2>& extent);
+  /// Adds to the reach of each joint in the last image its place and reach in `other`, another body of the
+  /// same person.
+  void encloseOther(const humanmodel::SkeletonFrame& other);
   /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it;
   /// `since` (s): of the first image in which it found it.
   void resume(const RigPose& pose, const Lying& lying, double since = -kInfinity);
-  /// An initial search for a person who faces `yaw` (rad, world) up to 60 degrees, in an observation from
-  /// before; `is_cut`: isCut() then. Sets pose and misfit of body().
-  const TrackedBody& search(const BodyObservation& seen, bool is_cut, double yaw);
-  /// Whether the upper border of the last image cuts off the person.
-  bool isCut() const { return is_cut_; }
+  /// An initial search for a person who faces `yaw` (rad, world) up to 60 degrees, in the image that another
+  /// tracker saw last. Sets pose and misfit of body().
+  const TrackedBody& search(const BodyTracker& other, double yaw);
   const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
   const BodyObservation& seen() const { return seen_; }
@@ -60,6 +64,8 @@ class BodyTracker {
 
   /// m, typical distance from the visible skin to the middle of the body.
   static constexpr double kHalfBody = 0.10;
+  /// s; a person out of sight for longer may have turned around.
+  static constexpr double kTurns = 1.0;
 
  private:
   void find();
@@ -68,6 +74,7 @@ class BodyTracker {
                    double facing, TrackedBody& best);
   void tryLying(const Vector3d& middle, TrackedBody& best);
   void tryStart(const RigPose& start, TrackedBody& best);
+  void tryExpected(const Vector3d& middle, double top, TrackedBody& best);
   void uncrossLegs();
   void follow(double dt);
   void plantHiddenFeet();
@@ -93,9 +100,10 @@ class BodyTracker {
   Lying lying_;
   bool is_cut_{false};  ///< the upper border of the last image cuts off the person
   bool facing_known_{true};
-  bool away_{false};              ///< until the person is found
-  std::optional<bool> on_front_;  ///< likewise, of a person who lies; nullopt: both are tried
-  int badly_{0};                  ///< consecutive images that the body did not explain
+  bool away_{false};                ///< until the person is found
+  std::optional<double> expected_;  ///< rad, likewise
+  std::optional<bool> on_front_;    ///< likewise, of a person who lies; nullopt: both are tried
+  int badly_{0};                    ///< consecutive images that the body did not explain
 };
 
 }  // namespace abstand::tracking

@@ -13,9 +13,6 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr int kSearches = 5;          // at most, for the first body of a person
-constexpr double kSearchEvery = 0.1;  // s
-constexpr double kWorse = 1.03;     // times the usual cost, from which on a first body is searched for again
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -74,26 +71,27 @@ class ClipPasses {
     arrivals_ = views.arrivals();
   }
 
-  /// Whether a person is searched for in a later image.
-  bool isAwaited(int person, const LearnedPeople::Learned* learned, double t) const {
-    if (!learned || trackers_.count(person) > 0) return false;
-    const auto it = searches_.find(person);
-    return t < (it == searches_.end() ? learned->start : it->second.next);
-  }
-
-  /// Whether the first body that was found explains the images worse than the person usually is explained,
-  /// and a later image may be explained better: the search is random, and people in motion have hard poses.
-  bool searchesAgain(int person, const LearnedPeople::Learned& learned, double t, const TrackedBody& body) {
-    Searches& searches = searches_[person];
-    searches.next = t + kSearchEvery;
-    return ++searches.count < kSearches && searches.next <= learned.last &&
-           (!body.found || body.misfit.cost > kWorse * learned.cost);
-  }
-
-  TrackedPerson& trackerOf(int person, const LearnedPeople::Learned* learned) {
-    if (const auto it = trackers_.find(person); it != trackers_.end()) return it->second;
-    return learned ? trackers_.try_emplace(person, options_.person, *learned->body).first->second
-                   : trackers_.try_emplace(person, options_.person).first->second;
+  /// A person whom the first pass has learned, at moment `number`, before the first body is chosen.
+  void start(std::size_t number, const DepthMoment& moment, int person, const LearnedPeople::Learned& learned,
+             std::span<const PersonImage> images, const PeopleViews& views,
+             std::map<int, std::size_t>& place) {
+    earlier_.keep(number, moment, person, images, views);
+    if (moment.t < learned.start) return;
+    StartTrial& trial =
+        starts_.try_emplace(person, options_.person, learned.body, moment.t, learned.last, learned.cost)
+            .first->second;
+    if (!trial.see(number, moment.t, images)) return;
+    StartTrial::Candidate& best = trial.best();
+    TrackedPerson& tracker = trackers_.try_emplace(person, std::move(*best.tracker)).first->second;
+    std::size_t next = 0;
+    for (const EarlierImages::Tracked& before : earlier_.track(best.seen, person, views, tracker)) {
+      for (; next > 0 && next < before.number; ++next)
+        noteMoment(track_, place, person, times_[next], nullptr, true);
+      record({before.number, person, before.frame, *before.camera, tracker.rig(), before.body}, before.lag,
+             tracker, place);
+      next = before.number + 1;
+    }
+    starts_.erase(person);
   }
 
   /// Second pass: the bodies in all moments.
@@ -105,24 +103,17 @@ class ClipPasses {
     DepthMoment moment;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
       const double begin = processorSeconds();
+      times_.push_back(moment.t);
       views.see(moment, options_.known);
       loseSince(track_, views.note(track_.cameras));
       earlier_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
         const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
-        if (isAwaited(person, learned, moment.t)) return earlier_.keep(i, moment, person, images, views);
-        const bool is_first = trackers_.count(person) == 0;
-        TrackedPerson& tracker = trackerOf(person, learned);
+        if (learned && trackers_.count(person) == 0)
+          return start(i, moment, person, *learned, images, views, place);
+        TrackedPerson& tracker = trackers_.try_emplace(person, options_.person).first->second;
         const TrackedBody* body = tracker.see(moment.t, images);
-        if (is_first && learned && body && searchesAgain(person, *learned, moment.t, *body)) {
-          trackers_.erase(person);
-          return earlier_.keep(i, moment, person, images, views);
-        }
         if (!body) return noteMoment(track_, place, person, moment.t, nullptr, true);
-        if (body->found && place.count(person) == 0)
-          for (const EarlierImages::Tracked& before : earlier_.track(i, person, views, tracker))
-            record({before.number, person, before.frame, *before.camera, tracker.rig(), before.body},
-                   before.lag, tracker, place);
         record({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body},
                images.size() > 1 ? moment.lag : 0.0, tracker, place);
       });
@@ -133,8 +124,8 @@ class ClipPasses {
     }
     for (const auto& [id, k] : place) {
       const TrackedPerson& tracker = trackers_.at(id);
-      if (!tracker.body()) continue;
-      track_.people[k].body = *tracker.body();
+      if (!tracker.hasBody()) continue;
+      track_.people[k].body = tracker.body();
       track_.people[k].facing = tracker.facing();
       track_.people[k].stature = tracker.stature();
     }
@@ -171,11 +162,8 @@ class ClipPasses {
   LearnedPeople learned_{options_.person};
   std::vector<std::vector<Arrival>> arrivals_;  // in the first pass, for each camera
   std::map<int, TrackedPerson> trackers_;
-  struct Searches {
-    int count{0};
-    double next{0.0};  // s, not before
-  };
-  std::map<int, Searches> searches_;  // of people who are not tracked yet
+  std::map<int, StartTrial> starts_;  // of people who are not tracked yet
+  std::vector<double> times_;         // s, of all moments so far
   EarlierImages earlier_;
   ClipTrack track_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tracking/tracker/people_views.hpp"
+#include "tracking/tracker/start_trial.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand::tracking {
@@ -29,9 +30,10 @@ class EarlierImages {
   void keep(std::size_t number, const DepthMoment& moment, int person, std::span<const PersonImage> images,
             const PeopleViews& views);
 
-  /// A person whose body `tracker` found at moment `number`, the last one of `views`: the bodies at the
-  /// moments that end there without a gap, by increasing time. Its images are not kept any longer.
-  std::vector<Tracked> track(std::size_t number, int person, const PeopleViews& views,
+  /// A person whose body `tracker` found, and tracked through `seen`, whose images were kept: these bodies,
+  /// and before them those at the moments that end there without a gap, by increasing time. `views`: at the
+  /// last one. Its images are not kept any longer.
+  std::vector<Tracked> track(std::span<const StartTrial::Seen> seen, int person, const PeopleViews& views,
                              TrackedPerson& tracker);
 
  private:

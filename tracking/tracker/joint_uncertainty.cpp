@@ -86,10 +86,10 @@ Terms termsOf(humanmodel::Joint joint) {
       return {0.032, 0.026, 0.032, 0.75, 0.03};
     case kAnkleLeft:
     case kAnkleRight:
-      return {0.034, 0.022, 0.037, 0.6, 0.25, 0.10};
+      return {0.036, 0.023, 0.039, 0.6, 0.25, 0.10};
     case kToeLeft:
     case kToeRight:
-      return {0.038, 0.038, 0.038, 0.65, 0.15};
+      return {0.040, 0.040, 0.040, 0.65, 0.15};
     case kCount:
       break;
   }

@@ -17,18 +17,15 @@ void LearnedPeople::see(double t, PeopleViews& views) {
     person.coming.see(t, images);
     const TrackedBody* body = person.tracker->see(t, images);
     if (body && body->found) person.costs.push_back(body->misfit.cost);
-    if (t >= person.end) settle(person);
+    if (t >= person.end && !person.tracker->comparesFacings()) settle(person);
   });
 }
 
 void LearnedPeople::settle(Person& person) {
   if (!person.tracker) return;
   TrackedPerson& tracker = *person.tracker;
-  tracker.settle();  // measures
-  tracker.settle();  // fits
-  if (tracker.body())
-    person.body = std::make_shared<KnownBody>(KnownBody{*tracker.body(), tracker.stature(), tracker.facing(),
-                                                        tracker.things(), tracker.held().atStart()});
+  tracker.settle();
+  if (tracker.hasBody()) person.body = std::make_shared<KnownBody>(tracker.known());
   person.tracker.reset();
 }
 

@@ -12,8 +12,9 @@
 
 namespace abstand::tracking {
 
-/// Measures and fits the body of each person in the first kLearning seconds in view, and finds the image in
-/// which a second pass shall search for it. One thread. Allocates.
+/// Measures and fits the body of each person in the first kLearning seconds in view, or as long as facing
+/// directions are compared, and finds the image in which a second pass shall search for it. One thread.
+/// Allocates.
 class LearnedPeople {
  public:
   static constexpr double kLearning = 5.0;  ///< s

@@ -89,8 +89,8 @@ void LiveTracker::forget(double t) {
   for (auto it = followers_.begin(); it != followers_.end();) {
     const auto& [id, follower] = *it;
     ClipPerson& person = track_.people[place_.at(id)];
-    if (follower.person.body()) {
-      person.body = *follower.person.body();
+    if (follower.person.hasBody()) {
+      person.body = follower.person.body();
       person.facing = follower.person.facing();
       person.stature = follower.person.stature();
     }

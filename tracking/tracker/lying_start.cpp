@@ -16,7 +16,7 @@ constexpr double kBesideHead = 0.20, kBesideShoulder = 0.15;
 // rad; feet of people who lie on the front are stretched, as the floor leaves them no other way.
 constexpr double kStretchedFoot = 0.9;
 // times the smaller cost: beyond, lying on the back and on the front are told apart, as facings are
-// (Facing::kFrontAbove); and so are poses on the same side. The true pose cost up to 1.62 times as much as
+// (Facing::kSureLying); and so are poses on the same side. The true pose cost up to 1.62 times as much as
 // one with the arms 0.7 m off.
 constexpr double kSidesAlike = 1.15, kPosesAlike = 1.75;
 // m, depth of a forearm's surface in the trunk: an upper arm that ends there goes through the trunk, and the

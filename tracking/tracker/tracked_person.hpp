@@ -2,52 +2,37 @@
 #pragma once
 
 #include <future>
-#include <memory>
 
 #include "tracking/tracker/body_calibration.hpp"
+#include "tracking/tracker/body_follower.hpp"
 #include "tracking/tracker/coming_into_view.hpp"
-#include "tracking/tracker/held_things.hpp"
-#include "tracking/tracker/stature.hpp"
+#include "tracking/tracker/facing_trial.hpp"
 #include "tracking/tracker/still_things.hpp"
 
 namespace abstand::tracking {
 
-/// Facing direction of a person when first seen. Who lies on the front faces away: cameras are above people
-/// who lie.
-struct Facing {
-  bool away{false};   ///< the back is to the camera
-  bool given{false};  ///< set by the user
-  bool lies{false};   ///< in the images that were compared
-  /// Ratio of the fit costs of the first images, facing away over facing the camera; NaN: not compared.
-  double ratio{kNaN};
-  /// Below kBackBelow the person faces away, above kFrontAbove certainly the camera. In between the images do
-  /// not decide: front is assumed and reported as undecided (docs/tracking.md has measured ratios).
-  static constexpr double kBackBelow = 0.95, kFrontAbove = 1.15;
-  /// Neither direction is the likelier one of people who lie.
-  double backBelow() const { return lies ? 1.0 / kFrontAbove : kBackBelow; }
-  /// Sets `away` and `ratio` from two ratios of costs, facing away over facing the camera: `turning`, of
-  /// turned poses, and `searching`, of searches from both sides; NaN: none. A turned pose has lost what a
-  /// search would find: if they disagree, `ratio` is 1, and the likelier side is assumed. If they agree,
-  /// `ratio` is `turning`; of people who lie, the less certain of both.
-  void decide(double turning, double searching);
-  bool decided() const { return given || ratio < backBelow() || ratio > kFrontAbove; }
-};
-
-/// Body learned from the images of a person.
+/// Bodies learned from the images of a person.
 struct KnownBody {
-  humanmodel::HumanOptions body;
+  struct Side {
+    humanmodel::HumanOptions body;
+    BodyPath path{};             ///< in the first images
+    HeldThings::Extents held{};  ///< in the hands in the first images
+  };
+  Side assumed;               ///< faces as in `facing`
+  std::optional<Side> other;  ///< faces the other way, if the facing is undecided
   Stature stature;
   Facing facing;
-  StillThings things{};        ///< around the person
-  HeldThings::Extents held{};  ///< in the hands in the first images
+  StillThings things{};  ///< around the person
 };
 
 /// Processes the images of one person, of one camera or several. The body is first made from the stature of
-/// the first images (median of the pixel extents, unless given) and tracked as facing the camera; then, from
-/// the images explained well, facing is decided, lengths and girths are fitted, and the person is tracked
-/// with these. A stature that is an interval is measured again as soon as the person stands upright in view,
-/// and the body fitted anew. One thread, and another one for fit_aside. May allocate until it is fitted() and
-/// the stature known.
+/// the first images (median of the pixel extents, unless given) and tracked as facing the camera. From the
+/// first image in which it is found, a second one is tracked that faces the other way, until the images
+/// decide (FacingTrial); see() returns the likelier one, and its reach includes the other one. Lengths and
+/// girths are fitted to the images explained well, and the person is tracked with these. A stature that is an
+/// interval is measured again as soon as the person stands upright in view, and the body fitted anew. One
+/// thread, and another one for fit_aside. May allocate in the first BodyPath::kMaxPoses images, and until it
+/// is fitted(), the stature known, and the facing direction decided.
 class TrackedPerson {
  public:
   struct Options {
@@ -57,74 +42,86 @@ class TrackedPerson {
                                    ///< meanwhile
     std::optional<bool> away;      ///< initially the back is to the camera, or not; if unset, fit_body
                                    ///< decides
+    bool starts_on_path{false};    ///< of a known body: no search
     std::uint64_t seed{1};
   };
   explicit TrackedPerson(const Options& options);
   /// Starts with a known body.
-  TrackedPerson(const Options& options, const KnownBody& known);
+  TrackedPerson(const Options& options, std::shared_ptr<const KnownBody> known);
 
   /// One image of each camera that looks at `t` (s). Null while the stature is being measured.
   const TrackedBody* see(double t, std::span<const PersonImage> images);
-  /// The body in an image from before the first one that was tracked, in which it was found: tracked
-  /// backwards from it. `t` (s) decreases.
-  TrackedBody seeBefore(double t, std::span<const PersonImage> images);
+  /// The body in an image from before `first`, the first body that was found: tracked backwards from it. `t`
+  /// (s) decreases.
+  TrackedBody seeBefore(double t, std::span<const PersonImage> images, const TrackedBody& first);
   bool fitted() const { return fitted_; }
-  /// The current body; nullopt while the stature is being measured.
-  const std::optional<humanmodel::HumanOptions>& body() const { return body_; }
+  /// Whether both facing directions are tracked, and more images may decide.
+  bool comparesFacings() const { return other_ && !trial_.complete(); }
+  /// False while the stature is being measured.
+  bool hasBody() const { return static_cast<bool>(now_); }
+  /// The current body, valid if hasBody(), and its rig.
+  const humanmodel::HumanOptions& body() const { return now_.body; }
+  const std::shared_ptr<const BodyRig>& rig() const { return now_.rig; }
   const Facing& facing() const { return facing_; }
-  /// Valid if body() has a value.
+  /// Valid if hasBody().
   const Stature& stature() const { return stature_; }
-  const StillThings& things() const { return things_; }
-  const HeldThings& held() const { return held_; }
-  /// The rig of body().
-  const std::shared_ptr<const BodyRig>& rig() const { return rig_; }
-  /// Ends measuring and fitting with the images so far.
+  const HeldThings& held() const { return now_.held; }
+  /// What a second pass needs. Valid if hasBody().
+  KnownBody known() const;
+  /// Ends measuring, comparing and fitting with the images so far.
   void settle();
 
  private:
+  /// Of the body that faces the camera at first, and of the one that faces away: by Facing::away.
+  template <class T>
+  using BySide = std::array<T, 2>;
   struct Fit {
-    humanmodel::HumanOptions body;
+    BySide<humanmodel::HumanOptions> body;
     Facing facing;
     Stature stature;
     double front_over_back{kNaN};  ///< Lying::front_over_back
-    std::uint64_t seed{1};         ///< of searches
-    bool turned{false};            ///< the person in the images faces the other way than tracked
+    bool compared{false};          ///< both facing directions were tracked
+    bool turned{false};            ///< the person lies the other way than tracked
   };
-  /// Compares facing directions unless given, and statures unless one is known.
-  static Fit fit(BodyCalibration images, const Fit& start);
-  /// Likewise, of the facing: into fit.facing and fit.turned.
-  static void decideFacing(const BodyCalibration& images, Fit& fit);
-  /// A body and what follows it.
-  struct Follower {
-    humanmodel::HumanOptions body;
-    std::shared_ptr<const BodyRig> rig;
-    std::unique_ptr<BodyTracker> tracker;
-  };
-  Follower followerOf(const humanmodel::HumanOptions& body, const Stature& stature) const;
-  void adopt(Follower follower);
+  /// Compares the sides of a person who lies, unless given, and statures unless one is known.
+  static Fit fit(BySide<BodyCalibration> images, const Fit& start);
+  /// Likewise, of the sides: into fit.facing and fit.turned.
+  static void decideLying(BodyCalibration& images, bool on_front, Fit& fit);
+  Fit startOfFit() const;
   void adopt(const Fit& fit);
-  void use(const humanmodel::HumanOptions& body);
+  BodyFollower followerOf(const humanmodel::HumanOptions& body, const Stature& stature, bool away) const;
+  BodyFollower continued(const BodyFollower& last, const humanmodel::HumanOptions& body, bool away) const;
+  bool follow(double t, std::span<const PersonImage> images);
+  const TrackedBody& track(double t, std::span<const PersonImage> images);
   void measure(std::span<const PersonImage> images);
-  const TrackedBody* follow(double t, std::span<const PersonImage> images);
-  /// Returns whether there is a new body, which has tracked nothing yet.
+  void makeMeasured();
+  bool checkUpright(double t, std::span<const PersonImage> images);
+  void compareFacings(double t, std::span<const PersonImage> images);
+  bool mayCompare() const;
+  void assume(bool away);
+  void includeOther();
+  void endComparison();
+  bool renewBody(double t, std::span<const PersonImage> images);
   bool remeasure(std::span<const PersonImage> images);
   bool standsUpright() const;
-  bool checkUpright(double t, std::span<const PersonImage> images);
 
   Options options_;
   std::vector<VerticalExtent> extents_;  ///< of the first images; later of the last ones, while needed
-  std::optional<humanmodel::HumanOptions> body_;
   Facing facing_;
   Stature stature_;
-  std::shared_ptr<const BodyRig> rig_;
-  std::unique_ptr<BodyTracker> tracker_;
-  Follower before_;  ///< backwards in time
-  BodyCalibration calibration_;
+  BodyFollower now_;    ///< faces as assumed
+  BodyFollower other_;  ///< faces the other way
+  FacingTrial trial_;
+  double found_t_{kNaN};  ///< s, of the last image in which now_ was found
+  BodyFollower before_;   ///< backwards in time
+  BySide<BodyCalibration> calibration_;
   StillThings things_;
-  HeldThings held_;
   std::future<Fit> fitting_;
   ComingIntoView coming_;
+  std::shared_ptr<const KnownBody> known_;  ///< until the person is found
   bool started_{false}, fitted_{false};
+  bool compared_{false};  ///< other_ was started
+  bool decides_{true};    ///< the facing; it does not change in a second pass
 };
 
 }  // namespace abstand::tracking

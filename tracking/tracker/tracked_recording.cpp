@@ -51,7 +51,7 @@ Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::f
 
 std::string assumedFacing(const Facing& facing) {
   if (facing.lies) return facing.away ? "lying on the front" : "lying on the back";
-  return "facing the camera";
+  return facing.away ? "facing away from the camera" : "facing the camera";
 }
 
 }  // namespace
@@ -96,17 +96,14 @@ Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size
 }
 
 std::string facingReason(const Facing& facing) {
-  const std::string side = facing.lies   ? "initially " + assumedFacing(facing)
-                           : facing.away ? "initially facing away from the camera"
-                                         : "initially facing the camera";
+  const std::string side = "initially " + assumedFacing(facing);
   if (facing.given) return side + ", as given";
   if (std::isnan(facing.ratio)) return side + ", assumed without comparison with the opposite facing";
   char text[200];
   std::snprintf(text, sizeof text,
                 "%s: the residual of facing away is %.2f times that of facing the camera; below %.2f facing "
-                "away is used, "
-                "above %.2f facing the camera is certain",
-                facing.decided() ? "" : ", undecided", facing.ratio, facing.backBelow(), Facing::kFrontAbove);
+                "away is certain, above %.2f facing the camera",
+                facing.decided() ? "" : ", undecided", facing.ratio, 1.0 / facing.sure(), facing.sure());
   return side + text;
 }
 

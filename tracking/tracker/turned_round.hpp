@@ -5,6 +5,9 @@
 
 namespace abstand::tracking {
 
+/// Solver steps that move a body which was turned round in place to where it explains the image.
+inline constexpr int kTurnSteps = 15;
+
 /// Facing direction of a pose: rad, about the world's z from its x.
 double yawOf(const RigPose& pose);
 

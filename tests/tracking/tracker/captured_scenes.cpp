@@ -63,7 +63,7 @@ std::vector<CapturedScene> hardScenes() {
 
 std::vector<CapturedScene> scenesFromAllSides() {
   constexpr int kSides = 8;
-  constexpr double kLong = 1.0, kFar = 2.8;  // s, m
+  constexpr double kLong = 2.0, kFar = 2.8;  // s, m
   const auto mocap = [](const char* file) { return sharedData(std::string("mocap/bvh/") + file); };
   const struct {
     const char* name;

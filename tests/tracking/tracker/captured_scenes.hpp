@@ -16,7 +16,7 @@ std::vector<CapturedScene> capturedScenes();
 /// Short ones in which limbs are hidden: from behind, from the side, hands on the hips; 240 x 180.
 std::vector<CapturedScene> hardScenes();
 
-/// The first second of people whom a camera sees from each of eight directions, by angle in degrees from
+/// The first two seconds of people whom a camera sees from each of eight directions, by angle in degrees from
 /// their front to their left; 240 x 180.
 std::vector<CapturedScene> scenesFromAllSides();
 

@@ -1,48 +1,41 @@
-// Which way a person faces, from the costs of poses and of searches.
-#include <gtest/gtest.h>
+// Which way a person who lies faces, from the costs of poses and of searches; and which ratios decide.
+#include "tracking/tracker/facing.hpp"
 
-#include "tracking/tracker/tracked_person.hpp"
+#include <gtest/gtest.h>
 
 namespace abstand::tracking {
 namespace facing_test {
 
-Facing decided(double turning, double searching, bool lies = false) {
+Facing lying(double turning, double searching) {
   Facing facing;
-  facing.lies = lies;
-  facing.decide(turning, searching);
+  facing.decideLying(turning, searching);
   return facing;
 }
 
-TEST(Facing, IsThatOfPosesIfSearchesAgree) {
-  EXPECT_TRUE(decided(2.0, 1.2).decided());
-  EXPECT_FALSE(decided(2.0, 1.2).away);
-  EXPECT_EQ(decided(2.0, 1.2).ratio, 2.0);
-  EXPECT_TRUE(decided(0.8, 0.9).decided());
-  EXPECT_TRUE(decided(0.8, 0.9).away);
-  // Neither clearly the back nor clearly the front.
-  EXPECT_FALSE(decided(1.1, 3.0).decided());
-  EXPECT_FALSE(decided(0.97, 0.5).decided());
-  EXPECT_FALSE(decided(0.97, 0.5).away);
-}
-
-TEST(Facing, IsUndecidedIfSearchesDisagree) {
-  for (const double searching : {0.8, 1.0, kNaN})
-    EXPECT_FALSE(decided(2.0, searching).decided()) << searching;
-  EXPECT_FALSE(decided(0.5, 1.2).decided());
-}
-
-TEST(Facing, LikelierSideIsAssumed) {
-  EXPECT_TRUE(decided(1.6, 0.46).away);
-  EXPECT_FALSE(decided(2.3, 0.54).away);
-  // Of a person who does not lie the front, unless the back is clearly the likelier side.
-  EXPECT_FALSE(decided(1.02, 0.97).away);
+TEST(Facing, IsDecidedByRatiosFarFromOne) {
+  const auto decided = [](double ratio, bool lies) { return Facing{.lies = lies, .ratio = ratio}.decided(); };
+  for (const double ratio : {0.79, 1.26}) EXPECT_TRUE(decided(ratio, false)) << ratio;
+  for (const double ratio : {0.81, 1.0, 1.24, kNaN}) EXPECT_FALSE(decided(ratio, false)) << ratio;
+  for (const double ratio : {0.86, 1.16}) EXPECT_TRUE(decided(ratio, true)) << ratio;
+  for (const double ratio : {0.88, 1.0, 1.14, kNaN}) EXPECT_FALSE(decided(ratio, true)) << ratio;
+  EXPECT_TRUE(Facing{.given = true}.decided());
 }
 
 TEST(Facing, OfPeopleWhoLieIsThatOfTheLessCertain) {
-  EXPECT_EQ(decided(2.0, 1.3, true).ratio, 1.3);
-  EXPECT_EQ(decided(0.9, 0.5, true).ratio, 0.9);
-  EXPECT_FALSE(decided(2.0, 0.9, true).decided());
-  EXPECT_TRUE(decided(0.99, 0.99, true).away);
+  EXPECT_EQ(lying(2.0, 1.3).ratio, 1.3);
+  EXPECT_EQ(lying(1.3, 2.0).ratio, 1.3);
+  EXPECT_EQ(lying(0.9, 0.5).ratio, 0.9);
+  EXPECT_TRUE(lying(0.5, 0.7).decided());
+  EXPECT_TRUE(lying(0.5, 0.7).away);
+  EXPECT_TRUE(lying(0.99, 0.99).away);
+}
+
+TEST(Facing, OfPeopleWhoLieIsUndecidedIfSearchesDisagree) {
+  for (const double searching : {0.9, 1.0, kNaN}) {
+    EXPECT_EQ(lying(2.0, searching).ratio, 1.0) << searching;
+    EXPECT_FALSE(lying(2.0, searching).away) << searching;
+  }
+  EXPECT_TRUE(lying(1.6, 0.46).away);
 }
 
 }  // namespace facing_test

@@ -53,25 +53,34 @@ TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
   EXPECT_GE(inferred.within(), kInferred);
 }
 
-// People in motion, and those who sit, from eight sides: the first search often finds a wrong pose, and the
-// back was taken for the front. Measured: 0.967, 0.972 (aim: 0.99, 0.97; docs/tracking.md names the clips
-// below it); when the first search counted, and turned poses alone decided the facing: 0.784, 0.840.
+// People in motion, and those who sit, from behind and from the side: the first search often finds a wrong
+// pose, and the back was taken for the front. Decided facings are right. Measured: 0.971, 0.974 (aim: 0.99,
+// 0.97; docs/tracking.md names the clips below it).
 TEST(StatedUncertainty, CoversPeopleFromAllSides) {
-  constexpr double kTrackedFromAllSides = 0.95, kInferredFromAllSides = 0.95;
+  constexpr double kTrackedFromAllSides = 0.96, kInferredFromAllSides = 0.95;
+  constexpr double kTurnedRound = 1.0;  // s, half of a clip
+  constexpr int kEnoughDecided = 10;
+  int decided = 0;
   JointErrors::Stated tracked, inferred;
   for (const auto& [name, plan] : testing::scenesFromAllSides()) {
     if (!exists(plan.recording)) continue;
     if (!name.starts_with("boxing") && !name.starts_with("jumping") && !name.starts_with("sitting")) continue;
+    if (name.ends_with("_0") || name.ends_with("45") || name.ends_with("_90") || name.ends_with("315"))
+      continue;
     auto clip = testing::simulate(plan);
     const ClipTrack track = trackClip(*clip.stream, {});
     ASSERT_FALSE(track.people.empty()) << name;
     const JointErrors errors = testing::compare(track.people[0].frames, clip.truth);
     tracked.add(errors.tracked);
     inferred.add(errors.inferred);
+    if (!track.people[0].facing.decided()) continue;
+    ++decided;
+    EXPECT_LE(errors.longest_swap, kTurnedRound) << name;
   }
   std::printf("from all sides: %zu joints, %.4f of the raw errors within reach, of inferred ones %.4f\n",
               tracked.error.size(), tracked.within(), inferred.within());
   if (tracked.error.empty()) GTEST_SKIP() << "no capture";
+  EXPECT_GE(decided, kEnoughDecided) << "of 12 clips";
   EXPECT_GE(tracked.within(), kTrackedFromAllSides);
   EXPECT_GE(inferred.within(), kInferredFromAllSides);
 }

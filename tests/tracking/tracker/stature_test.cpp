@@ -150,7 +150,7 @@ TEST(Stature, UnknownIsAWarning) {
   EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("--height")));
 }
 
-TEST(Facing, UndecidedIsFrontWithWarning) {
+TEST(Facing, UndecidedIsAWarning) {
   ClipPerson person;
   person.stature = Stature::given(1.75);
   const auto decided = [&](double ratio) {
@@ -159,6 +159,10 @@ TEST(Facing, UndecidedIsFrontWithWarning) {
   };
   EXPECT_TRUE(decided(0.6));
   EXPECT_TRUE(decided(1.5));
+  person.facing.away = true;
+  EXPECT_FALSE(decided(0.85));
+  EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing away from the camera is assumed")));
+  person.facing.away = false;
   for (const double ratio : {1.0, 1.03, 1.06, kNaN}) {
     EXPECT_FALSE(decided(ratio)) << ratio;
     EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing the camera is assumed")));

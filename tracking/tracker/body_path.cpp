@@ -1,0 +1,19 @@
+#include "tracking/tracker/body_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abstand::tracking {
+
+void BodyPath::add(double t, const RigPose& pose) {
+  if (points_.size() < kMaxPoses) points_.push_back({t, pose});
+}
+
+const BodyPath::Point* BodyPath::nearest(double t) const {
+  const auto it = std::min_element(points_.begin(), points_.end(), [t](const Point& a, const Point& b) {
+    return std::abs(a.t - t) < std::abs(b.t - t);
+  });
+  return it == points_.end() ? nullptr : &*it;
+}
+
+}  // namespace abstand::tracking
