@@ -73,8 +73,7 @@ class ClipPasses {
 
   /// A person whom the first pass has learned, at moment `number`, before the first body is chosen.
   void start(std::size_t number, const DepthMoment& moment, int person, const LearnedPeople::Learned& learned,
-             std::span<const PersonImage> images, const PeopleViews& views,
-             std::map<int, std::size_t>& place) {
+             std::span<const PersonImage> images, const PeopleViews& views) {
     earlier_.keep(number, moment, person, images, views);
     if (moment.t < learned.start) return;
     StartTrial& trial =
@@ -86,9 +85,9 @@ class ClipPasses {
     std::size_t next = 0;
     for (const EarlierImages::Tracked& before : earlier_.track(best.seen, person, views, tracker)) {
       for (; next > 0 && next < before.number; ++next)
-        noteMoment(track_, place, person, times_[next], nullptr, true);
+        noteMoment(track_, place_, person, times_[next], nullptr, true);
       record({before.number, person, before.frame, *before.camera, tracker.rig(), before.body}, before.lag,
-             tracker, place);
+             tracker);
       next = before.number + 1;
     }
     starts_.erase(person);
@@ -99,7 +98,6 @@ class ClipPasses {
     moments_.rewind();
     PeopleViews views(cameras_);
     views.expect(arrivals_);
-    std::map<int, std::size_t> place;  // index in track_.people of each person
     DepthMoment moment;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
       const double begin = processorSeconds();
@@ -109,20 +107,19 @@ class ClipPasses {
       earlier_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
         const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
-        if (learned && trackers_.count(person) == 0)
-          return start(i, moment, person, *learned, images, views, place);
+        if (learned && trackers_.count(person) == 0) return start(i, moment, person, *learned, images, views);
         TrackedPerson& tracker = trackers_.try_emplace(person, options_.person).first->second;
         const TrackedBody* body = tracker.see(moment.t, images);
-        if (!body) return noteMoment(track_, place, person, moment.t, nullptr, true);
+        if (!body) return noteMoment(track_, place_, person, moment.t, nullptr, true);
         record({i, person, *moment.frames[first], cameras_[first], tracker.rig(), *body},
-               images.size() > 1 ? moment.lag : 0.0, tracker, place);
+               images.size() > 1 ? moment.lag : 0.0, tracker);
       });
-      noteAbsent(moment.t, place);
+      noteAbsent(moment.t);
       track_.seconds += processorSeconds() - begin;
       ++track_.images;
       if (options_.progress) options_.progress(moments_.size() + i + 1, 2 * moments_.size());
     }
-    for (const auto& [id, k] : place) {
+    for (const auto& [id, k] : place_) {
       const TrackedPerson& tracker = trackers_.at(id);
       if (!tracker.hasBody()) continue;
       track_.people[k].body = tracker.body();
@@ -133,10 +130,9 @@ class ClipPasses {
 
   /// Into track_, and to whom it may concern. `lag` (s): of images that were fitted
   /// together.
-  void record(const ClipMoment& moment, double lag, const TrackedPerson& tracker,
-              std::map<int, std::size_t>& place) {
-    noteMoment(track_, place, moment.id, moment.body.frame.t, &moment.body, true);
-    ClipPerson& person = track_.people[place[moment.id]];
+  void record(const ClipMoment& moment, double lag, const TrackedPerson& tracker) {
+    noteMoment(track_, place_, moment.id, moment.body.frame.t, &moment.body, true);
+    ClipPerson& person = track_.people[place_[moment.id]];
     if (moment.body.found) noteHeld(person, tracker.held().extent());
     track_.lag = std::max(track_.lag, lag);
     if (person.frames.size() > 1)
@@ -148,10 +144,10 @@ class ClipPasses {
   }
 
   /// People not in these images are lost.
-  void noteAbsent(double t, const std::map<int, std::size_t>& place) {
+  void noteAbsent(double t) {
     humanmodel::SkeletonFrame none;
     none.t = t;
-    for (const auto& [id, k] : place)
+    for (const auto& [id, k] : place_)
       if (track_.people[k].frames.back().t < t) track_.people[k].frames.push_back(none);
   }
 
@@ -166,6 +162,7 @@ class ClipPasses {
   std::vector<double> times_;         // s, of all moments so far
   EarlierImages earlier_;
   ClipTrack track_;
+  std::map<int, std::size_t> place_;  // index in track_.people of each person
 };
 
 }  // namespace
