@@ -59,6 +59,11 @@ Matrix3d sumEnclosing(const Matrix3d& a, const Matrix3d& b) {
   return (1.0 + 1.0 / k) * a + (1.0 + k) * b;
 }
 
+Matrix3d sumWithOffset(const Matrix3d& a, const Vector3d& offset) {
+  const Vector3d d = offset / kSpreadQuantile;
+  return sumEnclosing(a, d * d.transpose());
+}
+
 void addRadius(SkeletonFrame& frame, Joint joint, double radius) {
   const double spread = radius / kSpreadQuantile;
   if (radius != 0.0)

@@ -20,6 +20,9 @@ void addSpread(SkeletonFrame& frame, Joint joint, double sigma);
 /// errors that are not known to be independent: (1 + 1/k) a + (1 + k) b is an upper bound of the Minkowski
 /// sum for every k > 0; k is the one with the smallest trace. Of isotropic errors, the spreads add.
 Matrix3d sumEnclosing(const Matrix3d& a, const Matrix3d& b);
+/// Likewise of the points up to `offset` (m) from the centre in its direction: the joint may be there
+/// instead.
+Matrix3d sumWithOffset(const Matrix3d& a, const Vector3d& offset);
 /// Adds to the reach of a joint `radius` (m) in all directions.
 void addRadius(SkeletonFrame& frame, Joint joint, double radius);
 

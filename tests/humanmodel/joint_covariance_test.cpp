@@ -113,6 +113,10 @@ TEST(JointCovariance, SumEnclosesEverySumOfTwoPoints) {
   const Matrix3d a = diagonal(0.04, 0.04, 0.04), b = diagonal(0.09, 0.09, 0.09), none = Matrix3d::Zero();
   EXPECT_NEAR(worstDeviation(sumEnclosing(a, b)), 0.2 + 0.3, kFactorized) << "not larger than needed";
   EXPECT_EQ(sumEnclosing(a, none), a);
+  const Vector3d offset(0.3, 0.0, 0.4);
+  EXPECT_GE(reachAlong(sumWithOffset(a, offset), offset.normalized()) + kFactorized,
+            reachAlong(a, offset.normalized()) + offset.norm());
+  EXPECT_EQ(sumWithOffset(a, Vector3d::Zero()), a);
   EXPECT_EQ(sumEnclosing(none, b), b);
   EXPECT_EQ(sumEnclosing(a, diagonal(kInfinity, 1.0, 1.0))(2, 2), kInfinity);
 }

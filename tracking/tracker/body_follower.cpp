@@ -20,14 +20,15 @@ double refineTurned(const BodyRig& rig, const BodyObservation& seen, RigPose& po
 
 }  // namespace
 
-BodyFollower::BodyFollower(const humanmodel::HumanOptions& options, const Expected& expected)
+BodyFollower::BodyFollower(const humanmodel::HumanOptions& options, const Stature& stature,
+                           const Facing& facing, std::uint64_t seed)
     : body{options},
       rig{std::make_shared<BodyRig>(makeRig(humanmodel::makeHuman(options)))},
-      tracker{std::make_unique<BodyTracker>(*rig, expected.seed)} {
-  tracker->setStatureDeviation(expected.stature.deviation());
-  if (expected.facing.away) tracker->expectAway();
-  if (expected.facing.lies) tracker->expectLying(expected.facing.away);
-  tracker->setFacingKnown(expected.facing.decided());
+      tracker{std::make_unique<BodyTracker>(*rig, seed)} {
+  tracker->setStatureDeviation(stature.deviation());
+  if (facing.away) tracker->expectAway();
+  if (facing.lies) tracker->expectLying(facing.away);
+  tracker->setFacingKnown(facing.decided());
 }
 
 const TrackedBody& BodyFollower::track(double t, std::span<const PersonImage> images) {

@@ -14,15 +14,9 @@ namespace abstand::tracking {
 /// A body of a person with its tracker, where it was, and the things in its hands. One thread. Not copied, as
 /// the tracker refers to the rig.
 struct BodyFollower {
-  /// What is known before the first image.
-  struct Expected {
-    const Stature& stature;
-    const Facing& facing;
-    std::uint64_t seed{1};
-  };
-
   BodyFollower() = default;  ///< none
-  BodyFollower(const humanmodel::HumanOptions& options, const Expected& expected);
+  BodyFollower(const humanmodel::HumanOptions& options, const Stature& stature, const Facing& facing,
+               std::uint64_t seed);
   explicit operator bool() const { return tracker != nullptr; }
 
   /// One image of each camera that looks at `t` (s).

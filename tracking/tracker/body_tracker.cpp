@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "humanmodel/joint_covariance.hpp"
-#include "humanmodel/part_uncertainty.hpp"
 #include "tracking/tracker/crossed_legs.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -162,10 +161,9 @@ void BodyTracker::encloseOther(const humanmodel::SkeletonFrame& other) {
   humanmodel::SkeletonFrame& frame = body_.frame;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const auto joint = static_cast<humanmodel::Joint>(j);
-    const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
     const Matrix3d either = humanmodel::enclosingCovariance(humanmodel::covarianceOf(frame, joint),
                                                             humanmodel::covarianceOf(other, joint));
-    humanmodel::setCovariance(frame, joint, humanmodel::sumEnclosing(either, offset * offset.transpose()));
+    humanmodel::setCovariance(frame, joint, humanmodel::sumWithOffset(either, other.p[j] - frame.p[j]));
   }
 }
 

@@ -81,7 +81,7 @@ class ClipPasses {
             .first->second;
     if (!trial.see(number, moment.t, images)) return;
     StartTrial::Candidate& best = trial.best();
-    TrackedPerson& tracker = trackers_.try_emplace(person, std::move(*best.tracker)).first->second;
+    TrackedPerson& tracker = trackers_.try_emplace(person, std::move(best.tracker)).first->second;
     std::size_t next = 0;
     for (const EarlierImages::Tracked& before : earlier_.track(best.seen, person, views, tracker)) {
       for (; next > 0 && next < before.number; ++next)
@@ -91,6 +91,12 @@ class ClipPasses {
       next = before.number + 1;
     }
     starts_.erase(person);
+  }
+
+  /// A camera was moved: candidates that were fitted to its images are dropped, and searched for anew.
+  void loseStarts() {
+    starts_.clear();
+    earlier_ = {};
   }
 
   /// Second pass: the bodies in all moments.
@@ -103,7 +109,10 @@ class ClipPasses {
       const double begin = processorSeconds();
       times_.push_back(moment.t);
       views.see(moment, options_.known);
-      loseSince(track_, views.note(track_.cameras));
+      if (const double moved_at = views.note(track_.cameras); moved_at < kInfinity) {
+        loseSince(track_, moved_at);
+        loseStarts();
+      }
       earlier_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
         const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));

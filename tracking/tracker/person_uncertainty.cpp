@@ -94,13 +94,12 @@ void PersonUncertainty::state(const SearchedImage& image, const PersonDoubts& do
   const humanmodel::SkeletonFrame other = doubts.facing_known ? frame : flippedFacing(frame);
   frame.covariance = std::move(memory_);  // all are written below
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const Vector3d offset = (other.p[j] - frame.p[j]) / humanmodel::kSpreadQuantile;
     const bool is_hidden = frame.state[j] == humanmodel::JointState::kInferred;
     const auto side = static_cast<std::size_t>(mirrored(static_cast<humanmodel::Joint>(j)));
     // A joint that is seen may be the other one, which is not.
     if (!doubts.facing_known && !is_hidden && frame.state[side] == humanmodel::JointState::kInferred)
       covariance[j] = humanmodel::enclosingCovariance(covariance[j], covariance[side]);
-    const Matrix3d both = humanmodel::sumEnclosing(covariance[j], offset * offset.transpose());
+    const Matrix3d both = humanmodel::sumWithOffset(covariance[j], other.p[j] - frame.p[j]);
     humanmodel::setCovariance(frame, static_cast<humanmodel::Joint>(j),
                               rounded(both, is_hidden ? doubt_hidden : doubt_seen));
   }

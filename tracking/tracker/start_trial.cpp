@@ -27,10 +27,10 @@ bool StartTrial::see(std::size_t number, double t, std::span<const PersonImage> 
     TrackedPerson::Options options = options_;
     options.seed += candidates_.size();
     options.starts_on_path = starts_[candidates_.size()].on_path;
-    candidates_.push_back({std::make_unique<TrackedPerson>(options, known_)});
+    candidates_.push_back({TrackedPerson(options, known_)});
   }
   for (Candidate& candidate : candidates_) {
-    const TrackedBody& body = *candidate.tracker->see(t, images);
+    const TrackedBody& body = *candidate.tracker.see(t, images);
     if (body.found || !candidate.seen.empty()) candidate.seen.push_back({number, body});
     if (t >= counted_from_)
       candidate.cost += body.found ? std::min(body.misfit.cost, lost_cost_) : lost_cost_;

@@ -23,7 +23,7 @@ class StartTrial {
     TrackedBody body;
   };
   struct Candidate {
-    std::unique_ptr<TrackedPerson> tracker;
+    TrackedPerson tracker;
     std::vector<Seen> seen{};  ///< by increasing number, from the first one in which it was found
     double cost{0.0};          ///< sum of the last images
   };

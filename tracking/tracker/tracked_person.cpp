@@ -73,7 +73,7 @@ BodyFollower TrackedPerson::followerOf(const humanmodel::HumanOptions& body, con
                                        bool away) const {
   Facing facing = facing_;
   facing.away = away;
-  return {body, {stature, facing, options_.seed}};
+  return {body, stature, facing, options_.seed};
 }
 
 /// Another body that goes on where `last` is.
