@@ -9,6 +9,13 @@ void BodyPath::add(double t, const RigPose& pose) {
   if (points_.size() < kMaxPoses) points_.push_back({t, pose});
 }
 
+void BodyPath::turn() {
+  for (Point& point : points_) {
+    auto R_WP = point.pose.X_WP.linear();
+    R_WP = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix() * Matrix3d(R_WP);
+  }
+}
+
 const BodyPath::Point* BodyPath::nearest(double t) const {
   const auto it = std::min_element(points_.begin(), points_.end(), [t](const Point& a, const Point& b) {
     return std::abs(a.t - t) < std::abs(b.t - t);

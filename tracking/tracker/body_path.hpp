@@ -18,6 +18,8 @@ class BodyPath {
 
   /// `t` increases. Ignored if there are enough poses.
   void add(double t, const RigPose& pose);
+  /// Turns each pose round in place.
+  void turn();
   /// The pose nearest in time; null if there is none.
   const Point* nearest(double t) const;
   /// s, of the first pose; infinite if there is none.

@@ -7,8 +7,8 @@
 
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_stand.hpp"
-#include "tracking/tracker/earlier_images.hpp"
 #include "tracking/tracker/learned_people.hpp"
+#include "tracking/tracker/start_trial.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -74,29 +74,32 @@ class ClipPasses {
   /// A person whom the first pass has learned, at moment `number`, before the first body is chosen.
   void start(std::size_t number, const DepthMoment& moment, int person, const LearnedPeople::Learned& learned,
              std::span<const PersonImage> images, const PeopleViews& views) {
-    earlier_.keep(number, moment, person, images, views);
+    kept_.keep(number, moment, person, images, views);
     if (moment.t < learned.start) return;
-    StartTrial& trial =
-        starts_.try_emplace(person, options_.person, learned.body, moment.t, learned.last, learned.cost)
-            .first->second;
-    if (!trial.see(number, moment.t, images)) return;
-    StartTrial::Candidate& best = trial.best();
-    TrackedPerson& tracker = trackers_.try_emplace(person, std::move(best.tracker)).first->second;
-    std::size_t next = 0;
-    for (const EarlierImages::Tracked& before : earlier_.track(best.seen, person, views, tracker)) {
-      for (; next > 0 && next < before.number; ++next)
-        noteMoment(track_, place_, person, times_[next], nullptr, true);
-      record({before.number, person, before.frame, *before.camera, tracker.rig(), before.body}, before.lag,
-             tracker);
-      next = before.number + 1;
-    }
+    const StartTrial& trial =
+        starts_.try_emplace(person, options_.person, learned.body, moment.t, learned.cost).first->second;
+    if (moment.t < std::min(trial.end(), learned.last)) return;
+    const std::vector<KeptMoment> moments = kept_.take(person, views);
+    StartTrial::Result best = trial.run(moments);
     starts_.erase(person);
+    const TrackedPerson& tracker = trackers_.try_emplace(person, std::move(*best.tracker)).first->second;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      const KeptMoment& then = moments[i];
+      if (next == 0 && !best.bodies[i].found) continue;
+      for (; next > 0 && next < then.number; ++next)
+        noteMoment(track_, place_, person, times_[next], nullptr, true);
+      const KeptMoment::Image& image = then.images.front();
+      record({then.number, person, image.frame, *image.camera, tracker.rig(), best.bodies[i]}, then.lag,
+             tracker);
+      next = then.number + 1;
+    }
   }
 
-  /// A camera was moved: candidates that were fitted to its images are dropped, and searched for anew.
+  /// A camera was moved: its images are not used for the first bodies.
   void loseStarts() {
     starts_.clear();
-    earlier_ = {};
+    kept_ = {};
   }
 
   /// Second pass: the bodies in all moments.
@@ -113,7 +116,7 @@ class ClipPasses {
         loseSince(track_, moved_at);
         loseStarts();
       }
-      earlier_.keepForeseen(i, moment, views);
+      kept_.keepForeseen(i, moment, views);
       views.each([&](int person, std::size_t first, std::span<const PersonImage> images) {
         const LearnedPeople::Learned* learned = learned_.find(first, views.idOf(person, first));
         if (learned && trackers_.count(person) == 0) return start(i, moment, person, *learned, images, views);
@@ -169,7 +172,7 @@ class ClipPasses {
   std::map<int, TrackedPerson> trackers_;
   std::map<int, StartTrial> starts_;  // of people who are not tracked yet
   std::vector<double> times_;         // s, of all moments so far
-  EarlierImages earlier_;
+  KeptImages kept_;
   ClipTrack track_;
   std::map<int, std::size_t> place_;  // index in track_.people of each person
 };

@@ -76,7 +76,7 @@ void finishTrack(ClipTrack& track);
 
 /// Two passes over the stream: the first finds the people and learns the size of each from the first seconds
 /// in view, the second tracks their bodies. A person who was in images before the first one in which the body
-/// is found is tracked backwards through these (EarlierImages). If the recording has no camera pose, it is
+/// is found is tracked backwards through these (KeptImages). If the recording has no camera pose, it is
 /// estimated from the floor; without a visible floor the camera is assumed level, see CameraStand. Throws
 /// ParseError for images that cannot be read.
 ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);

@@ -17,10 +17,6 @@ struct Facing {
   /// (docs/tracking.md has measured ratios). In between the images do not decide: the likelier direction is
   /// assumed and reported as undecided.
   static constexpr double kSure = 1.25, kSureLying = 1.15;
-  /// Ratio below which facing away is assumed of people who do not lie. Measured: the undecided ratios of
-  /// people who face away and of those who face the camera overlap between 0.87 and 0.93.
-  static constexpr double kLikelyAway = 0.88;
-
   double sure() const { return lies ? kSureLying : kSure; }
   bool decided() const { return given || ratio < 1.0 / sure() || ratio > sure(); }
   /// Of a person who lies: sets `lies`, `away` and `ratio` from two ratios of costs, facing away over facing

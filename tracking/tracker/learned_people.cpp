@@ -6,6 +6,10 @@
 
 namespace abstand::tracking {
 
+LearnedPeople::LearnedPeople(const TrackedPerson::Options& options) : options_{options} {
+  options_.compares_measured = true;
+}
+
 void LearnedPeople::see(double t, PeopleViews& views) {
   views.each([&](int id, std::size_t, std::span<const PersonImage> images) {
     const auto [it, is_new] = people_.try_emplace(id);

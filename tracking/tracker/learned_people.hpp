@@ -27,7 +27,7 @@ class LearnedPeople {
     double last{0.0};        ///< s, of the last image
   };
 
-  explicit LearnedPeople(const TrackedPerson::Options& options) : options_{options} {}
+  explicit LearnedPeople(const TrackedPerson::Options& options);
 
   /// The people of the moment that `views` saw last. `t` (s) increases.
   void see(double t, PeopleViews& views);

@@ -1,48 +1,97 @@
 #include "tracking/tracker/start_trial.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace abstand::tracking {
 namespace {
 
-constexpr double kLatestPath = 1.0;  // s, of the path's start after the first search
-constexpr double kLostCost = 3.0;    // times the usual cost, of an image in which a candidate is lost
+constexpr double kLatestPath = 1.0;    // s, of a start on the path after the first search
+constexpr double kLostCost = 3.0;      // times the usual cost, of an image in which a candidate is lost
+constexpr double kTypicalCost = 3e-4;  // m^2, if the usual one is unknown
+
+/// The same person facing the other way all the time.
+std::shared_ptr<const KnownBody> turned(const KnownBody& known) {
+  auto turned = std::make_shared<KnownBody>(known);
+  turned->facing.away = !known.facing.away;
+  turned->facing.ratio = kNaN;
+  turned->assumed.path.turn();
+  std::swap(turned->assumed.held[0], turned->assumed.held[1]);
+  return turned;
+}
 
 }  // namespace
 
 StartTrial::StartTrial(const TrackedPerson::Options& options, std::shared_ptr<const KnownBody> known,
-                       double start, double end, double usual_cost)
-    : options_{options}, known_{std::move(known)}, lost_cost_{kLostCost * usual_cost} {
+                       double start, double usual_cost)
+    : options_{options},
+      known_{std::move(known)},
+      start_{start},
+      lost_cost_{kLostCost * (std::isfinite(usual_cost) ? usual_cost : kTypicalCost)} {
   for (std::size_t k = 0; k < kSearches; ++k)
-    starts_.push_back({start + kEvery * static_cast<double>(k), false});
+    starts_.push_back({start + kEvery * static_cast<double>(k), false, k});
   const double on_path = known_->assumed.path.start();
   if (on_path < start + kLatestPath && !known_->facing.lies)
-    starts_.push_back({std::max(start, on_path), true});
+    starts_.push_back({std::max(start, on_path), true, kSearches});
   for (const Start& one : starts_) counted_from_ = std::max(counted_from_, one.t);
-  end_ = std::min(end, counted_from_ + kCounted);
 }
 
-bool StartTrial::see(std::size_t number, double t, std::span<const PersonImage> images) {
-  while (candidates_.size() < starts_.size() && t >= starts_[candidates_.size()].t) {
-    TrackedPerson::Options options = options_;
-    options.seed += candidates_.size();
-    options.starts_on_path = starts_[candidates_.size()].on_path;
-    candidates_.push_back({TrackedPerson(options, known_)});
-  }
-  for (Candidate& candidate : candidates_) {
-    const TrackedBody& body = *candidate.tracker.see(t, images);
-    if (body.found || !candidate.seen.empty()) candidate.seen.push_back({number, body});
-    if (t >= counted_from_)
-      candidate.cost += body.found ? std::min(body.misfit.cost, lost_cost_) : lost_cost_;
-  }
-  return t >= end_;
+StartTrial::Result StartTrial::run(std::span<const KeptMoment> moments) const {
+  Result best{nullptr, {}, kInfinity};
+  for (const Start& start : starts_) compete(start, known_, moments, best);
+  if (mayFaceOtherWay()) letOtherWayCompete(moments, best);
+  continueBefore(moments, best);
+  return best;
 }
 
-StartTrial::Candidate& StartTrial::best() {
-  auto best = candidates_.begin();
-  for (auto it = candidates_.begin(); it != candidates_.end(); ++it)
-    if (best->seen.empty() || it->cost < best->cost) best = it;
-  return *best;
+bool StartTrial::mayFaceOtherWay() const {
+  const Facing& facing = known_->facing;
+  return facing.decided() && !facing.given && !facing.lies;
+}
+
+void StartTrial::letOtherWayCompete(std::span<const KeptMoment> moments, Result& best) const {
+  const auto other_way = turned(*known_);
+  Result refuting{nullptr, {}, kRefuted * best.cost};
+  for (const Start& start : starts_)
+    if (!start.on_path) compete(start, other_way, moments, refuting);
+  if (!refuting.tracker) return;
+  const double ratio = refuting.cost / best.cost;
+  refuting.tracker->decideFacing(other_way->facing.away ? ratio : 1.0 / ratio);
+  best = std::move(refuting);
+}
+
+double StartTrial::costOf(const TrackedBody& body) const {
+  return body.found && body.misfit.cost < lost_cost_ ? body.misfit.cost : lost_cost_;
+}
+
+/// Tracks a candidate through the moments from its start on. If it costs less than `best`, replaces it.
+void StartTrial::compete(const Start& start, const std::shared_ptr<const KnownBody>& known,
+                         std::span<const KeptMoment> moments, Result& best) const {
+  TrackedPerson::Options options = options_;
+  options.seed += start.seed;
+  options.starts_on_path = start.on_path;
+  Result candidate{std::make_unique<TrackedPerson>(options, known), {}, 0.0};
+  candidate.bodies.resize(moments.size());
+  const double counted_from = std::min(counted_from_, moments.back().t - kCounted);
+  for (std::size_t i = 0; i < moments.size() && candidate.cost < best.cost; ++i) {
+    if (moments[i].t >= start.t)
+      candidate.bodies[i] = *candidate.tracker->see(moments[i].t, moments[i].views());
+    if (moments[i].t >= counted_from) candidate.cost += costOf(candidate.bodies[i]);
+  }
+  if (candidate.cost < best.cost) best = std::move(candidate);
+}
+
+/// Tracks the body backwards from where it was found first.
+void StartTrial::continueBefore(std::span<const KeptMoment> moments, Result& best) const {
+  const auto found = std::find_if(best.bodies.begin(), best.bodies.end(),
+                                  [](const TrackedBody& body) { return body.found; });
+  if (found == best.bodies.end()) return;
+  for (auto i = static_cast<std::size_t>(found - best.bodies.begin()); i > 0; --i) {
+    const KeptMoment& moment = moments[i - 1];
+    TrackedBody body = best.tracker->seeBefore(moment.t, moment.views());
+    if (!body.found && moment.t < start_) return;
+    best.bodies[i - 1] = std::move(body);
+  }
 }
 
 }  // namespace abstand::tracking

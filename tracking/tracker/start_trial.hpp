@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "tracking/tracker/kept_images.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand::tracking {
@@ -11,44 +12,50 @@ namespace abstand::tracking {
 /// The search for a body is random, and an image can be explained by a wrong pose, which only motion refutes.
 /// Several candidates are therefore tracked: searched for with different seeds, kEvery apart, and one that
 /// starts on the path of the first pass. The one that explains the last kCounted of the trial best is the
-/// person's. One thread. Allocates.
+/// person's; it is tracked backwards, too. If the first pass decided which way the person faces, bodies that
+/// face the other way are candidates as well: one that explains the images so much better that the opposite
+/// is certain refutes that decision. One thread. Allocates.
 class StartTrial {
  public:
   static constexpr std::size_t kSearches = 4;
   static constexpr double kEvery = 0.1, kCounted = 0.4;  ///< s
+  /// Times the cost of the best candidate, below which one that faces the other way refutes it.
+  static constexpr double kRefuted = 1.0 / Facing::kSure;
 
-  /// A body at a moment.
-  struct Seen {
-    std::size_t number;
-    TrackedBody body;
-  };
-  struct Candidate {
-    TrackedPerson tracker;
-    std::vector<Seen> seen{};  ///< by increasing number, from the first one in which it was found
-    double cost{0.0};          ///< sum of the last images
-  };
-
-  /// `start` (s): of the first candidate; `end`: of the last image of the person; `usual_cost`: median of
-  /// Misfit::cost.
+  /// `start` (s): images before, which show a part of the person, are tracked as far as possible, and nobody
+  /// is searched for in them; `usual_cost`: median of Misfit::cost.
   StartTrial(const TrackedPerson::Options& options, std::shared_ptr<const KnownBody> known, double start,
-             double end, double usual_cost);
+             double usual_cost);
 
-  /// The person at a moment, `t` (s) not before the start. Returns whether it was the last one of the trial.
-  bool see(std::size_t number, double t, std::span<const PersonImage> images);
-  /// After the last one: the best candidate.
-  Candidate& best();
+  /// s, of the last image that is needed.
+  double end() const { return counted_from_ + kCounted; }
+
+  struct Result {
+    std::unique_ptr<TrackedPerson> tracker;  ///< after the last image
+    std::vector<TrackedBody> bodies;         ///< of each moment; not found where it was lost
+    double cost;                             ///< sum of the last moments
+  };
+  /// The best candidate in moments by increasing time, at least one of them not before the start.
+  Result run(std::span<const KeptMoment> moments) const;
 
  private:
-  TrackedPerson::Options options_;
-  std::shared_ptr<const KnownBody> known_;
   struct Start {
     double t;  ///< s
     bool on_path;
+    std::size_t seed;  ///< added to the usual one
   };
-  std::vector<Start> starts_;
-  double counted_from_{-kInfinity}, end_;  ///< s
+  void compete(const Start& start, const std::shared_ptr<const KnownBody>& known,
+               std::span<const KeptMoment> moments, Result& best) const;
+  void continueBefore(std::span<const KeptMoment> moments, Result& best) const;
+  bool mayFaceOtherWay() const;
+  void letOtherWayCompete(std::span<const KeptMoment> moments, Result& best) const;
+  double costOf(const TrackedBody& body) const;
+
+  TrackedPerson::Options options_;
+  std::shared_ptr<const KnownBody> known_;
+  double start_, counted_from_{-kInfinity};  ///< s
   double lost_cost_;
-  std::vector<Candidate> candidates_;
+  std::vector<Start> starts_;
 };
 
 }  // namespace abstand::tracking

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "tracking/tracker/turned_round.hpp"
 
@@ -30,6 +31,19 @@ void expect(const BodyPath& path, double t, bool starts_on_path, BodyTracker& tr
     tracker.resume(point->pose, {}, t);
   else
     tracker.expectFacing(yawOf(point->pose));
+}
+
+/// `now` and, if there is one, `other`, which faces the other way. Returns the body of `now`.
+const TrackedBody& trackBoth(double t, std::span<const PersonImage> images, BodyFollower& now,
+                             BodyFollower& other) {
+  if (other) now.tracker->setFacingKnown(other.track(t, images).found && !now.tracker->lying().lies);
+  return now.track(t, images);
+}
+
+/// Both facing directions count while the images do not decide.
+void encloseOther(BodyFollower& now, const BodyFollower& other) {
+  const TrackedBody &mine = now.tracker->body(), &its = other.tracker->body();
+  if (mine.found) now.tracker->encloseOther(its.found ? its.frame : flippedFacing(mine.frame));
 }
 
 }  // namespace
@@ -85,54 +99,81 @@ BodyFollower TrackedPerson::continued(const BodyFollower& last, const humanmodel
 }
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all) {
+  if (!started_ && !start(t, all)) {
+    keepMeasured(t, all);
+    return nullptr;
+  }
   const std::span<const PersonImage> images = things_.remove(all);
   if (other_ && t - found_t_ > BodyTracker::kTurns) endComparison();
-  if (!follow(t, images)) return nullptr;
-  if (now_.tracker->body().found) found_t_ = t;
+  follow(t, images);
+  if (now_.tracker->body().found) noteFound(t);
   compareFacings(t, images);
   const TrackedBody& body = renewBody(t, images) ? track(t, images) : now_.tracker->body();
   if (body.found) things_.learn(now_.tracker->seen(), now_.tracker->fit(), body.X_WS);
   now_.learn();
   if (other_) {
     other_.learn();
-    includeOther();
+    encloseOther(now_, other_);
   }
+  compareMeasured(t);
   return &body;
 }
 
-/// Both facing directions count while the images do not decide.
-void TrackedPerson::includeOther() {
-  const TrackedBody &body = now_.tracker->body(), &other = other_.tracker->body();
-  if (body.found) now_.tracker->encloseOther(other.found ? other.frame : flippedFacing(body.frame));
+void TrackedPerson::noteFound(double t) {
+  found_t_ = t;
+  if (first_) return;
+  first_ = {t, now_.tracker->lying(), now_.tracker->body().pose, std::nullopt};
+  if (other_ && other_.tracker->body().found) first_->other = other_.tracker->body().pose;
 }
 
-TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> images,
-                                     const TrackedBody& first) {
-  if (!before_) {
-    before_ = followerOf(now_.body, stature_, facing_.away);
-    before_.tracker->resume(first.pose, now_.tracker->lying(), -first.frame.t);
-  }
-  before_.track(-t, things_.remove(images));
+void TrackedPerson::startBefore() {
+  const auto startAt = [&](const humanmodel::HumanOptions& body, bool away, const RigPose& pose) {
+    BodyFollower before = followerOf(body, stature_, away);
+    before.tracker->resume(pose, first_->lying, -first_->t);
+    return before;
+  };
+  before_ = startAt(now_.body, facing_.away, first_->now);
+  if (other_ && first_->other) other_before_ = startAt(other_.body, !facing_.away, *first_->other);
+}
+
+TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> all) {
+  if (!before_) startBefore();
+  trackBoth(-t, things_.remove(all), before_, other_before_);
   before_.tracker->widenHands(now_.held.extent());
+  if (other_before_) {
+    other_before_.tracker->widenHands(other_.held.extent());
+    encloseOther(before_, other_before_);
+  }
   TrackedBody body = before_.tracker->body();
   body.frame.t = t;
   return body;
 }
 
-/// Measures the person, then tracks the body that faces as assumed. Returns whether it was tracked.
-bool TrackedPerson::follow(double t, std::span<const PersonImage> images) {
-  if (!started_) {
-    coming_.see(t, images);
-    if (!now_) measure(images);
-    if (coming_.isGrowing() || (!now_ && extents_.size() < kMeasured)) return false;
-    started_ = true;
-  }
+/// Measures the person. Returns whether a body can be tracked now.
+bool TrackedPerson::start(double t, std::span<const PersonImage> images) {
+  coming_.see(t, images);
+  if (!now_) measure(images);
+  started_ = !coming_.isGrowing() && (now_ || extents_.size() == kMeasured);
+  return started_;
+}
+
+/// Those in which a person who comes into view is not whole show no body.
+void TrackedPerson::keepMeasured(double t, std::span<const PersonImage> images) {
+  if (coming_.isGrowing()) measured_.clear();
+  if (coming_.isGrowing() || !options_.compares_measured) return;
+  if (measured_.size() == kMeasured) measured_.erase(measured_.begin());
+  KeptMoment& moment = measured_.emplace_back();
+  moment.t = t;
+  for (const PersonImage& image : images) moment.add(image, t);
+}
+
+/// Tracks the body that faces as assumed.
+void TrackedPerson::follow(double t, std::span<const PersonImage> images) {
   if (!now_) {
     makeMeasured();
-    if (checkUpright(t, images)) return true;
+    if (checkUpright(t, images)) return;
   }
   track(t, images);
-  return true;
 }
 
 /// All bodies; returns the one that faces as assumed.
@@ -141,8 +182,7 @@ const TrackedBody& TrackedPerson::track(double t, std::span<const PersonImage> i
     expect(known_->assumed.path, t, options_.starts_on_path, *now_.tracker);
     if (known_->other) expect(known_->other->path, t, options_.starts_on_path, *other_.tracker);
   }
-  if (other_) now_.tracker->setFacingKnown(other_.track(t, images).found && !now_.tracker->lying().lies);
-  const TrackedBody& body = now_.track(t, images);
+  const TrackedBody& body = trackBoth(t, images, now_, other_);
   if (body.found) known_.reset();
   return body;
 }
@@ -193,14 +233,39 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
   const TrackedBody &mine = now_.tracker->body(), &its = other_.tracker->body();
   const bool is_fitted = std::isfinite(mine.misfit.cost) && std::isfinite(its.misfit.cost);
   if (is_fitted && (mine.found || its.found)) {
-    BySide<double> cost;
-    cost[facing_.away] = mine.misfit.cost;
-    cost[!facing_.away] = its.misfit.cost;
-    trial_.add(cost[false], cost[true]);
+    addToTrial(mine, its);
     trial_.judge(facing_);
-    assume(facing_.decided() ? facing_.ratio < 1.0 : trial_.isLikelyAway());
+    assume(trial_.isLikelyAway(facing_.away));
   }
   if (facing_.decided()) endComparison();
+}
+
+/// Bodies that face as assumed, and the other way, in one image.
+void TrackedPerson::addToTrial(const TrackedBody& mine, const TrackedBody& its) {
+  BySide<double> cost;
+  cost[facing_.away] = mine.misfit.cost;
+  cost[!facing_.away] = its.misfit.cost;
+  trial_.add(cost[false], cost[true]);
+}
+
+/// In the images before the first one of both bodies, if that is `t`.
+void TrackedPerson::compareMeasured(double t) {
+  const std::vector<KeptMoment> measured = std::exchange(measured_, {});
+  if (!first_ || first_->t != t || !decides_ || !other_ || !other_.tracker->body().found) return;
+  first_->other = other_.tracker->body().pose;
+  for (auto moment = measured.rbegin(); moment != measured.rend(); ++moment) {
+    seeBefore(moment->t, moment->views());
+    const TrackedBody &mine = before_.tracker->body(), &its = other_before_.tracker->body();
+    if (!mine.found || !its.found) break;
+    addToTrial(mine, its);
+  }
+  before_ = {};
+  other_before_ = {};
+}
+
+void TrackedPerson::decideFacing(double ratio) {
+  facing_.ratio = ratio;
+  now_.tracker->setFacingKnown(facing_.decided());
 }
 
 void TrackedPerson::assume(bool away) {

@@ -7,6 +7,7 @@
 #include "tracking/tracker/body_follower.hpp"
 #include "tracking/tracker/coming_into_view.hpp"
 #include "tracking/tracker/facing_trial.hpp"
+#include "tracking/tracker/kept_moment.hpp"
 #include "tracking/tracker/still_things.hpp"
 
 namespace abstand::tracking {
@@ -36,13 +37,15 @@ struct KnownBody {
 class TrackedPerson {
  public:
   struct Options {
-    std::optional<double> height;  ///< m
-    bool fit_body{true};           ///< fit lengths and girths; otherwise the usual ones for the stature
-    bool fit_aside{false};         ///< fit on a separate thread; images are tracked with the first body
-                                   ///< meanwhile
-    std::optional<bool> away;      ///< initially the back is to the camera, or not; if unset, fit_body
-                                   ///< decides
-    bool starts_on_path{false};    ///< of a known body: no search
+    std::optional<double> height;   ///< m
+    bool fit_body{true};            ///< fit lengths and girths; otherwise the usual ones for the stature
+    bool fit_aside{false};          ///< fit on a separate thread; images are tracked with the first body
+                                    ///< meanwhile
+    std::optional<bool> away;       ///< initially the back is to the camera, or not; if unset, fit_body
+                                    ///< decides
+    bool compares_measured{false};  ///< facing directions are compared in the images that measured the
+                                    ///< person, too, when the body is found: all of them at once
+    bool starts_on_path{false};     ///< of a known body: no search
     std::uint64_t seed{1};
   };
   explicit TrackedPerson(const Options& options);
@@ -51,9 +54,9 @@ class TrackedPerson {
 
   /// One image of each camera that looks at `t` (s). Null while the stature is being measured.
   const TrackedBody* see(double t, std::span<const PersonImage> images);
-  /// The body in an image from before `first`, the first body that was found: tracked backwards from it. `t`
+  /// The body in an image from before the first one in which it was found: tracked backwards from there. `t`
   /// (s) decreases.
-  TrackedBody seeBefore(double t, std::span<const PersonImage> images, const TrackedBody& first);
+  TrackedBody seeBefore(double t, std::span<const PersonImage> images);
   bool fitted() const { return fitted_; }
   /// Whether both facing directions are tracked, and more images may decide.
   bool comparesFacings() const { return other_ && !trial_.complete(); }
@@ -68,6 +71,8 @@ class TrackedPerson {
   const HeldThings& held() const { return now_.held; }
   /// What a second pass needs. Valid if hasBody().
   KnownBody known() const;
+  /// A decision from outside: sets Facing::ratio of the direction that is assumed.
+  void decideFacing(double ratio);
   /// Ends measuring, comparing and fitting with the images so far.
   void settle();
 
@@ -91,15 +96,20 @@ class TrackedPerson {
   void adopt(const Fit& fit);
   BodyFollower followerOf(const humanmodel::HumanOptions& body, const Stature& stature, bool away) const;
   BodyFollower continued(const BodyFollower& last, const humanmodel::HumanOptions& body, bool away) const;
-  bool follow(double t, std::span<const PersonImage> images);
+  bool start(double t, std::span<const PersonImage> images);
+  void keepMeasured(double t, std::span<const PersonImage> images);
+  void follow(double t, std::span<const PersonImage> images);
   const TrackedBody& track(double t, std::span<const PersonImage> images);
+  void noteFound(double t);
+  void startBefore();
   void measure(std::span<const PersonImage> images);
   void makeMeasured();
   bool checkUpright(double t, std::span<const PersonImage> images);
   void compareFacings(double t, std::span<const PersonImage> images);
+  void compareMeasured(double t);
+  void addToTrial(const TrackedBody& mine, const TrackedBody& its);
   bool mayCompare() const;
   void assume(bool away);
-  void includeOther();
   void endComparison();
   bool renewBody(double t, std::span<const PersonImage> images);
   bool remeasure(std::span<const PersonImage> images);
@@ -107,13 +117,22 @@ class TrackedPerson {
 
   Options options_;
   std::vector<VerticalExtent> extents_;  ///< of the first images; later of the last ones, while needed
+  std::vector<KeptMoment> measured_;     ///< while measuring, for compares_measured
   Facing facing_;
   Stature stature_;
   BodyFollower now_;    ///< faces as assumed
   BodyFollower other_;  ///< faces the other way
   FacingTrial trial_;
   double found_t_{kNaN};  ///< s, of the last image in which now_ was found
-  BodyFollower before_;   ///< backwards in time
+  /// Where the bodies were found first.
+  struct First {
+    double t;  ///< s
+    Lying lying;
+    RigPose now;
+    std::optional<RigPose> other;
+  };
+  std::optional<First> first_;
+  BodyFollower before_, other_before_;  ///< backwards in time
   BySide<BodyCalibration> calibration_;
   StillThings things_;
   std::future<Fit> fitting_;

@@ -25,7 +25,7 @@ double judged(const FacingTrial& trial) {
 TEST(FacingTrial, ComparesSumsOfCosts) {
   FacingTrial trial;
   EXPECT_TRUE(std::isnan(trial.ratio()));
-  EXPECT_FALSE(trial.isLikelyAway());
+  for (const bool away : {false, true}) EXPECT_FALSE(trial.isLikelyAway(away));
   trial.add(1.0, 3.0);
   trial.add(3.0, 3.0);
   EXPECT_NEAR(trial.ratio(), 1.5, kTolerance);
@@ -44,9 +44,20 @@ TEST(FacingTrial, JudgesClearCasesWithFewImages) {
   }
 }
 
-TEST(FacingTrial, AssumesAwayIfThatIsClearlyBetter) {
-  EXPECT_TRUE(trialOf(1, 1.0, Facing::kLikelyAway - 0.01).isLikelyAway());
-  EXPECT_FALSE(trialOf(1, 1.0, Facing::kLikelyAway + 0.01).isLikelyAway());
+TEST(FacingTrial, AssumesTheLikelierDirection) {
+  constexpr std::size_t kImages = FacingTrial::kMinImages;
+  for (const bool away : {false, true}) {
+    EXPECT_TRUE(trialOf(kImages, 1.0, 1.0 / (FacingTrial::kAlike + 0.01)).isLikelyAway(away)) << away;
+    EXPECT_FALSE(trialOf(kImages, 1.0, FacingTrial::kAlike + 0.01).isLikelyAway(away)) << away;
+    EXPECT_EQ(trialOf(kImages, 1.0, 1.0).isLikelyAway(away), away) << "as before";
+  }
+}
+
+TEST(FacingTrial, AssumesAwayAfterFewImagesIfThatIsClearlyBetter) {
+  for (const bool away : {false, true}) {
+    EXPECT_TRUE(trialOf(1, 1.0, FacingTrial::kLikelyAwayAtFirst - 0.01).isLikelyAway(away)) << away;
+    EXPECT_FALSE(trialOf(1, 1.0, FacingTrial::kLikelyAwayAtFirst + 0.01).isLikelyAway(away)) << away;
+  }
 }
 
 TEST(FacingTrial, EndsAfterTheMostImages) {

@@ -5,27 +5,28 @@
 
 #include "tests/support/paths.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
 namespace start_trial_test {
 
 constexpr double kEnd = 1.2, kUsualCost = 1e-3;  // s, m^2
 constexpr double kNear = 0.15;                   // m, mean error of a pose that is right
+constexpr double kStep = 1.0 / 30.0;             // s
 
 /// A person alone in the image, who reaches forward.
 class StartTrialOfReaching : public ::testing::Test {
  protected:
-  /// Shows images to a trial, and returns the number of the last one.
-  std::size_t run(StartTrial& trial) {
-    std::size_t number = 0;
-    for (DepthFrame frame; clip_.stream->next(frame); ++number) {
+  /// The images until `end` (s).
+  std::vector<KeptMoment> moments(double end) {
+    std::vector<KeptMoment> moments;
+    for (DepthFrame frame; clip_.stream->next(frame) && frame.t < end + 0.5 * kStep;) {
       std::vector<std::uint8_t> mask(frame.image.z.size());
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
-      const PersonImage image{&frame.image, &clip_.stream->camera(), mask};
-      if (trial.see(number, frame.t, {&image, 1})) return number;
+      moments.push_back({moments.size(), frame.t, 0.0});
+      moments.back().add({&frame.image, &clip_.stream->camera(), mask}, frame.t);
     }
-    ADD_FAILURE() << "the trial does not end";
-    return number;
+    return moments;
   }
   std::shared_ptr<KnownBody> known() const {
     auto known = std::make_shared<KnownBody>();
@@ -34,11 +35,24 @@ class StartTrialOfReaching : public ::testing::Test {
     known->facing.given = true;
     return known;
   }
-  double error(const StartTrial::Seen& seen) const {
+  /// As of a first pass that decided, with this ratio (Facing::ratio).
+  std::shared_ptr<KnownBody> decided(double ratio) const {
+    const auto known = this->known();
+    known->facing = {.away = ratio < 1.0, .ratio = ratio};
+    return known;
+  }
+  double error(const StartTrial::Result& result, std::size_t number) const {
     double sum = 0.0;
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-      sum += (seen.body.frame.p[j] - clip_.truth[seen.number].p[j]).norm();
+      sum += (result.bodies[number].frame.p[j] - clip_.truth[number].p[j]).norm();
     return sum / humanmodel::kJointCount;
+  }
+  void expectNear(const StartTrial::Result& result) const {
+    ASSERT_FALSE(result.bodies.empty());
+    for (std::size_t i = 0; i < result.bodies.size(); ++i) {
+      EXPECT_TRUE(result.bodies[i].found) << i;
+      EXPECT_LE(error(result, i), kNear) << i;
+    }
   }
 
   static constexpr double kStature = 1.75;  // m
@@ -46,24 +60,24 @@ class StartTrialOfReaching : public ::testing::Test {
       testing::simulate({.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = kEnd});
 };
 
-TEST_F(StartTrialOfReaching, KeepsTheBodiesOfTheBestCandidate) {
-  StartTrial trial({}, known(), 0.0, kEnd, kUsualCost);
-  const std::size_t last = run(trial);
-  const double counted_from = StartTrial::kEvery * static_cast<double>(StartTrial::kSearches - 1);
-  EXPECT_NEAR(clip_.truth[last].t, counted_from + StartTrial::kCounted, 1.0 / 30.0);
-  const StartTrial::Candidate& best = trial.best();
-  ASSERT_FALSE(best.seen.empty());
-  EXPECT_EQ(best.seen.back().number, last);
-  EXPECT_EQ(last - best.seen.front().number + 1, best.seen.size()) << "without a gap";
-  EXPECT_LE(error(best.seen.front()), kNear);
-  EXPECT_LE(error(best.seen.back()), kNear);
+TEST_F(StartTrialOfReaching, FindsThePersonInAllImages) {
+  const StartTrial trial({}, known(), 0.0, kUsualCost);
+  const double last_start = StartTrial::kEvery * static_cast<double>(StartTrial::kSearches - 1);
+  EXPECT_NEAR(trial.end(), last_start + StartTrial::kCounted, 1e-12);
+  expectNear(trial.run(moments(trial.end())));
 }
 
-TEST_F(StartTrialOfReaching, EndsWithTheLastImageOfThePerson) {
-  constexpr double kGone = 0.25;  // s
-  StartTrial trial({}, known(), 0.0, kGone, kUsualCost);
-  EXPECT_NEAR(clip_.truth[run(trial)].t, kGone, 1.0 / 30.0);
-  EXPECT_FALSE(trial.best().seen.empty());
+TEST_F(StartTrialOfReaching, TracksImagesBeforeTheStart) {
+  constexpr double kStart = 0.2;  // s
+  expectNear(StartTrial({}, known(), kStart, kUsualCost).run(moments(0.6)));
+}
+
+TEST_F(StartTrialOfReaching, UsesTheFewImagesThereAre) {
+  expectNear(StartTrial({}, known(), 0.0, kUsualCost).run(moments(0.25)));
+}
+
+TEST_F(StartTrialOfReaching, NeedsNoUsualCost) {
+  expectNear(StartTrial({}, known(), 0.0, kInfinity).run(moments(0.4)));
 }
 
 TEST_F(StartTrialOfReaching, BodyOnAWrongPathLosesToTheSearches) {
@@ -72,9 +86,33 @@ TEST_F(StartTrialOfReaching, BodyOnAWrongPathLosesToTheSearches) {
   bowed.X_WP.translation() = Vector3d(0.3, 0.3, 0.8);
   bowed.X_WP.linear() = Eigen::AngleAxisd(0.8, Vector3d::UnitY()).toRotationMatrix();
   wrong->assumed.path.add(0.0, bowed);
-  StartTrial trial({}, wrong, 0.0, kEnd, kUsualCost);
-  run(trial);
-  EXPECT_LE(error(trial.best().seen.back()), kNear);
+  expectNear(StartTrial({}, wrong, 0.0, kUsualCost).run(moments(0.7)));
+}
+
+TEST_F(StartTrialOfReaching, BodyThatFacesTheOtherWayRefutesAWrongDecision) {
+  const auto wrong = decided(0.7);
+  RigPose away;
+  away.X_WP.translation() = clip_.truth[0][humanmodel::Joint::kPelvis];
+  away.X_WP.linear() = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix();
+  wrong->assumed.path.add(0.0, away);
+  const StartTrial::Result result = StartTrial({}, wrong, 0.0, kUsualCost).run(moments(0.7));
+  expectNear(result);
+  EXPECT_FALSE(result.tracker->facing().away);
+  EXPECT_GE(result.tracker->facing().ratio, Facing::kSure);
+}
+
+TEST_F(StartTrialOfReaching, KeepsARightDecision) {
+  const StartTrial::Result result = StartTrial({}, decided(1.3), 0.0, kUsualCost).run(moments(0.7));
+  expectNear(result);
+  EXPECT_FALSE(result.tracker->facing().away);
+  EXPECT_EQ(result.tracker->facing().ratio, 1.3);
+}
+
+TEST_F(StartTrialOfReaching, KeepsADirectionThatIsGiven) {
+  const auto given = known();
+  given->facing.away = true;
+  const StartTrial::Result result = StartTrial({}, given, 0.0, kUsualCost).run(moments(0.7));
+  EXPECT_TRUE(result.tracker->facing().away);
 }
 
 TEST(BodyPath, FindsTheNearestPose) {
@@ -92,6 +130,18 @@ TEST(BodyPath, KeepsTheFirstPoses) {
   BodyPath path;
   for (std::size_t i = 0; i <= BodyPath::kMaxPoses; ++i) path.add(static_cast<double>(i), {});
   EXPECT_EQ(path.nearest(1e6)->t, static_cast<double>(BodyPath::kMaxPoses - 1));
+}
+
+TEST(BodyPath, TurnsRoundInPlace) {
+  RigPose pose;
+  pose.X_WP.translation() = Vector3d(1.0, 2.0, 3.0);
+  pose.X_WP.linear() = Eigen::AngleAxisd(0.5, Vector3d::UnitZ()).toRotationMatrix();
+  BodyPath path;
+  path.add(1.0, pose);
+  path.turn();
+  const RigPose& turned = path.nearest(1.0)->pose;
+  EXPECT_EQ(turned.X_WP.translation(), pose.X_WP.translation());
+  EXPECT_NEAR(yawOf(turned), 0.5 - kPi, 1e-12);
 }
 
 }  // namespace start_trial_test
