@@ -10,10 +10,8 @@ void BodyPath::add(double t, const RigPose& pose) {
 }
 
 void BodyPath::turn() {
-  for (Point& point : points_) {
-    auto R_WP = point.pose.X_WP.linear();
-    R_WP = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix() * Matrix3d(R_WP);
-  }
+  const Matrix3d half_turn = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix();
+  for (Point& point : points_) point.pose.X_WP.linear() = half_turn * point.pose.X_WP.linear().eval();
 }
 
 const BodyPath::Point* BodyPath::nearest(double t) const {

@@ -115,7 +115,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
     other_.learn();
     encloseOther(now_, other_);
   }
-  compareMeasured(t);
+  compareMeasured(t);  // last, as `images` are valid until the next things_.remove()
   return &body;
 }
 

