@@ -4,22 +4,31 @@
 #include <cstddef>
 
 #include "tracking/tracker/facing.hpp"
+#include "tracking/tracker/facing_evidence.hpp"
 
 namespace abstand::tracking {
 
-/// Adds the costs of two bodies that follow the same person, one that faced the camera at first and one that
-/// faced away: motion refutes the wrong one. One thread. Allocates nothing, does not throw.
+/// Adds what the images say of two bodies that follow the same person, one that faced the camera at first and
+/// one that faced away: motion refutes the wrong one. The ratio is that of the costs of both, times two
+/// factors for what is little of an image but tells the front (docs/tracking.md has measured values): toes
+/// that only the body that faces the camera explains, and walking forward. Toes that are not seen tell
+/// nothing, as cameras lose them in the floor. One thread. Allocates nothing, does not throw.
 class FacingTrial {
  public:
   /// Images that can decide; fewer, if the ratio of the costs is beyond kClear; and how many are compared.
   static constexpr std::size_t kMinImages = 30, kFewImages = 15, kMaxImages = 300;
   static constexpr double kClear = 1.5;
+  static constexpr double kMinLowPoints = 20.0;  ///< of an image; fewer do not show the shape of feet
   /// Ratio of costs that are alike, so that noise does not turn the person in each image.
   static constexpr double kAlike = 1.01;
   static constexpr double kLikelyAwayAtFirst = 0.88;  ///< ratio, of fewer than kMinImages
+  /// Walking alone does not decide, as people also walk backwards: the largest factor, and m from which it
+  /// counts and at which it is reached.
+  static constexpr double kMaxOfWalking = 1.22, kWalks = 0.3, kWalksFar = 0.8;
+  static constexpr double kLongestStep = 0.1;  ///< s, between images of one walk
 
-  /// Costs (Misfit::cost) of an image.
-  void add(double camera, double away);
+  /// The image at `t` (s), which may also precede the last one.
+  void add(double t, const FacingEvidence& camera, const FacingEvidence& away);
   /// Facing away over facing the camera, of all images so far; NaN without images.
   double ratio() const;
   /// Whether facing away is the likelier direction; `away`: assumed so far, and kept if both are alike. Few
@@ -33,8 +42,21 @@ class FacingTrial {
   void judge(Facing& facing) const;
 
  private:
+  double feetFactor() const;
+  double walkingFactor() const;
+
+  /// Sums over the images.
+  struct Sums {
+    double cost{0.0}, low_cost{0.0}, empty_cost{0.0};
+    double low_points{0.0};
+    double square_distance{0.0};  ///< m^2
+    double walked{0.0};           ///< m, forward
+    void add(const FacingEvidence& evidence);
+  };
   std::size_t images_{0};
-  double camera_{0.0}, away_{0.0};  ///< sums
+  Sums camera_, away_;
+  double last_t_{kNaN};                  ///< s
+  Vector3d last_p_W_{Vector3d::Zero()};  ///< m, middle of both pelves
 };
 
 }  // namespace abstand::tracking

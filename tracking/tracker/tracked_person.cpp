@@ -106,9 +106,10 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   const std::span<const PersonImage> images = things_.remove(all);
   if (other_ && t - found_t_ > BodyTracker::kTurns) endComparison();
   follow(t, images);
-  if (now_.tracker->body().found) noteFound(t);
+  if (now_.tracker->body().found) found_t_ = t;
   compareFacings(t, images);
   const TrackedBody& body = renewBody(t, images) ? track(t, images) : now_.tracker->body();
+  if (body.found) noteFirst(t);  // after the likelier direction was assumed
   if (body.found) things_.learn(now_.tracker->seen(), now_.tracker->fit(), body.X_WS);
   now_.learn();
   if (other_) {
@@ -119,8 +120,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   return &body;
 }
 
-void TrackedPerson::noteFound(double t) {
-  found_t_ = t;
+void TrackedPerson::noteFirst(double t) {
   if (first_) return;
   first_ = {t, now_.tracker->lying(), now_.tracker->body().pose, std::nullopt};
   if (other_ && other_.tracker->body().found) first_->other = other_.tracker->body().pose;
@@ -233,7 +233,7 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
   const TrackedBody &mine = now_.tracker->body(), &its = other_.tracker->body();
   const bool is_fitted = std::isfinite(mine.misfit.cost) && std::isfinite(its.misfit.cost);
   if (is_fitted && (mine.found || its.found)) {
-    addToTrial(mine, its);
+    addToTrial(t, now_, other_);
     trial_.judge(facing_);
     assume(trial_.isLikelyAway(facing_.away));
   }
@@ -241,23 +241,22 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
 }
 
 /// Bodies that face as assumed, and the other way, in one image.
-void TrackedPerson::addToTrial(const TrackedBody& mine, const TrackedBody& its) {
-  BySide<double> cost;
-  cost[facing_.away] = mine.misfit.cost;
-  cost[!facing_.away] = its.misfit.cost;
-  trial_.add(cost[false], cost[true]);
+void TrackedPerson::addToTrial(double t, const BodyFollower& mine, const BodyFollower& its) {
+  BySide<FacingEvidence> evidence;
+  evidence[facing_.away] = facingEvidence(*mine.tracker);
+  evidence[!facing_.away] = facingEvidence(*its.tracker);
+  trial_.add(t, evidence[false], evidence[true]);
 }
 
 /// In the images before the first one of both bodies, if that is `t`.
 void TrackedPerson::compareMeasured(double t) {
   const std::vector<KeptMoment> measured = std::exchange(measured_, {});
   if (!first_ || first_->t != t || !decides_ || !other_ || !other_.tracker->body().found) return;
-  first_->other = other_.tracker->body().pose;
   for (auto moment = measured.rbegin(); moment != measured.rend(); ++moment) {
     seeBefore(moment->t, moment->views());
     const TrackedBody &mine = before_.tracker->body(), &its = other_before_.tracker->body();
     if (!mine.found || !its.found) break;
-    addToTrial(mine, its);
+    addToTrial(moment->t, before_, other_before_);
   }
   before_ = {};
   other_before_ = {};

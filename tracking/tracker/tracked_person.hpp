@@ -100,14 +100,14 @@ class TrackedPerson {
   void keepMeasured(double t, std::span<const PersonImage> images);
   void follow(double t, std::span<const PersonImage> images);
   const TrackedBody& track(double t, std::span<const PersonImage> images);
-  void noteFound(double t);
+  void noteFirst(double t);
   void startBefore();
   void measure(std::span<const PersonImage> images);
   void makeMeasured();
   bool checkUpright(double t, std::span<const PersonImage> images);
   void compareFacings(double t, std::span<const PersonImage> images);
   void compareMeasured(double t);
-  void addToTrial(const TrackedBody& mine, const TrackedBody& its);
+  void addToTrial(double t, const BodyFollower& mine, const BodyFollower& its);
   bool mayCompare() const;
   void assume(bool away);
   void endComparison();

@@ -129,12 +129,12 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
   const std::string pictures = (folder_.path() / "pictures").string();
   const std::string bvh = projectFile("data/scenes/hug_reach.bvh").string();
   ASSERT_EQ(run("render-depth --recording " + bvh + " --out " + clip +
-                " --body skin --width 320 --end 0.6 --no-cache")
+                " --body skin --width 320 --end 0.4 --no-cache")
                 .code,
             0);
   const json j = runJson("track " + clip + " --out " + csv + " --pictures " + pictures);
-  EXPECT_EQ(j["frames"], 19);
-  EXPECT_EQ(j["tracked"], 19);
+  EXPECT_EQ(j["frames"], 13);
+  EXPECT_EQ(j["tracked"], 13);
   EXPECT_EQ(j["lost"], 0);
   EXPECT_GT(j["fps"], 0.0);
   EXPECT_NEAR(j["height_estimate"], 1.75, 0.08);
@@ -148,9 +148,9 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
   EXPECT_LT(j["residual_mm"], 20.0);
   EXPECT_EQ(j["people"].size(), 1u);
   EXPECT_EQ(j["people"][0]["held"], json::array());
-  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000018.png"));
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / "person1_000012.png"));
   const json skeleton = runJson("skeleton " + csv);
-  EXPECT_EQ(skeleton["frames"], 19);
+  EXPECT_EQ(skeleton["frames"], 13);
   EXPECT_EQ(skeleton["gaps"], 0);
 
   const std::string scene = write("person.yaml",
@@ -158,7 +158,7 @@ TEST_F(Cli, TrackedPersonRunsInScene) {
                                   "  - {name: ball, shape: {sphere: {radius: 0.1}}, pose: {xyz: [1, 0, 1]}}\n"
                                   "pairs: {default: between_groups}\n");
   const json ran = runJson("run " + scene + " --recording " + clip);
-  EXPECT_EQ(ran["frames"], 19);
+  EXPECT_EQ(ran["frames"], 13);
   EXPECT_NEAR(ran["min_distance"]["value"].get<double>(),
               runJson("run " + scene + " --recording " + csv)["min_distance"]["value"].get<double>(), 1e-9);
 

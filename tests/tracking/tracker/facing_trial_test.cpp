@@ -8,11 +8,21 @@
 namespace abstand::tracking {
 namespace facing_trial_test {
 
-constexpr double kTolerance = 1e-12;  // of sums of up to 300 costs
+constexpr double kTolerance = 1e-12;    // of sums of up to 300 costs
+constexpr double kPeriod = 1.0 / 30.0;  // s
 
-FacingTrial trialOf(std::size_t images, double camera, double away) {
+/// Of a body whose feet are hidden.
+FacingEvidence evidenceOf(double cost) {
+  FacingEvidence evidence;
+  evidence.cost = cost;
+  return evidence;
+}
+
+/// The ratio of costs is `ratio`.
+FacingTrial trialOf(std::size_t images, double ratio) {
   FacingTrial trial;
-  for (std::size_t i = 0; i < images; ++i) trial.add(camera, away);
+  for (std::size_t i = 0; i < images; ++i)
+    trial.add(kPeriod * static_cast<double>(i), evidenceOf(1.0), evidenceOf(ratio));
   return trial;
 }
 
@@ -26,43 +36,108 @@ TEST(FacingTrial, ComparesSumsOfCosts) {
   FacingTrial trial;
   EXPECT_TRUE(std::isnan(trial.ratio()));
   for (const bool away : {false, true}) EXPECT_FALSE(trial.isLikelyAway(away));
-  trial.add(1.0, 3.0);
-  trial.add(3.0, 3.0);
+  trial.add(0.0, evidenceOf(1.0), evidenceOf(3.0));
+  trial.add(kPeriod, evidenceOf(3.0), evidenceOf(3.0));
   EXPECT_NEAR(trial.ratio(), 1.5, kTolerance);
 }
 
 TEST(FacingTrial, JudgesWithEnoughImages) {
-  EXPECT_TRUE(std::isnan(judged(trialOf(FacingTrial::kMinImages - 1, 1.0, 1.3))));
-  EXPECT_NEAR(judged(trialOf(FacingTrial::kMinImages, 1.0, 1.3)), 1.3, kTolerance);
-  EXPECT_NEAR(judged(trialOf(FacingTrial::kMinImages, 1.0, 1.0)), 1.0, kTolerance);
+  EXPECT_TRUE(std::isnan(judged(trialOf(FacingTrial::kMinImages - 1, 1.3))));
+  EXPECT_NEAR(judged(trialOf(FacingTrial::kMinImages, 1.3)), 1.3, kTolerance);
+  EXPECT_NEAR(judged(trialOf(FacingTrial::kMinImages, 1.0)), 1.0, kTolerance);
 }
 
 TEST(FacingTrial, JudgesClearCasesWithFewImages) {
   for (const double away : {1.6, 1.0 / 1.6}) {
-    EXPECT_TRUE(std::isnan(judged(trialOf(FacingTrial::kFewImages - 1, 1.0, away)))) << away;
-    EXPECT_NEAR(judged(trialOf(FacingTrial::kFewImages, 1.0, away)), away, kTolerance) << away;
+    EXPECT_TRUE(std::isnan(judged(trialOf(FacingTrial::kFewImages - 1, away)))) << away;
+    EXPECT_NEAR(judged(trialOf(FacingTrial::kFewImages, away)), away, kTolerance) << away;
   }
 }
 
 TEST(FacingTrial, AssumesTheLikelierDirection) {
   constexpr std::size_t kImages = FacingTrial::kMinImages;
   for (const bool away : {false, true}) {
-    EXPECT_TRUE(trialOf(kImages, 1.0, 1.0 / (FacingTrial::kAlike + 0.01)).isLikelyAway(away)) << away;
-    EXPECT_FALSE(trialOf(kImages, 1.0, FacingTrial::kAlike + 0.01).isLikelyAway(away)) << away;
-    EXPECT_EQ(trialOf(kImages, 1.0, 1.0).isLikelyAway(away), away) << "as before";
+    EXPECT_TRUE(trialOf(kImages, 1.0 / (FacingTrial::kAlike + 0.01)).isLikelyAway(away)) << away;
+    EXPECT_FALSE(trialOf(kImages, FacingTrial::kAlike + 0.01).isLikelyAway(away)) << away;
+    EXPECT_EQ(trialOf(kImages, 1.0).isLikelyAway(away), away) << "as before";
   }
 }
 
 TEST(FacingTrial, AssumesAwayAfterFewImagesIfThatIsClearlyBetter) {
   for (const bool away : {false, true}) {
-    EXPECT_TRUE(trialOf(1, 1.0, FacingTrial::kLikelyAwayAtFirst - 0.01).isLikelyAway(away)) << away;
-    EXPECT_FALSE(trialOf(1, 1.0, FacingTrial::kLikelyAwayAtFirst + 0.01).isLikelyAway(away)) << away;
+    EXPECT_TRUE(trialOf(1, FacingTrial::kLikelyAwayAtFirst - 0.01).isLikelyAway(away)) << away;
+    EXPECT_FALSE(trialOf(1, FacingTrial::kLikelyAwayAtFirst + 0.01).isLikelyAway(away)) << away;
   }
 }
 
 TEST(FacingTrial, EndsAfterTheMostImages) {
-  EXPECT_FALSE(trialOf(FacingTrial::kMaxImages - 1, 1.0, 1.0).complete());
-  EXPECT_TRUE(trialOf(FacingTrial::kMaxImages, 1.0, 1.0).complete());
+  EXPECT_FALSE(trialOf(FacingTrial::kMaxImages - 1, 1.0).complete());
+  EXPECT_TRUE(trialOf(FacingTrial::kMaxImages, 1.0).complete());
+}
+
+TEST(FacingTrial, FavoursFacingTheCameraIfThatExplainsTheFeet) {
+  const auto ratio = [](double points, double low_camera, double low_away) {
+    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
+    camera.low_points = away.low_points = points;
+    camera.distance = away.distance = 2.8;
+    camera.low_cost = low_camera;
+    away.low_cost = low_away;
+    FacingTrial trial;
+    for (int i = 0; i < 3; ++i) trial.add(kPeriod * i, camera, away);
+    return trial.ratio();
+  };
+  constexpr double kSome = 2.0 * FacingTrial::kMinLowPoints;
+  EXPECT_GT(ratio(kSome, 0.02, 0.06), 1.1);
+  EXPECT_NEAR(ratio(kSome, 0.06, 0.02), 1.0, kTolerance) << "never for facing away";
+  EXPECT_NEAR(ratio(0.5 * FacingTrial::kMinLowPoints, 0.02, 0.06), 1.0, kTolerance) << "too few points";
+}
+
+TEST(FacingTrial, IsAgainstToesOfWhoFacesAwayInEmptySpace) {
+  const auto ratio = [](double empty_camera, double empty_away, double distance = 2.8) {
+    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
+    camera.low_points = away.low_points = 2.0 * FacingTrial::kMinLowPoints;
+    camera.empty_cost = empty_camera;
+    away.empty_cost = empty_away;
+    camera.distance = away.distance = distance;
+    FacingTrial trial;
+    trial.add(0.0, camera, away);
+    return trial.ratio();
+  };
+  EXPECT_GT(ratio(0.0, 4e-6), 1.5);
+  EXPECT_NEAR(ratio(4e-6, 0.0), 1.0, kTolerance) << "toes may be lost in the floor";
+  EXPECT_LT(ratio(0.0, 4e-6, 5.6), ratio(0.0, 4e-6)) << "far away, noise places toes in empty space";
+}
+
+/// Ratio of a person who moves `step` (m) to +x in each of `images`, `period` (s) apart, whose bodies face
+/// +x (to the camera) and -x.
+double ratioOfWalk(int images, double step, double period) {
+  FacingTrial trial;
+  for (int i = 0; i < images; ++i) {
+    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
+    camera.p_WP = away.p_WP = i * step * Vector3d::UnitX();
+    away.forward_W = -Vector3d::UnitX();
+    trial.add(period * i, camera, away);
+  }
+  return trial.ratio();
+}
+
+TEST(FacingTrial, FavoursWhoWalksForward) {
+  constexpr int kImages = 31;
+  EXPECT_NEAR(ratioOfWalk(kImages, 0.03, kPeriod), FacingTrial::kMaxOfWalking, kTolerance);
+  EXPECT_NEAR(ratioOfWalk(kImages, -0.03, kPeriod), 1.0 / FacingTrial::kMaxOfWalking, kTolerance);
+  EXPECT_NEAR(ratioOfWalk(kImages, 0.3, kPeriod), FacingTrial::kMaxOfWalking, kTolerance) << "no more";
+  EXPECT_NEAR(ratioOfWalk(kImages, 0.9 / 30.0 * FacingTrial::kWalks, kPeriod), 1.0, kTolerance) << "shifts";
+  EXPECT_NEAR(ratioOfWalk(kImages, 0.03, -kPeriod), 1.0 / FacingTrial::kMaxOfWalking, kTolerance)
+      << "images in reverse order";
+  EXPECT_NEAR(ratioOfWalk(kImages, 0.03, 2.0 * FacingTrial::kLongestStep), 1.0, kTolerance) << "gaps";
+}
+
+TEST(FacingTrial, DoesNotDecideByWalkingAlone) {
+  Facing facing;
+  facing.ratio = FacingTrial::kMaxOfWalking;
+  EXPECT_FALSE(facing.decided());
+  facing.ratio = 1.0 / FacingTrial::kMaxOfWalking;
+  EXPECT_FALSE(facing.decided());
 }
 
 }  // namespace facing_trial_test
