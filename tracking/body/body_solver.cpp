@@ -24,6 +24,15 @@ Quaterniond turnBy(const Vector3d& r) {
   return Quaterniond{Eigen::AngleAxisd(angle, r / angle)};
 }
 
+/// Twist (rad) of a ball's segment about its own axis. Neutral is the shortest rotation to the centre;
+/// relative to it the rotation is split into swing and twist. Only exactly opposite to the centre, out of
+/// reach, the swing is not unique.
+double twistOf(const RigPart& part, const Quaterniond& R_PS) {
+  const Quaterniond neutral = turnBetween(part.along, part.middle);
+  const Quaterniond swing = turnBetween(part.middle, R_PS * part.along);
+  return rotationVector(neutral.conjugate() * swing.conjugate() * R_PS).dot(part.along);
+}
+
 }  // namespace
 
 void BodySolver::begin(const RigPose& pose) {
@@ -113,14 +122,19 @@ void BodySolver::addLimits(double w) {
     const double away = std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0));
     const Vector3d across = part.middle.cross(points);
     if (away > part.cone && across.norm() > 1e-9) drive(across.normalized(), away - part.cone);
-    // Neutral is the shortest rotation to the centre; relative to it the rotation is split into swing and
-    // twist. Only exactly opposite to the centre, out of reach, the swing is not unique.
-    const Quaterniond neutral = turnBetween(part.along, part.middle);
-    const Quaterniond swing = turnBetween(part.middle, points);
-    const double twist =
-        rotationVector(neutral.conjugate() * swing.conjugate() * pose_.R_PS[i]).dot(part.along);
+    const double twist = twistOf(part, pose_.R_PS[i]);
     if (std::abs(twist) > part.twist) drive(std::copysign(1.0, twist) * points, std::abs(twist) - part.twist);
   }
+}
+
+void BodySolver::addUntwist(RigSegment ball, double w) {
+  const RigPart& part = (*rig_)[ball];
+  const Quaterniond& R_PS = pose_.R_PS[index(ball)];
+  const Vector3d points = R_PS * part.along;
+  const double twist = twistOf(part, R_PS);
+  H_.block<3, 3>(part.column, part.column) += w * points * points.transpose();
+  g_.segment<3>(part.column) += w * twist * points;
+  cost_ += w * twist * twist;
 }
 
 void BodySolver::assemble() {

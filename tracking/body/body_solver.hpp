@@ -35,6 +35,8 @@ class BodySolver {
   void addPrior(const RigPose& other, const Vector& w);
   /// Penalty of joints beyond their limits; w (1/rad^2).
   void addLimits(double w);
+  /// The twist of a ball's segment about its own axis should be 0; w (1/rad^2).
+  void addUntwist(RigSegment ball, double w);
 
   /// Levenberg step: (H + damping * I) d = -g, with d scaled so that no dof changes by more than `most` (rad,
   /// m). Hinges end within their limits. Returns the largest change.

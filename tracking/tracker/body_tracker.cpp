@@ -13,6 +13,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kDamp = 0.7;         // share of the predicted motion that is used
+constexpr double kUntwist = 0.2;      // 1/rad^2
 constexpr double kHandRelaxes = 0.8;  // factor for each image; decays the wrist angle if nothing shows it
 constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
@@ -204,6 +205,7 @@ void BodyTracker::follow(double dt) {
   for (const RigSegment hand : {RigSegment::kHandLeft, RigSegment::kHandRight})
     for (double& angle : expected.angle[index(hand)]) angle *= kHandRelaxes;
   plantHiddenFeet();
+  wide_.untwist = narrow_.untwist = kUntwist;
   body_.pose = expected;
   fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
   fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
@@ -216,6 +218,7 @@ void BodyTracker::follow(double dt) {
 
 void BodyTracker::find() {
   wide_.planted = narrow_.planted = 0;
+  wide_.untwist = narrow_.untwist = 0.0;
   lying_ = {};
   fit_.keepAboveFloor(false);
   const SeenPoints& points = seen_.points();

@@ -72,6 +72,24 @@ std::uint32_t alike(RigSegment s) {
   }
 }
 
+/// 0 if a camera sees the front or the back of the pelvis, within 45 degrees; 1 if all see it exactly from
+/// the side.
+double acrossViews(const BodyObservation& seen, const Transform& X_WP) {
+  const Eigen::Vector2d front = X_WP.linear().col(0).head<2>();
+  double square_sine = 1.0;
+  for (const BodyView& view : seen.views()) {
+    const Eigen::Vector2d ray = (X_WP.translation() - view.eye()).head<2>();
+    const double along = front.dot(ray), both = front.squaredNorm() * ray.squaredNorm();
+    if (both > 1e-6) square_sine = std::min(square_sine, 1.0 - along * along / both);
+  }
+  return std::max(0.0, 2.0 * square_sine - 1.0);
+}
+
+/// 1 if the thigh hangs down, 0 if it is raised by 60 degrees or more: the calf then shows its twist.
+double hanging(const RigPart& thigh, const Transform& X_WS) {
+  return std::max(0.0, -2.0 * (X_WS.linear() * thigh.along).z() - 1.0);
+}
+
 }  // namespace
 
 DepthFit::DepthFit(const BodyRig& rig) : rig_{&rig}, surfaces_{fitSurfaces(rig)}, solver_{rig} {
@@ -255,9 +273,19 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
     }
     solver_.addPrior(expected, weights.prior);
     solver_.addLimits(kJointLimitWeight);
+    if (weights.untwist > 0.0) addUntwist(seen, weights.untwist);
     solver_.step(kStepDamping, kMaxStepTurn);
     pose = solver_.pose();
   }
+}
+
+/// Seen from the side, the shape of the trunk hardly shows its direction. Thighs are rarely twisted, so the
+/// feet turn the pelvis.
+void DepthFit::addUntwist(const BodyObservation& seen, double weight) {
+  const RigPlacement& X_WS = solver_.placement();
+  const double across = acrossViews(seen, X_WS[0]);
+  for (const RigSegment thigh : {RigSegment::kThighLeft, RigSegment::kThighRight})
+    solver_.addUntwist(thigh, weight * across * hanging((*rig_)[thigh], X_WS[index(thigh)]));
 }
 
 void DepthFit::support(const BodyObservation& seen, const RigPlacement& X_WS,

@@ -34,6 +34,7 @@ class DepthFit {
     double reach{0.10};  ///< m, scale of the robust weight: larger residuals lose influence (Geman, McClure
                          ///< 1985)
     std::uint32_t planted{0};  ///< feet that rest on the floor z = 0, as hidden ones do
+    double untwist{0.0};       ///< 1/rad^2, of hanging thighs seen exactly from the side, towards no twist
   };
   /// `steps` Gauss-Newton steps from `pose`, which is updated. `expected` may be `pose` itself: then every
   /// step is regularised towards its start.
@@ -88,6 +89,7 @@ class DepthFit {
   Violation sunk(const Sample& sample, const Vector3d& p_W) const;
   void score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
+  void addUntwist(const BodyObservation& seen, double weight);
 
   const BodyRig* rig_;
   FitSurfaces surfaces_;

@@ -27,12 +27,12 @@ void FacingTrial::add(double t, const FacingEvidence& camera, const FacingEviden
   away_.add(away);
   const Vector3d p_W = 0.5 * (camera.p_WP + away.p_WP);
   if (std::abs(t - last_t_) < kLongestStep) {
-    const Vector3d step = t > last_t_ ? Vector3d(p_W - last_p_W_) : Vector3d(last_p_W_ - p_W);
+    const Vector3d step = t > last_t_ ? Vector3d(p_W - last_p_) : Vector3d(last_p_ - p_W);
     camera_.walked += step.dot(camera.forward_W);
     away_.walked += step.dot(away.forward_W);
   }
   last_t_ = t;
-  last_p_W_ = p_W;
+  last_p_ = p_W;
 }
 
 double FacingTrial::feetFactor() const {

@@ -55,8 +55,8 @@ class FacingTrial {
   };
   std::size_t images_{0};
   Sums camera_, away_;
-  double last_t_{kNaN};                  ///< s
-  Vector3d last_p_W_{Vector3d::Zero()};  ///< m, middle of both pelves
+  double last_t_{kNaN};                ///< s
+  Vector3d last_p_{Vector3d::Zero()};  ///< m, middle of both pelves
 };
 
 }  // namespace abstand::tracking

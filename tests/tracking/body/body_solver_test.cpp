@@ -127,6 +127,27 @@ TEST(BodySolver, LimitsDriveJointsBack) {
   }
 }
 
+TEST(BodySolver, UntwistsAThighWithoutMovingIt) {
+  constexpr double kTolerance = 1e-6;
+  const RigPart& thigh = rig()[RigSegment::kThighLeft];
+  RigPose pose = randomRigPose(rig(), 3, 0.3);
+  Quaterniond& R_PS = pose.R_PS[index(RigSegment::kThighLeft)];
+  const Quaterniond swung = turnBetween(thigh.middle, Vector3d(0.4, 0.2, -0.8).normalized()) *
+                            turnBetween(thigh.along, thigh.middle);
+  R_PS = swung * Quaterniond(Eigen::AngleAxisd(unit::deg(30), thigh.along));
+  BodySolver solver(rig());
+  solver.begin(pose);
+  solver.addUntwist(RigSegment::kThighLeft, 2.0);
+  EXPECT_NEAR(solver.cost(), 2.0 * unit::deg(30) * unit::deg(30), kTolerance);
+  for (int i = 0; i < 20; ++i) {
+    solver.begin(pose);
+    solver.addUntwist(RigSegment::kThighLeft, 2.0);
+    solver.step(1e-6, 0.5);
+    pose = solver.pose();
+  }
+  EXPECT_LT(pose.R_PS[index(RigSegment::kThighLeft)].angularDistance(swung), kTolerance);
+}
+
 TEST(BodySolver, AllocatesNothing) {
   BodySolver solver(rig());
   const RigPose pose = randomRigPose(rig(), 5, 0.5), other = randomRigPose(rig(), 6, 0.5);
@@ -135,6 +156,7 @@ TEST(BodySolver, AllocatesNothing) {
   solver.addPoint(RigSegment::kHandLeft, {1, 2, 3}, {1, 2, 2.9}, 1.0);
   solver.addPrior(other, BodySolver::Vector::Ones());
   solver.addLimits(1.0);
+  solver.addUntwist(RigSegment::kThighRight, 1.0);
   solver.step(1e-3, 0.3);
   EXPECT_EQ(guard.count(), 0);
 }
