@@ -31,8 +31,7 @@ double yawError(const ClipTrack& track, const std::vector<humanmodel::SkeletonFr
 }
 
 // A trunk seen from the side is as broad when it is turned by 30 degrees and deeper. Before the feet turned
-// the pelvis: 27 and 32 degrees, and half a circle in the first clip; 4 and 6 now, and up to 12 with three
-// seeds.
+// the pelvis: 27 and 32 degrees; 1 and 9 now, and no more with two other seeds.
 TEST(PeopleFromTheSide, FaceAsTheirFeet) {
   constexpr double kYaw = 20.0;  // degrees
   int clips = 0;
