@@ -11,7 +11,8 @@ struct Facing {
   bool away{false};   ///< the back is to the camera
   bool given{false};  ///< set by the user
   bool lies{false};   ///< in the images that were compared
-  /// Ratio of the fit costs of the first images, facing away over facing the camera; NaN: not compared.
+  /// Of the first images, facing away over facing the camera: the ratio of the fit costs, of people who do
+  /// not lie with the factors of FacingTrial; NaN: not compared.
   double ratio{kNaN};
   /// Ratios beyond which one direction is certain, and below the inverse of which the other one is
   /// (docs/tracking.md has measured ratios). In between the images do not decide: the likelier direction is

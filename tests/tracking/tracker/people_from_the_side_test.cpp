@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/math/quantile.hpp"
-#include "tests/support/paths.hpp"
 #include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
