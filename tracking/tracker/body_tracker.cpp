@@ -6,6 +6,7 @@
 
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/crossed_legs.hpp"
+#include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -24,6 +25,10 @@ constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
+/// Upright, with raised arms, straight or bent.
+const std::array<StartPosture, 2> kRaisedStarts{
+    {{0.0, false, Vector3d::Zero(), 0.50}, {0.0, false, Vector3d::Zero(), 0.35}}};
+constexpr double kHandsHighest = 0.08;  // m above the vertex: the highest point is not the head
 /// Upright, the head above the image, which cuts it off at the neck or at the forehead.
 const std::array<StartPosture, 2> kCutStarts{{{-0.24, false}, {-0.12, false}}};
 /// Bowed; seated; on the knees.
@@ -273,6 +278,8 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, T
   const std::span<const StartPosture> postures =
       is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
   tryPostures(postures, middle, top - above, facing, best);
+  if (top > rig_->height + kHandsHighest)
+    tryPostures(kRaisedStarts, middle, rig_->height - above, facing, best);
   if (is_cut_) tryPostures(kCutStarts, middle, top - above, facing, best);
 }
 
@@ -286,6 +293,7 @@ void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vect
       pose.X_WP.translation().z() = pelvis - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
+      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose);
       tryStart(pose, best);
     }
   }

@@ -13,6 +13,7 @@ struct StartPosture {
   double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
   bool bends_legs;  ///< else the legs are straight
   Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
+  double wrists{0.0};                  ///< m, of raised arms: above the shoulders; 0: the arms hang
 };
 
 /// Steps for each moment, of which there is one image or one of each camera: prediction from the last two

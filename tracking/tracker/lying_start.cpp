@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/tracker/limb_search.hpp"
+#include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
 namespace {
 
 constexpr double kLyingPelvis = 0.12;  // m, height
-// m; wrists of people who lie with the hands beside the head, from the shoulders: towards the head, and out.
-constexpr double kBesideHead = 0.20, kBesideShoulder = 0.15;
+constexpr double kBesideHead = 0.20;   // m, of wrists above the shoulders: hands beside the head
 // rad; feet of people who lie on the front are stretched, as the floor leaves them no other way.
 constexpr double kStretchedFoot = 0.9;
 // times the smaller cost: beyond, lying on the back and on the front are told apart, as facings are
@@ -23,18 +22,6 @@ constexpr double kSidesAlike = 1.15, kPosesAlike = 1.75;
 // forearm stands for what it should explain. Arms that lie against the trunk are up to 0.03 inside. Share of
 // the cost that each such arm adds.
 constexpr double kThroughTrunk = 0.05, kThrough = 0.25;
-
-/// Bends the arms so that the hands are beside the head.
-void raiseArms(const BodyRig& rig, RigPose& pose) {
-  RigPlacement X_WS;
-  place(rig, pose, X_WS);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Limb& arm = kLimbs[k];
-    const Vector3d out = (k == 0 ? 1.0 : -1.0) * X_WS[0].linear().col(1), up = X_WS[0].linear().col(2);
-    const Vector3d shoulder = X_WS[index(rig[arm.upper].parent)] * rig[arm.upper].p_parent;
-    reachFor(rig, arm, X_WS, shoulder + kBesideHead * up + kBesideShoulder * out, 0.0, pose);
-  }
-}
 
 }  // namespace
 
@@ -68,7 +55,7 @@ void lyingStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& m
       if (on_front)
         for (const Limb& leg : {kLimbs[2], kLimbs[3]}) pose.angle[index(leg.end)][0] = kStretchedFoot;
       starts[k++] = {pose, on_front};
-      raiseArms(rig, pose);
+      raiseArms(rig, kBesideHead, pose);
       starts[k++] = {pose, on_front};
     }
   }

@@ -68,6 +68,13 @@ Stature Stature::ofSeated(double seen) {
           "the person sits and is " + metres(seen) + " high in the images"};
 }
 
+Stature Stature::ofRaisedArms(double seen) {
+  return {Source::kInterval,
+          std::max(seen - kAboveHead, kShortestUpright),
+          {kShortestUpright, seen},
+          "arms are raised above the head, up to " + metres(seen)};
+}
+
 Stature measureStature(std::span<const VerticalExtent> images) {
   std::vector<double> heights, tops;
   std::size_t whole = 0, headless = 0;

@@ -53,12 +53,16 @@ struct Stature {
   /// Share of the stature that is above the floor of a person on a chair: 0.52 above the seat (ANSUR II),
   /// 0.26 below.
   static constexpr double kSeatedShare = 0.78;
+  /// m, of hands above the vertex: half of what the longest arms allow.
+  static constexpr double kAboveHead = 0.2;
   /// Default if the images show nothing.
   static constexpr double kUsual = 1.70;
 
   static Stature given(double height);
   /// Of a person who sits and is `seen` (m) high.
   static Stature ofSeated(double seen);
+  /// Of a person who stands with raised arms, up to `seen` (m).
+  static Stature ofRaisedArms(double seen);
 };
 
 /// Stature from the medians of a person's first images. Measured if more than half of the images show the

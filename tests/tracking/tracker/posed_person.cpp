@@ -17,14 +17,14 @@ constexpr double kLoins = 0.14, kUpperBack = 0.148, kNeckUp = 0.03, kHeadUp = 0.
 constexpr double kHalfHips = 0.05, kHalfShoulders = 0.11, kFootLength = 0.10;
 
 /// Numbers of a posture in one vector, to go from one to the next.
-using Numbers = Eigen::Array<double, 13, 1>;
+using Numbers = Eigen::Array<double, 16, 1>;
 Numbers numbersOf(const Posture& p) {
   Numbers n;
-  n << p.hips, p.loins, p.back, p.head, p.reach, p.aside, p.low, p.foot, p.apart, p.ankle, p.toes;
+  n << p.hips, p.loins, p.back, p.head, p.reach, p.aside, p.low, p.foot, p.apart, p.ankle, p.toes, p.elbows;
   return n;
 }
 Posture postureOf(double t, const Numbers& n) {
-  return {t, n.head<3>(), n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12]};
+  return {t, n.head<3>(), n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n.tail<3>()};
 }
 
 Posture between(std::span<const Posture> postures, double t) {
@@ -68,7 +68,8 @@ humanmodel::SkeletonFrame frameOf(const Posture& p) {
     Vector3d ankle(p.foot, side * p.apart, p.ankle);
     Vector3d wrist(p.reach + 0.03 * std::sin(4.0 * p.t + side), side * p.aside, p.low);
     const Vector3d knee = bend(hip, ankle, kThigh * H, kCalf * H, {1.0, 0.1 * side, 0.2});
-    const Vector3d elbow = bend(shoulder, wrist, kUpperArm * H, kForearm * H, {-0.6, 0.7 * side, -0.5});
+    const Vector3d elbow =
+        bend(shoulder, wrist, kUpperArm * H, kForearm * H, {p.elbows.x(), p.elbows.y() * side, p.elbows.z()});
     f.set(left ? kHipLeft : kHipRight, hip);
     f.set(left ? kKneeLeft : kKneeRight, knee);
     f.set(left ? kAnkleLeft : kAnkleRight, ankle);

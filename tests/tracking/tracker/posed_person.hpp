@@ -21,6 +21,7 @@ struct Posture {
   double reach{0.04}, aside{0.27}, low{0.88};   ///< of both wrists: x, distance from the middle plane, z
   double foot{0.0}, apart{0.10}, ankle{0.068};  ///< of both ankles: likewise
   double toes{-0.25};                           ///< slope of the feet; below -pi/2 the toes point backwards
+  Vector3d elbows{-0.6, 0.7, -0.5};             ///< direction into which the left one bends; right: mirrored
 };
 
 /// Joints at 30 Hz from the first to the last posture, between which every number goes smoothly. Hips and

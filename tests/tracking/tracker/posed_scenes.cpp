@@ -1,6 +1,8 @@
 // Postures, furniture, cameras.
 #include "tests/tracking/tracker/posed_scenes.hpp"
 
+#include <cmath>
+
 namespace abstand::testing {
 namespace {
 
@@ -234,6 +236,32 @@ std::vector<PosedScene> heldOutScenes() {
   }
   both.push_back({"other_lying_on_the_front", {prone(0.0), prone(3.0)}, {0.5, -2.6, 1.4}, look, {}, 15});
   return both;
+}
+
+std::vector<PosedScene> raisedScenes() {
+  constexpr int kSides = 8;
+  const struct {
+    const char* name;
+    double reach, aside, low;
+  } hands[] = {{"straight_up", 0.05, 0.16, 2.0},
+               {"up_and_apart", 0.05, 0.30, 1.95},
+               {"ahead_and_up", 0.25, 0.18, 1.85},
+               {"on_the_head", 0.05, 0.10, 1.72},
+               {"behind_the_head", -0.10, 0.12, 1.65}};
+  std::vector<PosedScene> scenes;
+  for (const auto& [name, reach, aside, low] : hands)
+    for (int side = 0; side < kSides; ++side) {
+      const auto raised = [reach = reach, aside = aside, low = low](double t) {
+        return Posture{.t = t, .reach = reach, .aside = aside, .low = low, .elbows = {0.4, 1.0, 0.0}};
+      };
+      const double angle = 2.0 * kPi * side / kSides;
+      const Vector3d eye(2.8 * std::cos(angle), 2.8 * std::sin(angle), 1.2), look(0.0, 0.0, 1.1);
+      const std::string of = std::string(name) + "_from_" + std::to_string(360 * side / kSides);
+      scenes.push_back({"hands_" + of, {raised(0.0), raised(1.5), standing(2.0), standing(2.5)}, eye, look});
+      scenes.push_back(
+          {"raising_" + of, {standing(0.0), standing(0.8), raised(1.3), raised(2.5)}, eye, look});
+    }
+  return scenes;
 }
 
 std::vector<PosedScene> heldScenes() {

@@ -101,6 +101,15 @@ TEST(Stature, IsNotTakenFromSeatedOrHeadlessPerson) {
   EXPECT_NEAR(cutAt(1.8), 1.8, kNear);
 }
 
+TEST(Stature, OfRaisedArmsIsAnIntervalUpToTheSeenHeight) {
+  const Stature s = Stature::ofRaisedArms(1.94);
+  EXPECT_FALSE(s.known());
+  EXPECT_NEAR(s.used, 1.74, kNear);
+  EXPECT_THAT(s.interval, ElementsAre(Stature::kShortestUpright, 1.94));
+  EXPECT_THAT(s.reason, HasSubstr("1.94 m"));
+  EXPECT_EQ(Stature::ofRaisedArms(1.5).used, Stature::kShortestUpright);
+}
+
 TEST(Stature, OfSeatedPersonIsAnIntervalFromTheSeenHeight) {
   const Stature s = Stature::ofSeated(1.46);
   EXPECT_FALSE(s.known());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/math/random.hpp"
+#include "tracking/depth/people/pillars.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -22,9 +23,10 @@ constexpr int kGapCells = 2;
 constexpr std::uint8_t kKeptImages = 10;  // that furniture is remembered for, as a search may miss it
 constexpr int kOften = 6;                 // images
 constexpr int kNearCells = 7;
-constexpr float kWall = 1.0f;     // m, fronts higher than that are walls
-constexpr double kDeepest = 1.0;  // m, of the level top of a front
-constexpr float kAbove = 0.03f;   // m, of the surface that belongs to furniture above its top
+constexpr float kSameTop = 0.05f;  // m, of a cell in which furniture stays, also if its lower part is hidden
+constexpr float kWall = 1.0f;      // m, fronts higher than that are walls
+constexpr double kDeepest = 1.0;   // m, of the level top of a front
+constexpr float kAbove = 0.03f;    // m, of the surface that belongs to furniture above its top
 
 constexpr double kLevel = 0.3;    // m^2
 constexpr float kUneven = 0.01f;  // m, of a level above its median
@@ -112,6 +114,8 @@ bool Furniture::find(const PlanView& plan) {
   for (std::size_t k = 0; k < plan.components(); ++k) {
     findFronts(plan, plan.component(k));
     findLevels(plan, plan.component(k));
+    if (sheerShare(plan, plan.component(k)) < kPillar) continue;
+    for (const int i : plan.component(k)) mark(i, plan.cell(i).top);
   }
   std::erase_if(marked_, [&](int i) {
     const auto k = static_cast<std::size_t>(i);
@@ -119,7 +123,8 @@ bool Furniture::find(const PlanView& plan) {
       age_[k] = 0;
       return false;
     }
-    if (found_[k] >= kOften && isKept(i)) return false;
+    if (found_[k] >= kOften && (std::abs(plan.cell(i).top + kAbove - top_[k]) < kSameTop || isKept(i)))
+      return false;
     if (++age_[k] <= kKeptImages) return false;
     top_[k] = 0.0f;
     found_[k] = 0;

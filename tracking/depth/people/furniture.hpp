@@ -7,9 +7,10 @@
 
 namespace abstand::tracking {
 
-/// Two kinds of surfaces are furniture: sheer ones below 0.75 m, straight in plan view and at least 0.6 m
+/// Three kinds of things are furniture: sheer surfaces below 0.75 m, straight in plan view and at least 0.6 m
 /// broad without a gap (benches, cupboards; if higher than 1 m: walls, with all that continues them), and
-/// level ones between 0.3 and 1.2 m of at least 0.3 m^2 (tables). Legs are no such front, since there is a
+/// level ones between 0.3 and 1.2 m of at least 0.3 m^2 (tables), and pillars, which are at least 1 m high
+/// and as broad and deep at the floor as at the top (sheerShare). Legs are no such front, since there is a
 /// gap between them, and a bowed back is smaller. Chairs are smaller, too, and not found.
 ///
 /// Not shared between threads. find() does not allocate or throw.
@@ -17,8 +18,9 @@ class Furniture {
  public:
   Furniture();
   /// Adds what is found to what the last ten images had; returns whether there is any. After plan.join().
-  /// What was found in six images stays while furniture or its background lies within 0.3 m, as below a hand
-  /// that rests on a bench. So does a cell that lasting furniture surrounds.
+  /// What was found in six images stays while its top is seen at the same height, or furniture or its
+  /// background lies within 0.3 m, as below a hand that rests on a bench. So does a cell that lasting
+  /// furniture surrounds.
   bool find(const PlanView& plan);
   bool any() const { return !marked_.empty(); }
   /// Before find(): learned background lies in this cell at `height` (m above the floor).

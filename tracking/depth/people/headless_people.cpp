@@ -1,4 +1,4 @@
-// Cells at the upper border, and the bodies below them.
+// Cells at the upper border, and trunks with free space beside.
 #include "tracking/depth/people/headless_people.hpp"
 
 #include "tracking/depth/people/body_area.hpp"
@@ -18,6 +18,11 @@ constexpr double kTrunkFrom = 0.3;   // share of the height at the border
 // m: free space, and cells in it that are nearly as high as the border, relative to those of the body.
 constexpr double kFreeBeside = 0.65, kMaxCellsBeside = 0.25;
 constexpr float kNearlyAsHigh = 0.4f;
+// Whole bodies, m: of people whose hands are at or above the head. The trunk of somebody who sits is lower.
+constexpr float kLowestWhole = 1.2f, kHighestWhole = 2.45f;
+constexpr double kTrunkTo = 0.7;            // share of the height
+constexpr double kTrunkFromTheSide = 0.10;  // m^2
+constexpr double kMaxAreaBeside = 0.25;     // of the trunk, as kMaxCellsBeside
 
 /// Whether the border cuts off a body here; sets its middle.
 bool isCutBody(const PlanView& plan, std::span<const int> cells, BodyPlace& middle) {
@@ -53,6 +58,24 @@ bool isCutBody(const PlanView& plan, std::span<const int> cells, BodyPlace& midd
   return area >= kTrunkArea && beside <= kMaxCellsBeside * body;
 }
 
+/// Whether there is a body inside the image, whose highest part need not be a head; sets its middle.
+bool isWholeBody(const PlanView& plan, std::span<const int> cells, BodyPlace& middle) {
+  int highest = cells.front();
+  for (const int i : cells)
+    if (plan.cell(i).top > plan.cell(highest).top) highest = i;
+  const float top = plan.cell(highest).top;
+  if (top < kLowestWhole || top > kHighestWhole) return false;
+  const auto first = static_cast<std::size_t>(kTrunkFrom * static_cast<double>(top) / PlanView::kSlab);
+  const auto last = static_cast<std::size_t>(kTrunkTo * static_cast<double>(top) / PlanView::kSlab);
+  middle = middleOfBody(plan, PlanView::placeOf(highest));
+  double trunk = 0.0, beside = 0.0;
+  plan.around(middle, kFreeBeside, [&](int i, double distance) {
+    double& area = distance > kBodyRadius ? beside : trunk;
+    for (std::size_t slab = first; slab <= last; ++slab) area += static_cast<double>(plan.cell(i).area[slab]);
+  });
+  return trunk >= kTrunkFromTheSide && beside <= kMaxAreaBeside * trunk;
+}
+
 }  // namespace
 
 void HeadlessPeople::find(const PlanView& plan) {
@@ -60,7 +83,8 @@ void HeadlessPeople::find(const PlanView& plan) {
   count_ = 0;
   for (std::size_t k = 0; k < plan.components() && !found_.full(); ++k) {
     BodyPlace middle;
-    if (!isCutBody(plan, plan.component(k), middle)) continue;
+    const std::span<const int> cells = plan.component(k);
+    if (!isCutBody(plan, cells, middle) && !isWholeBody(plan, cells, middle)) continue;
     const RepeatedPlaces::Entry& body = found_.add(middle, kMoved);
     if (body.images >= kImages && body.moved) places_[count_++] = middle;
   }

@@ -1,4 +1,4 @@
-// People whose heads are above the image, in plan view.
+// People whose heads are not seen as heads, in plan view.
 #pragma once
 
 #include <array>
@@ -8,9 +8,10 @@
 namespace abstand::tracking {
 
 /// Finds bodies that the upper border of the image cuts off: as broad as a trunk there, above enough of a
-/// body, with free space beside. Furniture may look so, too: it must have moved by kMoved, as people do,
-/// since it appeared, and have been seen in kImages consecutive images. Not shared between threads; find()
-/// does not allocate or throw.
+/// body, with free space beside; and whole bodies 1.2 to 2.45 m high with a trunk with free space beside,
+/// whatever their highest part is: of people whose hands are at or above the head, that is no head. Furniture
+/// may look so, too: it must have moved by kMoved, as people do, since it appeared, and have been seen in
+/// kImages consecutive images. Not shared between threads; find() does not allocate or throw.
 class HeadlessPeople {
  public:
   /// After plan.join().

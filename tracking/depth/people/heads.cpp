@@ -2,6 +2,7 @@
 #include "tracking/depth/people/heads.hpp"
 
 #include "tracking/depth/people/body_area.hpp"
+#include "tracking/depth/people/shared_trunk.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -33,6 +34,15 @@ bool isHead(const PlanView& plan, int cell) {
   return is_highest && head >= kMinHeadCells && beside <= kMaxBeside * head;
 }
 
+/// Whether another, larger one is a peak of the same person.
+bool hasLargerPeak(const PlanView& plan, const std::vector<Head>& heads, const Head& head) {
+  return std::any_of(heads.begin(), heads.end(), [&](const Head& other) {
+    const float top = std::min(plan.cell(head.cell).top, plan.cell(other.cell).top);
+    return (other.body > head.body || (other.body == head.body && other.cell < head.cell)) &&
+           shareTrunk(plan, head.place, other.place, static_cast<double>(top));
+  });
+}
+
 /// A raised fist has no trunk of its own below. The head with the smallest body is dropped first; its surface
 /// goes to the others.
 void dropHeadsWithoutBody(const PlanView& plan, std::vector<Head>& heads) {
@@ -51,8 +61,13 @@ void dropHeadsWithoutBody(const PlanView& plan, std::vector<Head>& heads) {
     }
     const auto smallest = std::min_element(heads.begin(), heads.end(),
                                            [](const Head& a, const Head& b) { return a.body < b.body; });
-    if (smallest->body >= kMinBody) return;
-    heads.erase(smallest);
+    const auto dropped = smallest->body < kMinBody
+                             ? smallest
+                             : std::find_if(heads.begin(), heads.end(), [&](const Head& head) {
+                                 return hasLargerPeak(plan, heads, head);
+                               });
+    if (dropped == heads.end()) return;
+    heads.erase(dropped);
   }
 }
 

@@ -17,16 +17,20 @@ constexpr double kStep = 0.1;  // s between images
 
 DepthCamera levelCamera() { return smallCameraAt({0.0, 0.0, kEye}, {1.0, 0.0, kEye}); }
 
-/// A trunk 3 m away, `right` (m) of the axis; a head only with `has_head`.
+/// Legs and a trunk 3 m away, `right` (m) of the axis; a head only with `has_head`.
 void draw(DepthImage& image, double right, bool has_head) {
-  constexpr double kAway = 3.0, kShoulders = 1.4, kVertex = 1.7;  // m
+  constexpr double kAway = 3.0, kHips = 0.8, kShoulders = 1.4, kVertex = 1.7;  // m
   const DepthCamera camera = levelCamera();
   for (int v = 0; v < image.height; ++v)
     for (int u = 0; u < image.width; ++u) {
       const Vector3d p = camera.at(u, v, kAway);
       const double up = kEye - p.y(), aside = std::abs(p.x() - right);
-      if (up > 0.1 && (up < kShoulders ? aside < 0.22 : has_head && up < kVertex && aside < 0.09))
-        image.z[static_cast<std::size_t>(v * image.width + u)] = static_cast<float>(kAway);
+      const bool is_leg = up > 0.1 && up < kHips && aside > 0.03 && aside < 0.17;
+      const bool is_trunk = up >= kHips && up < kShoulders && aside < 0.22;
+      const bool is_head = has_head && up >= kShoulders && up < kVertex && aside < 0.09;
+      if (is_leg || is_trunk || is_head)
+        image.z[static_cast<std::size_t>(v * image.width + u)] =
+            static_cast<float>(is_leg ? kAway + 0.06 : kAway);
     }
 }
 

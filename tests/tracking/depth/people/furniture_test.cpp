@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
+#include "tracking/depth/people/pillars.hpp"
 
 namespace abstand::tracking {
 namespace furniture_test {
@@ -25,11 +26,11 @@ void addLevel(PlanView& plan, const Place& low, const Place& high, double z) {
   for (double x = low.x(); x < high.x(); x += kStep)
     for (double y = low.y(); y < high.y(); y += kStep) plan.add(PlanView::cellAt(x, y), z, kStep * kStep);
 }
-/// What is seen of somebody who stands: two legs, 0.14 m broad, and a trunk above.
+/// What is seen of somebody who stands: two legs, 0.14 m broad, and a trunk above, which is nearer.
 void addPerson(PlanView& plan, const Place& at) {
   for (const double side : {-0.17, 0.03})
     addFront(plan, at + Place(side, 0.0), at + Place(side + 0.14, 0.0), 0.0, 0.85);
-  addFront(plan, at + Place(-0.22, 0.0), at + Place(0.22, 0.0), 0.85, 1.5);
+  addFront(plan, at + Place(-0.22, -0.06), at + Place(0.22, -0.06), 0.85, 1.5);
 }
 float topAt(const Furniture& furniture, const Place& p) {
   return furniture.topOf(PlanView::cellAt(p.x(), p.y()));
@@ -81,6 +82,29 @@ TEST(Furniture, DistinguishesTableFromBentBack) {
   plan.join();
   EXPECT_TRUE(furniture.find(plan));
   EXPECT_GT(topAt(furniture, {-1.5, 2.3}), 0.74f);
+}
+
+TEST(Furniture, DistinguishesPillarsFromPeople) {
+  PlanView plan;
+  Furniture furniture;
+  for (const double height : {1.1, 1.8}) {
+    plan.clear();
+    addFront(plan, {-0.15, 2.5}, {0.15, 2.5}, 0.0, height);
+    addLevel(plan, {-0.15, 2.5}, {0.15, 2.8}, height);
+    plan.join();
+    EXPECT_GT(sheerShare(plan, plan.component(0)), 0.95) << height;
+    EXPECT_TRUE(furniture.find(plan)) << height;
+    EXPECT_GT(topAt(furniture, {0.0, 2.51}), static_cast<float>(height));
+  }
+  plan.clear();
+  addPerson(plan, {0.0, 2.5});
+  addFront(plan, {-0.08, 2.44}, {0.08, 2.44}, 1.5, 1.75);  // the head
+  plan.join();
+  EXPECT_LT(sheerShare(plan, plan.component(0)), kPillar);
+  plan.clear();
+  addFront(plan, {-0.15, 2.5}, {0.15, 2.5}, 0.0, 0.9);  // as high as a chair
+  plan.join();
+  EXPECT_EQ(sheerShare(plan, plan.component(0)), 0.0);
 }
 
 TEST(Furniture, PersistsForLimitedImages) {

@@ -50,15 +50,26 @@ TEST_F(Headless, WhatStandsIsNone) {
   }
 }
 
-TEST_F(Headless, BroadLowThinAndWholeOnesAreNone) {
-  for (int k = 0; k < 2 * HeadlessPeople::kImages; ++k) {
-    const double y = 1.3 + 0.02 * k;
-    add({-3.0, y}, 1.2, 0.2);               // a front
-    add({-1.0, y}, 0.45, 0.2, 0.9f);        // cut off at the hips
-    add({1.0, y}, 0.08, 0.08);              // a post
-    add({3.0, y}, 0.45, 0.2, kCut, false);  // inside the image
-    EXPECT_EQ(find(), 0u) << k;
+TEST_F(Headless, BroadLowAndThinOnesAreNone) {
+  for (const bool cut : {true, false})
+    for (int k = 0; k < 2 * HeadlessPeople::kImages; ++k) {
+      const double y = 1.3 + 0.02 * k;
+      add({-3.0, y}, 1.2, 0.2, kCut, cut);   // a front
+      add({-1.0, y}, 0.45, 0.2, 0.9f, cut);  // as high as the hips
+      add({1.0, y}, 0.08, 0.08, kCut, cut);  // a post
+      add({3.0, y}, 0.45, 0.2, 2.47f, cut);  // higher than a person with raised arms
+      EXPECT_EQ(find(), 0u) << k;
+    }
+}
+
+TEST_F(Headless, WholeBodiesArePeopleWhateverTheirHighestPart) {
+  for (int k = 1; k <= HeadlessPeople::kImages; ++k) {
+    const Place middle(0.0, 1.3 + 0.02 * k);
+    add(middle, 0.45, 0.2, 1.4f, false);
+    for (const double aside : {-0.25, 0.25}) add(middle + aside * Place::UnitX(), 0.1, 0.1, 1.95f, false);
+    EXPECT_EQ(find(), k < HeadlessPeople::kImages ? 0u : 1u) << k;
   }
+  EXPECT_NEAR((people_.places()[0] - Place(0.0, 1.5)).norm(), 0.0, 0.1);
 }
 
 TEST_F(Headless, AllocateNothing) {

@@ -275,6 +275,26 @@ TEST(PeopleFinder, UncoveredWallIsNotTakenForPerson) {
   }
 }
 
+// Before, each of them but one was a person in most images.
+TEST(PeopleFinder, PillarsAreNoPeople) {
+  constexpr int kImages = 60;   // at 30 Hz, before the pillar is learned as background
+  constexpr int kMayBeTwo = 3;  // images in which the person uncovers the pillar; measured: 2
+  for (const Vector3d& size : {Vector3d(0.3, 0.3, 1.8), Vector3d(0.4, 0.5, 1.6), Vector3d(0.25, 0.25, 1.3),
+                               Vector3d(0.1, 0.1, 1.6)}) {
+    Room room;
+    room.furnish(box(size, {3.2, 0.0, 0.5 * size.z()}));
+    tracking::PeopleFinder finder(room.camera());
+    int wrong = 0;
+    for (int i = 0; i < kImages; ++i) {
+      const double t = i / 30.0;
+      const tracking::DepthImage image =
+          room.see({personAt(2.4, -0.9 + 0.9 * t, t)}, static_cast<std::uint64_t>(i));
+      wrong += finder.find(t, image).persons.size() != 1;
+    }
+    EXPECT_LE(wrong, kMayBeTwo) << size.transpose();
+  }
+}
+
 TEST(PeopleFinder, IsDeterministicWithoutAllocation) {
   Room room;
   std::vector<tracking::DepthImage> images;
