@@ -6,7 +6,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kTrunkFrom = 0.35, kTrunkTo = 0.75;  // share of the height of the peak
+constexpr double kHipsAt = 0.35, kShouldersAt = 0.75;  // share of the height of the peak
 constexpr double kOutliers = 0.03;                    // share of the surface, at each end
 // Simulated people of 1.75 m with raised arms have at most 0.08 m and 0.19 (95 % of the images), two people
 // 0.42 to 0.82 m apart at least 0.12 m and 0.2.
@@ -26,8 +26,8 @@ bool shareTrunk(const PlanView& plan, const PlanView::Place& a, const PlanView::
   constexpr double kBin = 0.01;  // m
   constexpr auto kBins = static_cast<std::size_t>((kPeaksOfOne + 2.0 * kBodyRadius) / kBin) + 2;
   std::array<double, kBins> area{};
-  const auto first = static_cast<std::size_t>(kTrunkFrom * top / PlanView::kSlab);
-  const auto last = static_cast<std::size_t>(kTrunkTo * top / PlanView::kSlab);
+  const auto first = static_cast<std::size_t>(kHipsAt * top / PlanView::kSlab);
+  const auto last = static_cast<std::size_t>(kShouldersAt * top / PlanView::kSlab);
   double whole = 0.0;
   plan.around(middle, reach, [&](int i, double) {
     const double s = (PlanView::placeOf(i) - middle).dot(along);
