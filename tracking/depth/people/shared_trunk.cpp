@@ -7,7 +7,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kHipsAt = 0.35, kShouldersAt = 0.75;  // share of the height of the peak
-constexpr double kOutliers = 0.03;                    // share of the surface, at each end
+constexpr double kOutliers = 0.03;                     // share of the surface, at each end
 // Simulated people of 1.75 m with raised arms have at most 0.08 m and 0.19 (95 % of the images), two people
 // 0.42 to 0.82 m apart at least 0.12 m and 0.2.
 constexpr double kMaxExcess = 0.10;   // m, extent of the trunk less the distance of the peaks
