@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "humanmodel/joint_covariance.hpp"
-#include "tracking/tracker/crossed_legs.hpp"
+#include "tracking/tracker/crossed_limbs.hpp"
 #include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -40,7 +40,7 @@ constexpr double kStandingHead = 0.85;
 // below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of a
 // person who stands hang higher than markStanding() looks.
 constexpr double kHandsOffFloor = 0.70;
-// Times the cost of crossed legs, at which legs that are not crossed are still the likelier ones.
+// Times the cost of crossed limbs, at which limbs that are not crossed are still the likelier ones.
 constexpr double kUncrossedCost = 1.1;
 constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
 
@@ -219,6 +219,7 @@ void BodyTracker::follow(double dt) {
       continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
+  uncrossArms();
 }
 
 void BodyTracker::find() {
@@ -263,7 +264,7 @@ void BodyTracker::find() {
     if (expected_) tryExpected(middle, top, best);
   }
   body_ = best;
-  if (std::isfinite(body_.misfit.cost) && crossesLegs(body_.X_WS)) uncrossLegs();
+  if (std::isfinite(body_.misfit.cost)) uncrossLegs(), uncrossArms();
   body_.found = body_.misfit.explained > kFoundAbove;
   velocity_.setZero();
   badly_ = 0;
@@ -337,15 +338,29 @@ void BodyTracker::tryExpected(const Vector3d& middle, double top, TrackedBody& b
   if (std::cos(yawOf(best.pose) - *expected_) < 0.0) best = TrackedBody{};
 }
 
-/// Puts each leg at the place of the other one, unless the image then is explained worse.
+/// Legs that a fit has exchanged; while a person is followed, crossed legs are those of somebody who walks.
 void BodyTracker::uncrossLegs() {
+  if (crossesLegs(body_.X_WS)) tryUncrossed(uncrossedLegs(*rig_, body_.pose, body_.X_WS));
+}
+
+/// Arms that a fit has exchanged, as when they are raised above the head within a few images.
+void BodyTracker::uncrossArms() {
+  if (!crossesArms(body_.X_WS)) return;
+  if (tryUncrossed(uncrossedArms(*rig_, body_.pose, body_.X_WS))) velocity_.setZero();
+}
+
+/// Fits from `start`, with each limb at the place of the other one, unless the image then is explained worse.
+/// Returns whether the pose changed.
+bool BodyTracker::tryUncrossed(const RigPose& start) {
   const TrackedBody crossed = body_;
-  body_.pose = uncrossedLegs(*rig_, crossed.pose, crossed.X_WS);
+  body_.pose = start;
   fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
   fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
-  if (body_.misfit.cost > kUncrossedCost * crossed.misfit.cost) body_ = crossed;
+  if (body_.misfit.cost <= kUncrossedCost * crossed.misfit.cost) return true;
+  body_ = crossed;
+  return false;
 }
 
 /// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.

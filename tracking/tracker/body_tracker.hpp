@@ -77,6 +77,8 @@ class BodyTracker {
   void tryStart(const RigPose& start, TrackedBody& best);
   void tryExpected(const Vector3d& middle, double top, TrackedBody& best);
   void uncrossLegs();
+  void uncrossArms();
+  bool tryUncrossed(const RigPose& start);
   void follow(double dt);
   void plantHiddenFeet();
   bool isHeadCut() const;

@@ -1,4 +1,4 @@
-// Legs that a fit has exchanged.
+// Legs and arms that a fit has exchanged.
 #pragma once
 
 #include "tracking/body/body_rig.hpp"
@@ -10,8 +10,14 @@ namespace abstand::tracking {
 /// both.
 bool crossesLegs(const RigPlacement& X_WS);
 
+/// The same of elbows and wrists, seen from the chest. Folded arms cross their forearms alone.
+bool crossesArms(const RigPlacement& X_WS);
+
 /// The pose with each ankle at the place of the other one, as far as the leg reaches, and the knee in front
 /// of it. `X_WS`: the placement of `pose`. Does not allocate or throw.
 RigPose uncrossedLegs(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS);
+
+/// Likewise with the wrists.
+RigPose uncrossedArms(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS);
 
 }  // namespace abstand::tracking
