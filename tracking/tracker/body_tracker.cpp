@@ -343,9 +343,10 @@ void BodyTracker::uncrossLegs() {
   if (crossesLegs(body_.X_WS)) tryUncrossed(uncrossedLegs(*rig_, body_.pose, body_.X_WS));
 }
 
-/// Arms that a fit has exchanged, as when they are raised above the head within a few images.
+/// Arms that a fit has exchanged, as when they are raised above the head within a few images. Not of people
+/// who lie: from above, arms beside the head of somebody on the front look alike either way.
 void BodyTracker::uncrossArms() {
-  if (!crossesArms(body_.X_WS)) return;
+  if (lying_.lies || !crossesArms(body_.X_WS)) return;
   if (tryUncrossed(uncrossedArms(*rig_, body_.pose, body_.X_WS))) velocity_.setZero();
 }
 
