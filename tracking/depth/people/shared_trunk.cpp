@@ -10,9 +10,9 @@ constexpr double kHipsAt = 0.35, kShouldersAt = 0.75;  // share of the height of
 constexpr double kOutliers = 0.03;                     // share of the surface, at each end
 // Simulated people of 1.75 m with raised arms have at most 0.08 m and 0.19 (95 % of the images), two people
 // 0.42 to 0.82 m apart at least 0.12 m and 0.2.
-constexpr double kMaxExcess = 0.10;   // m, extent of the trunk less the distance of the peaks
-constexpr double kMaxBeyond = 0.2;    // share of the surface on the side of a peak that is beyond it
-constexpr double kLeastAcross = 0.4;  // component of the line of the peaks across the view of the camera
+constexpr double kMaxExcess = 0.10;  // m, extent of the trunk less the distance of the peaks
+constexpr double kMaxBeyond = 0.2;   // share of the surface on the side of a peak that is beyond it
+constexpr double kMinAcross = 0.4;   // component of the line of the peaks across the view of the camera
 
 }  // namespace
 
@@ -20,7 +20,7 @@ bool shareTrunk(const PlanView& plan, const PlanView::Place& a, const PlanView::
   const double distance = (b - a).norm();
   if (distance > kPeaksOfOne) return false;
   const PlanView::Place along = (b - a) / distance, middle = 0.5 * (a + b);
-  if (std::abs(along.x()) < kLeastAcross) return false;
+  if (std::abs(along.x()) < kMinAcross) return false;
   const double reach = 0.5 * distance + kBodyRadius;
   // Area by the position along the line.
   constexpr double kBin = 0.01;  // m
