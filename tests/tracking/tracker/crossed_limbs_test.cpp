@@ -5,13 +5,20 @@
 
 #include "tests/tracking/tracker/seated_pose.hpp"
 #include "tests/tracking/tracker/upright_person.hpp"
-#include "tracking/tracker/limb_search.hpp"
+#include "tracking/tracker/raised_arms.hpp"
 
 namespace abstand::tracking {
 namespace crossed_limbs_test {
 
 constexpr double kCrossing = 0.4;    // rad: each knee is 0.1 m beyond the other one
 constexpr double kSamePlace = 0.01;  // m
+constexpr double kRaised = 0.3;      // m, wrists above the shoulders
+
+/// Whether the origins of two segments have exchanged their places.
+void expectExchanged(const RigPlacement& before, const RigPlacement& after, RigSegment a, RigSegment b) {
+  EXPECT_LE((after[index(a)].translation() - before[index(b)].translation()).norm(), kSamePlace);
+  EXPECT_LE((after[index(b)].translation() - before[index(a)].translation()).norm(), kSamePlace);
+}
 
 TEST(CrossedLegs, AreNeitherThoseOfASeatedNorOfAStandingPerson) {
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
@@ -27,13 +34,7 @@ TEST(CrossedLegs, AreUncrossedWithTheAnklesInTheSamePlaces) {
   ASSERT_TRUE(crossesLegs(crossed));
   place(rig, uncrossedLegs(rig, pose, crossed), uncrossed);
   EXPECT_FALSE(crossesLegs(uncrossed));
-  const auto ankle = [](const RigPlacement& X_WS, RigSegment foot) {
-    return Vector3d(X_WS[index(foot)].translation());
-  };
-  EXPECT_LE((ankle(uncrossed, RigSegment::kFootLeft) - ankle(crossed, RigSegment::kFootRight)).norm(),
-            kSamePlace);
-  EXPECT_LE((ankle(uncrossed, RigSegment::kFootRight) - ankle(crossed, RigSegment::kFootLeft)).norm(),
-            kSamePlace);
+  expectExchanged(crossed, uncrossed, RigSegment::kFootLeft, RigSegment::kFootRight);
 }
 
 TEST(CrossedLegs, OnlyOneLegOverTheOtherIsLeft) {
@@ -47,37 +48,20 @@ TEST(CrossedLegs, OnlyOneLegOverTheOtherIsLeft) {
   EXPECT_FALSE(crossesLegs(X_WS));
 }
 
-/// Upright, each wrist `aside` (m) of its shoulder, outwards, and above it.
-RigPlacement raisedAt(const BodyRig& rig, double aside, RigPose& pose) {
-  RigPlacement X_WS = uprightAt(rig, Vector3d::Zero());
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Limb& arm = kLimbs[k];
-    const double side = k == 0 ? 1.0 : -1.0;
-    const Vector3d shoulder = X_WS[index(rig[arm.upper].parent)] * rig[arm.upper].p_parent;
-    reachFor(rig, arm, X_WS, shoulder + side * aside * Vector3d::UnitY() + 0.3 * Vector3d::UnitZ(), 0.0,
-             pose);
-  }
-  place(rig, pose, X_WS);
-  return X_WS;
-}
-
 TEST(CrossedArms, AreUncrossedWithTheWristsInTheSamePlaces) {
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   EXPECT_FALSE(crossesArms(uprightAt(rig, Vector3d::Zero())));
-  RigPose pose, crossing;
-  EXPECT_FALSE(crossesArms(raisedAt(rig, 0.1, pose)));
-  const RigPlacement crossed = raisedAt(rig, -0.45, crossing);
+  RigPose raised, crossing;
+  RigPlacement X_WS, crossed, uncrossed;
+  raiseArms(rig, kRaised, raised, 0.1);
+  place(rig, raised, X_WS);
+  EXPECT_FALSE(crossesArms(X_WS));
+  raiseArms(rig, kRaised, crossing, -0.45);
+  place(rig, crossing, crossed);
   ASSERT_TRUE(crossesArms(crossed));
-  RigPlacement uncrossed;
   place(rig, uncrossedArms(rig, crossing, crossed), uncrossed);
   EXPECT_FALSE(crossesArms(uncrossed));
-  const auto wrist = [](const RigPlacement& X_WS, RigSegment hand) {
-    return Vector3d(X_WS[index(hand)].translation());
-  };
-  EXPECT_LE((wrist(uncrossed, RigSegment::kHandLeft) - wrist(crossed, RigSegment::kHandRight)).norm(),
-            kSamePlace);
-  EXPECT_LE((wrist(uncrossed, RigSegment::kHandRight) - wrist(crossed, RigSegment::kHandLeft)).norm(),
-            kSamePlace);
+  expectExchanged(crossed, uncrossed, RigSegment::kHandLeft, RigSegment::kHandRight);
 }
 
 }  // namespace crossed_limbs_test

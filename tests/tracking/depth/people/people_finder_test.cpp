@@ -275,7 +275,7 @@ TEST(PeopleFinder, UncoveredWallIsNotTakenForPerson) {
   }
 }
 
-// Before, each of them but one was a person in most images.
+// Without the rule for pillars, each of them is a person in 35 to 59 of the 60 images.
 TEST(PeopleFinder, PillarsAreNoPeople) {
   constexpr int kImages = 60;   // at 30 Hz, before the pillar is learned as background
   constexpr int kMayBeTwo = 3;  // images in which the person uncovers the pillar; measured: 2
