@@ -195,22 +195,24 @@ std::string_view segmentName(RigSegment s) { return kNames[index(s)]; }
 
 BodyRig makeRig(const humanmodel::HumanModel& model) { return RigBuilder(model).build(); }
 
+void placeSegment(const BodyRig& rig, const RigPose& pose, RigSegment segment, RigPlacement& X_WS) {
+  const std::size_t i = index(segment);
+  const RigPart& part = rig.parts[i];
+  Matrix3d R_PS;
+  if (part.joint == RigJoint::kBall) {
+    R_PS = pose.R_PS[i].toRotationMatrix();
+  } else {
+    R_PS = Eigen::AngleAxisd(pose.angle[i][0], part.axis[0]).toRotationMatrix();
+    if (part.freedoms > 1) R_PS = R_PS * Eigen::AngleAxisd(pose.angle[i][1], part.axis[1]).toRotationMatrix();
+  }
+  const Transform& X_WP = X_WS[index(part.parent)];
+  X_WS[i].linear() = X_WP.linear() * R_PS;
+  X_WS[i].translation() = X_WP * part.p_parent;
+}
+
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS) {
   X_WS[0] = pose.X_WP;
-  for (std::size_t i = 1; i < kRigSegments; ++i) {
-    const RigPart& part = rig.parts[i];
-    Matrix3d R_PS;
-    if (part.joint == RigJoint::kBall) {
-      R_PS = pose.R_PS[i].toRotationMatrix();
-    } else {
-      R_PS = Eigen::AngleAxisd(pose.angle[i][0], part.axis[0]).toRotationMatrix();
-      if (part.freedoms > 1)
-        R_PS = R_PS * Eigen::AngleAxisd(pose.angle[i][1], part.axis[1]).toRotationMatrix();
-    }
-    const Transform& X_WP = X_WS[index(part.parent)];
-    X_WS[i].linear() = X_WP.linear() * R_PS;
-    X_WS[i].translation() = X_WP * part.p_parent;
-  }
+  for (std::size_t i = 1; i < kRigSegments; ++i) placeSegment(rig, pose, segmentAt(i), X_WS);
 }
 
 Vector3d jointPosition(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint) {

@@ -91,6 +91,8 @@ using RigPlacement = std::array<Transform, kRigSegments>;
 
 /// Forward kinematics. No allocation, no throw.
 void place(const BodyRig& rig, const RigPose& pose, RigPlacement& X_WS);
+/// Of one segment that is not the pelvis, at the pose that X_WS has for its parent.
+void placeSegment(const BodyRig& rig, const RigPose& pose, RigSegment segment, RigPlacement& X_WS);
 
 /// World position (m) of a canonical joint. No allocation, no throw.
 Vector3d jointPosition(const BodyRig& rig, const RigPlacement& X_WS, humanmodel::Joint joint);

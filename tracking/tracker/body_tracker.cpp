@@ -22,6 +22,9 @@ constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
+// Of a limb's positions: times the smallest cost. None that costs more than LimbAlternatives::kAlike times
+// the limb of the fitted body is an alternative.
+constexpr double kKept = 2.0;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
@@ -173,14 +176,11 @@ void BodyTracker::encloseOther(const humanmodel::SkeletonFrame& other) {
   }
 }
 
-void BodyTracker::searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread) {
+void BodyTracker::searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::Scope& legs) {
   bool found = false;
   RigPose other = body_.pose;
-  for (std::size_t k = 0; k < kLimbs.size(); ++k) {
-    const bool arm = kLimbs[k].isArm();
-    found |=
-        limbs_.search(seen_, k, arm ? arm_tries : leg_tries, arm ? arm_spread : leg_spread, random_, other);
-  }
+  for (std::size_t k = 0; k < kLimbs.size(); ++k)
+    found |= limbs_.search(seen_, k, kLimbs[k].isArm() ? arms : legs, random_, other);
   if (!found) return;
   fit_.refine(seen_, other, narrow_, kNarrowSteps, other);
   RigPlacement X_WS;
@@ -214,7 +214,7 @@ void BodyTracker::follow(double dt) {
   body_.pose = expected;
   fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
   fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
-  searchLimbs(100, 0.2, 30, 0.12);
+  searchLimbs({100, 0.2, kKept}, {30, 0.12, kKept});
   velocity_ =
       continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
   place(*rig_, body_.pose, body_.X_WS);
@@ -324,7 +324,7 @@ void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
   body_.pose = start;
   for (int round = 0; round < 3; ++round) {
     fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
-    searchLimbs(120, 0.3, 40, 0.2);
+    searchLimbs({120, 0.3, 1.0}, {40, 0.2, 1.0});
   }
   fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
   place(*rig_, body_.pose, body_.X_WS);

@@ -83,7 +83,7 @@ class BodyTracker {
   void plantHiddenFeet();
   bool isHeadCut() const;
   bool areFeetCut() const;
-  void searchLimbs(int arm_tries, double arm_spread, int leg_tries, double leg_spread);
+  void searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::Scope& legs);
   void finish(double t);
 
   const BodyRig* rig_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/tracker/surface_scores.hpp"
+
 namespace abstand::tracking {
 namespace {
 
@@ -29,6 +31,17 @@ constexpr std::uint32_t kArms =
     DepthFit::bit(RigSegment::kUpperArmLeft) | DepthFit::bit(RigSegment::kUpperArmRight) |
     DepthFit::bit(RigSegment::kForearmLeft) | DepthFit::bit(RigSegment::kForearmRight) |
     DepthFit::bit(RigSegment::kHandLeft) | DepthFit::bit(RigSegment::kHandRight);
+
+/// What a segment is scored with.
+ScoredPoints scoredFor(std::size_t segment, const SeenPoints& points) {
+  return {points, kNormalWeight, (kArms >> segment & 1u) != 0 ? points.no_arm.data() : nullptr};
+}
+
+RigPlacement inverseOf(const RigPlacement& X_WS) {
+  RigPlacement X_SW;
+  for (std::size_t s = 0; s < kRigSegments; ++s) X_SW[s] = X_WS[s].inverse();
+  return X_SW;
+}
 
 /// m^2
 float robustSquare(float score) {
@@ -159,39 +172,33 @@ DepthFit::Violation DepthFit::sunk(const Sample& sample, const Vector3d& p_W) co
   return {-Vector3d::UnitZ(), std::min(below, kMaxViolation)};
 }
 
-/// Of all points to one segment, in score_.
-void DepthFit::score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const {
-  scoreOf(surfaces_[segment], X_WS, points, kNormalWeight, score_.data());
-  if ((kArms >> segment & 1u) == 0) return;
-  for (std::size_t i = 0; i < points.count; ++i) score_[i] += points.no_arm[i];
-}
-
 void DepthFit::assign(const SeenPoints& points, const RigPlacement& X_WS) {
   std::fill_n(best_.begin(), points.count, std::numeric_limits<float>::max());
-  for (std::size_t s = 0; s < kRigSegments; ++s) {
-    score(s, points, X_WS[s]);
-    for (std::size_t i = 0; i < points.count; ++i) {
-      if (score_[i] >= best_[i]) continue;
-      best_[i] = score_[i];
-      segment_[i] = static_cast<std::uint8_t>(s);
-    }
-  }
+  for (std::size_t s = 0; s < kRigSegments; ++s)
+    assignOf(surfaces_[s], X_WS[s], scoredFor(s, points), static_cast<std::int32_t>(s), best_.data(),
+             segment_.data());
 }
 
 void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
                       float* best) const {
   std::fill_n(best, points.count, std::numeric_limits<float>::max());
-  for (std::size_t s = 0; s < kRigSegments; ++s) {
-    if ((segments >> s & 1u) == 0) continue;
-    score(s, points, X_WS[s]);
-    for (std::size_t i = 0; i < points.count; ++i) best[i] = std::min(best[i], score_[i]);
-  }
+  lowerToScores(points, X_WS, segments, best);
+}
+
+void DepthFit::lowerToScores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
+                             float* best) const {
+  for (std::size_t s = 0; s < kRigSegments; ++s)
+    if ((segments >> s & 1u) != 0) scoreOf(surfaces_[s], X_WS[s], scoredFor(s, points), best);
+}
+
+double DepthFit::robustSum(const float* score, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) sum += robustSquare(score[i]);
+  return sum;
 }
 
 double DepthFit::robustMean(const float* score, std::size_t count) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) sum += robustSquare(score[i]);
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0 ? robustSum(score, count) / static_cast<double>(count) : 0.0;
 }
 
 double DepthFit::placeCost(const BodyObservation& seen, const RigPlacement& X_WS,
@@ -218,11 +225,13 @@ DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_
   if (points.count == 0) return m;
   assign(points, X_WS);
   m.cost = robustMean(best_.data(), points.count) + placeCost(seen, X_WS, kAll);
+  const RigPlacement X_SW = inverseOf(X_WS);
   double sum = 0.0;
   std::size_t explained = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
-    const std::size_t s = segment_[i];
-    const double d = seenDistance(surfaces_[s], X_WS[s], points.point(i), seen.eyeOf(i)).d;
+    const auto s = static_cast<std::size_t>(segment_[i]);
+    const Vector3d p = points.point(i), ray = (p - seen.eyeOf(i)).normalized();
+    const double d = seenDistance(surfaces_[s], X_WS[s], X_SW[s], p, ray).d;
     if (std::abs(d) > kExplainedFit) continue;
     ++explained;
     sum += d * d;
@@ -238,14 +247,16 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
   if (points.count == 0) return;
   const double share = kRows / static_cast<double>(points.count);
   const double c2 = weights.reach * weights.reach;
+  for (std::size_t i = 0; i < points.count; ++i) ray_[i] = (points.point(i) - seen.eyeOf(i)).normalized();
   for (int k = 0; k < steps; ++k) {
     solver_.begin(pose);
     const RigPlacement& X_WS = solver_.placement();
+    const RigPlacement X_SW = inverseOf(X_WS);
     assign(points, X_WS);
     for (std::size_t i = 0; i < points.count; ++i) {
-      const std::size_t s = segment_[i];
+      const auto s = static_cast<std::size_t>(segment_[i]);
       const Vector3d p = points.point(i);
-      const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], p, seen.eyeOf(i));
+      const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], X_SW[s], p, ray_[i]);
       const double robust = c2 / (c2 + hit.d * hit.d);
       // The body's surface moves towards the point: moving a point of the segment by v along n reduces the
       // distance by n.v.
@@ -297,7 +308,7 @@ void DepthFit::support(const BodyObservation& seen, const RigPlacement& X_WS,
   std::fill_n(best_.begin(), all.count, std::numeric_limits<float>::max());
   std::fill_n(second.begin(), all.count, std::numeric_limits<float>::max());
   for (std::size_t s = 0; s < kRigSegments; ++s) {
-    score(s, all, X_WS[s]);
+    scores(all, X_WS, 1u << s, score_.data());
     for (std::size_t i = 0; i < all.count; ++i) {
       second[i] = std::min(second[i], std::max(best_[i], score_[i]));
       if (score_[i] < best_[i]) segment[i] = static_cast<std::uint8_t>(s);

@@ -48,7 +48,11 @@ class DepthFit {
 
   /// Misfit of every point to its best segment among those of the mask; after refine() or misfit().
   void scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments, float* best) const;
-  /// Robust mean square of scores.
+  /// Lowers `best` to these.
+  void lowerToScores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
+                     float* best) const;
+  /// Robust squares of scores, m^2.
+  static double robustSum(const float* score, std::size_t count);
   static double robustMean(const float* score, std::size_t count);
   /// Cost (m^2) of the samples of these segments in free space and in other segments.
   double placeCost(const BodyObservation& seen, const RigPlacement& X_WS, std::uint32_t segments) const;
@@ -87,7 +91,6 @@ class DepthFit {
                     const Transform& X_WS) const;
   /// Violation of a sample below the floor; none unless keepAboveFloor().
   Violation sunk(const Sample& sample, const Vector3d& p_W) const;
-  void score(std::size_t segment, const SeenPoints& points, const Transform& X_WS) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
   void addUntwist(const BodyObservation& seen, double weight);
 
@@ -96,7 +99,8 @@ class DepthFit {
   std::vector<Sample> samples_;
   BodySolver solver_;
   bool above_floor_{false};
-  std::array<std::uint8_t, SeenPoints::kMax> segment_{};
+  std::array<std::int32_t, SeenPoints::kMax> segment_{};
+  std::array<Vector3d, SeenPoints::kMax> ray_;  ///< of refine(): from the camera to each point, unit, world
   mutable std::array<float, SeenPoints::kMax> best_{}, score_{};
 };
 

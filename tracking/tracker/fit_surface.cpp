@@ -1,4 +1,4 @@
-// Distances to surfaces, for single points and in batches.
+// Distances of single points to surfaces.
 #include "tracking/tracker/fit_surface.hpp"
 
 #include <cmath>
@@ -30,11 +30,11 @@ double FitSurface::level(const Vector3d& p, Vector3d& gradient) const {
   return k;
 }
 
-SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const Vector3d& p_W,
-                             const Vector3d& eye) {
+SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const Transform& X_SW,
+                             const Vector3d& p_W, const Vector3d& ray) {
   constexpr double kFacing = 0.05;  // cosine; flatter counts as visible
-  const Vector3d p = X_WS.inverse() * p_W - s.centre.cast<double>();
-  const Vector3d view = X_WS.linear().transpose() * (p_W - eye).normalized();
+  const Vector3d p = X_SW * p_W - s.centre.cast<double>();
+  const Vector3d view = X_WS.linear().transpose() * ray;
   Vector3d g;
   const double level = s.level(p, g), slope = g.norm();
   SurfaceDistance hit;
@@ -50,44 +50,6 @@ SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const V
   }
   hit.n = X_WS.linear() * hit.n;
   return hit;
-}
-
-namespace {
-
-/// scoreOf() with the kind of surface as a template parameter, so that the loop has no branch.
-template <bool kDrum>
-void scoreAs(const FitSurface& s, const Transform& X_WS, const SeenPoints& points, float normal_weight,
-             float* score) {
-  const Eigen::Matrix3f R = X_WS.linear().cast<float>();
-  const Vector3f c = (X_WS * s.centre.cast<double>()).cast<float>();
-  const float r00 = R(0, 0), r10 = R(1, 0), r20 = R(2, 0);
-  const float r01 = R(0, 1), r11 = R(1, 1), r21 = R(2, 1);
-  const float r02 = R(0, 2), r12 = R(1, 2), r22 = R(2, 2);
-  const float ia = 1.0f / s.semi.x(), ib = 1.0f / s.semi.y(), ic = 1.0f / s.semi.z();
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const float x = points.x[i] - c.x(), y = points.y[i] - c.y(), z = points.z[i] - c.z();
-    const float qa = (r00 * x + r10 * y + r20 * z) * ia, qb = (r01 * x + r11 * y + r21 * z) * ib,
-                qc = (r02 * x + r12 * y + r22 * z) * ic;
-    const float round = qa * qa + qb * qb, flat = qc * qc;
-    const float level = kDrum ? std::sqrt(std::sqrt(round * round + flat * flat)) : std::sqrt(round + flat);
-    // Gradient times level^3 (drum) or level.
-    const float ga = (kDrum ? round * qa : qa) * ia, gb = (kDrum ? round * qb : qb) * ib,
-                gc = (kDrum ? flat * qc : qc) * ic;
-    const float scale = kDrum ? level * level * level : level;
-    const float inverse = 1.0f / (std::sqrt(ga * ga + gb * gb + gc * gc) + 1e-9f);
-    const float nx = points.nx[i], ny = points.ny[i], nz = points.nz[i];
-    const float along = ((r00 * nx + r10 * ny + r20 * nz) * ga + (r01 * nx + r11 * ny + r21 * nz) * gb +
-                         (r02 * nx + r12 * ny + r22 * nz) * gc) *
-                        inverse;
-    score[i] = std::abs((level - 1.0f) * scale * inverse) + normal_weight * (1.0f - along);
-  }
-}
-
-}  // namespace
-
-void scoreOf(const FitSurface& s, const Transform& X_WS, const SeenPoints& points, float normal_weight,
-             float* score) {
-  (s.drum ? scoreAs<true> : scoreAs<false>)(s, X_WS, points, normal_weight, score);
 }
 
 }  // namespace abstand::tracking

@@ -1,10 +1,9 @@
-// Surfaces of the rig for the depth fit, and distances of many points to them.
+// Surfaces of the rig for the depth fit, and distances to them.
 #pragma once
 
 #include <array>
 
 #include "tracking/body/body_rig.hpp"
-#include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
 
@@ -29,14 +28,10 @@ struct SurfaceDistance {
   Vector3d n{Vector3d::UnitZ()};
 };
 
-/// For a point p_W seen by a camera at `eye`: if the nearest surface faces away from the camera, which is
-/// impossible, the surface that faces it (the tangent plane perpendicular to the view) is used.
-SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const Vector3d& p_W,
-                             const Vector3d& eye);
-
-/// Misfit of every point to the segment: |d| plus `normal_weight` (m) times (1 - n . normal of the point),
-/// into `score`.
-void scoreOf(const FitSurface& s, const Transform& X_WS, const SeenPoints& points, float normal_weight,
-             float* score);
+/// For a point p_W seen by a camera along `ray` (unit, from the camera, world): if the nearest surface faces
+/// away from the camera, which is impossible, the surface that faces it (the tangent plane perpendicular to
+/// the view) is used. X_SW is the inverse of X_WS.
+SurfaceDistance seenDistance(const FitSurface& s, const Transform& X_WS, const Transform& X_SW,
+                             const Vector3d& p_W, const Vector3d& ray);
 
 }  // namespace abstand::tracking

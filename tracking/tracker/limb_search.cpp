@@ -15,6 +15,12 @@ constexpr double kUnderSkin = 0.03;  // m, depth of a joint behind the visible s
 constexpr double kTurnCost = 2e-6;
 constexpr double kLimitCost = 2e-3;
 constexpr std::size_t kPoints = 400;
+constexpr float kOpen = 0.02f;  // m, misfit of a point to all other segments that only the limb can explain
+constexpr double kRoundedDown = 1.0 - 1e-9;  // sums in another order differ by less
+
+std::uint32_t maskOf(const Limb& limb) {
+  return DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
+}
 
 double uniform(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
@@ -63,31 +69,47 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
                                     rig.parts[lower].upper[0]);
 }
 
+/// Sum of the robust squares of the misfits (m^2) to the limb or the others.
+double LimbSearch::squares(const OtherwiseExplained& of, std::uint32_t segments) {
+  const std::size_t count = of.points.count;
+  std::copy_n(of.others.begin(), count, scores_.begin());
+  fit_->lowerToScores(of.points, X_WS_, segments, scores_.data());
+  return DepthFit::robustSum(scores_.data(), count);
+}
+
+/// If the cost exceeds `limit` (m^2), the result may be any number between both.
 double LimbSearch::costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose,
-                          const RigPose& start) {
+                          const RigPose& start, double limit) {
   const BodyRig& rig = fit_->rig();
-  place(rig, pose, X_WS_);
-  const std::uint32_t segments =
-      DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
-  fit_->scores(points_, X_WS_, segments, scores_.data());
-  for (std::size_t i = 0; i < points_.count; ++i) scores_[i] = std::min(scores_[i], others_[i]);
+  for (const RigSegment s : {limb.upper, limb.lower, limb.end}) placeSegment(rig, pose, s, X_WS_);
   const RigPart& part = rig[limb.upper];
   const Vector3d points = pose.R_PS[index(limb.upper)] * part.along;
   const double beyond = std::max(0.0, std::acos(std::clamp(points.dot(part.middle), -1.0, 1.0)) - part.cone);
   const double turned = pose.R_PS[index(limb.upper)].angularDistance(start.R_PS[index(limb.upper)]);
   const double bent = pose.angle[index(limb.lower)][0] - start.angle[index(limb.lower)][0];
-  return DepthFit::robustMean(scores_.data(), points_.count) + fit_->placeCost(seen, X_WS_, segments) +
-         kTurnCost * (turned * turned + bent * bent) + kLimitCost * beyond * beyond;
+  const double of_turn = kTurnCost * (turned * turned + bent * bent), of_limit = kLimitCost * beyond * beyond;
+  const auto count = static_cast<double>(all_.points.count);
+  const std::uint32_t segments = maskOf(limb);
+  if (count > 0.0 && limit < kInfinity) {
+    const double at_least = kRoundedDown * squares(open_, segments) / count + of_turn + of_limit;
+    if (at_least > limit) return at_least;
+  }
+  const double mean = count > 0.0 ? squares(all_, segments) / count : 0.0;
+  return mean + fit_->placeCost(seen, X_WS_, segments) + of_turn + of_limit;
 }
 
-/// Selects points, and scores them to the other segments.
-void LimbSearch::prepare(const BodyObservation& seen, const Limb& limb, const RigPlacement& X_WS) {
-  const SeenPoints& all = seen.points();
-  const std::size_t stride = std::max<std::size_t>(1, all.count / kPoints);
-  points_.count = 0;
-  for (std::size_t i = 0; i < all.count; i += stride) points_.append(all, i);
-  const std::uint32_t mine = DepthFit::bit(limb.upper) | DepthFit::bit(limb.lower) | DepthFit::bit(limb.end);
-  fit_->scores(points_, X_WS, DepthFit::kAll & ~mine, others_.data());
+/// Selects points, and scores them to the other segments at X_WS_.
+void LimbSearch::prepare(const BodyObservation& seen, const Limb& limb) {
+  const SeenPoints& points = seen.points();
+  const std::size_t stride = std::max<std::size_t>(1, points.count / kPoints);
+  all_.points.count = open_.points.count = 0;
+  for (std::size_t i = 0; i < points.count; i += stride) all_.points.append(points, i);
+  fit_->scores(all_.points, X_WS_, DepthFit::kAll & ~maskOf(limb), all_.others.data());
+  for (std::size_t i = 0; i < all_.points.count; ++i) {
+    if (all_.others[i] < kOpen) continue;
+    open_.others[open_.points.count] = all_.others[i];
+    open_.points.append(all_.points, i);
+  }
 }
 
 /// Records the place whose cost was computed last.
@@ -100,18 +122,19 @@ void LimbSearch::keep(std::size_t k, double cost) {
 double LimbSearch::cost(const BodyObservation& seen, std::size_t k, const RigPose& pose) {
   const Limb& limb = kLimbs[k];
   place(fit_->rig(), pose, X_WS_);
-  prepare(seen, limb, X_WS_);
+  prepare(seen, limb);
   return costOf(seen, limb, pose, pose);
 }
 
-bool LimbSearch::search(const BodyObservation& seen, std::size_t k, int tries, double spread,
+bool LimbSearch::search(const BodyObservation& seen, std::size_t k, const Scope& scope,
                         std::mt19937_64& random, RigPose& pose) {
   const Limb& limb = kLimbs[k];
   const RigPose start = pose;
   place(fit_->rig(), start, X_WS_);
   const RigPlacement X_WS = X_WS_;
-  prepare(seen, limb, X_WS);
+  prepare(seen, limb);
   const Vector3d wrist = X_WS[index(limb.end)].translation();
+  const SeenPoints& points = all_.points;
 
   const double before = costOf(seen, limb, start, start);
   tried_[k] = 0;
@@ -121,23 +144,23 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, int tries, d
   const auto attempt = [&](const Vector3d& goal, double swivel) {
     RigPose other = start;
     reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
-    const double cost = costOf(seen, limb, other, start);
+    const double cost = costOf(seen, limb, other, start, scope.kept * smallest_cost);
     keep(k, cost);
     if (cost >= smallest_cost) return;
     smallest_cost = cost;
     pose = other;
     found = true;
   };
-  for (int i = 0; i < tries; ++i) {
+  for (int i = 0; i < scope.tries; ++i) {
     const double swivel = uniform(random, -1.5, 1.5);  // compilers differ in the order of arguments
-    attempt(wrist + normal(random, spread), swivel);
+    attempt(wrist + normal(random, scope.spread), swivel);
   }
-  for (int draw = 0, picked = 0; draw < 40 && picked < kUnexplainedTries && points_.count > 0; ++draw) {
-    const std::size_t i = random() % points_.count;
-    if (others_[i] < kUnexplained) continue;
+  for (int draw = 0, picked = 0; draw < 40 && picked < kUnexplainedTries && points.count > 0; ++draw) {
+    const std::size_t i = random() % points.count;
+    if (all_.others[i] < kUnexplained) continue;
     ++picked;
-    const Vector3d p = points_.point(i);
-    attempt(p + kUnderSkin * (p - seen.views()[points_.view[i]].eye()).normalized(),
+    const Vector3d p = points.point(i);
+    attempt(p + kUnderSkin * (p - seen.views()[points.view[i]].eye()).normalized(),
             uniform(random, -1.5, 1.5));
   }
   if (!limb.isArm()) {

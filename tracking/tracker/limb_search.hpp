@@ -42,7 +42,7 @@ void reachFor(const BodyRig& rig, const Limb& limb, const RigPlacement& X_WS, co
 
 /// A place that was tried.
 struct LimbTry {
-  double cost;           ///< m^2, LimbSearch::cost() of the pose
+  double cost;           ///< m^2, LimbSearch::cost() of the pose, or less than that (LimbSearch::Scope::kept)
   Vector3d middle, end;  ///< m, world: elbow and wrist, knee and ankle
 };
 
@@ -51,11 +51,16 @@ class LimbSearch {
  public:
   explicit LimbSearch(DepthFit& fit) : fit_{&fit} {}
 
-  /// Of kLimbs[`limb`], tries `tries` random positions around the wrist with standard deviation `spread` (m),
-  /// positions of points that no segment explains, and for a leg the straight one below the hip, on which a
-  /// person stands. `pose` changes only if one is better; returns whether it did.
-  bool search(const BodyObservation& seen, std::size_t limb, int tries, double spread,
-              std::mt19937_64& random, RigPose& pose);
+  struct Scope {
+    int tries;      ///< random positions
+    double spread;  ///< m, their standard deviation around the wrist or ankle
+    double kept;    ///< at least 1: of what was tried, costs up to this times the smallest one are exact
+  };
+  /// Of kLimbs[`limb`], tries random positions around the wrist, positions of points that no segment
+  /// explains, and for a leg the straight one below the hip, on which a person stands. `pose` changes only if
+  /// one is better; returns whether it did.
+  bool search(const BodyObservation& seen, std::size_t limb, const Scope& scope, std::mt19937_64& random,
+              RigPose& pose);
   /// What the last search for kLimbs[`limb`] tried, the place where it started included.
   std::span<const LimbTry> tries(std::size_t limb) const { return {tries_[limb].data(), tried_[limb]}; }
   /// Nothing was tried in this image.
@@ -67,15 +72,24 @@ class LimbSearch {
   static constexpr std::size_t kMaxTries = 160;  ///< kept of each search
 
   void keep(std::size_t limb, double cost);
-  void prepare(const BodyObservation& seen, const Limb& limb, const RigPlacement& X_WS);
-  double costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose, const RigPose& start);
+  void prepare(const BodyObservation& seen, const Limb& limb);
+  double costOf(const BodyObservation& seen, const Limb& limb, const RigPose& pose, const RigPose& start,
+                double limit = kInfinity);
 
   DepthFit* fit_;
   std::array<std::array<LimbTry, kMaxTries>, kLimbs.size()> tries_{};
   std::array<std::size_t, kLimbs.size()> tried_{};
-  SeenPoints points_;  ///< subset of the image's points
-  std::array<float, SeenPoints::kMax> others_{}, scores_{};
-  RigPlacement X_WS_;
+  /// Points with their misfit to all segments but those of the limb.
+  struct OtherwiseExplained {
+    SeenPoints points;
+    std::array<float, SeenPoints::kMax> others{};
+  };
+  double squares(const OtherwiseExplained& of, std::uint32_t segments);
+
+  OtherwiseExplained all_;   ///< subset of the image's points
+  OtherwiseExplained open_;  ///< those of them that only the limb can explain
+  std::array<float, SeenPoints::kMax> scores_{};
+  RigPlacement X_WS_;  ///< of the start, and of the limb at the last pose
 };
 
 }  // namespace abstand::tracking

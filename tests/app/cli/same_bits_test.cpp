@@ -51,5 +51,23 @@ TEST_F(Cli, RunIsBitIdenticalForAnySimdAndThreadCount) {
   }
 }
 
+TEST_F(Cli, TrackIsBitIdenticalForAnySimd) {
+  const std::string clip = (folder_.path() / "clip").string();
+  runJson("render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() + " --out " + clip +
+          " --width 320 --end 0.5");
+  std::string first;
+  for (const char* simd : {"on", "off"}) {
+    ::setenv("ABSTAND_SIMD", simd, 1);
+    const std::string out = (folder_.path() / simd).string() + ".csv";
+    const Answer answer = run("track " + clip + " --out " + out);
+    ::unsetenv("ABSTAND_SIMD");
+    ASSERT_EQ(answer.code, 0) << answer.err;
+    const std::string text = readFile(out, 1 << 28, true);
+    if (first.empty()) first = text;
+    EXPECT_TRUE(text == first);
+  }
+  EXPECT_GT(std::count(first.begin(), first.end(), '\n'), 10);
+}
+
 }  // namespace same_bits_test
 }  // namespace abstand::testing

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "tests/support/random_pose.hpp"
+#include "tests/tracking/tracker/small_camera.hpp"
 
 namespace abstand::tracking {
 namespace limb_search_test {
@@ -37,6 +41,65 @@ TEST(ReachFor, ReachesEveryGoalInRange) {
     }
   }
   EXPECT_GT(tried, 200);
+}
+
+/// A board with an arm to the left, and a body in front of it whose arms hang.
+struct SearchedLimbs : ::testing::Test {
+  BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  DepthFit fit{rig};
+  std::unique_ptr<LimbSearch> limbs = std::make_unique<LimbSearch>(fit);
+  std::unique_ptr<BodyObservation> seen = std::make_unique<BodyObservation>();
+  RigPose start;
+
+  SearchedLimbs() {
+    start.X_WP.translation() = Vector3d(0.0, 0.0, 0.95);
+    const DepthCamera camera = smallCamera();
+    DepthImage image(camera.width, camera.height);
+    std::vector<std::uint8_t> is_person(image.z.size(), 0);
+    for (int v = 0; v < image.height; ++v) {
+      for (int u = 0; u < image.width; ++u) {
+        const bool trunk = std::abs(u - 80) < 12, arm = u >= 80 && u < 115 && std::abs(v - 35) < 4;
+        is_person[static_cast<std::size_t>(v * image.width + u)] = trunk || arm;
+        image.at(u, v) = trunk || arm ? 2.4f : 4.0f;
+      }
+    }
+    const PersonImage person{&image, &camera, is_person};
+    seen->update({&person, 1});
+  }
+  /// The pose that a search for a limb ends with.
+  RigPose found(std::size_t limb, double kept) {
+    std::mt19937_64 random(7);
+    RigPose pose = start;
+    EXPECT_TRUE(limbs->search(*seen, limb, {100, 0.3, kept}, random, pose));
+    return pose;
+  }
+};
+
+TEST_F(SearchedLimbs, EndAtTheSamePlaceHoweverManyCostsAreExact) {
+  constexpr double kAll = 1e9;
+  for (const std::size_t limb : {0u, 2u}) {
+    const RigPose exact = found(limb, kAll);
+    const std::vector<LimbTry> all(limbs->tries(limb).begin(), limbs->tries(limb).end());
+    const double smallest =
+        std::min_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.cost < b.cost; })->cost;
+    for (const double kept : {1.0, 1.1}) {
+      const RigPose pose = found(limb, kept);
+      EXPECT_EQ(BodySolver::Vector(difference(rig, exact, pose)).norm(), 0.0);
+      const std::span<const LimbTry> tries = limbs->tries(limb);
+      ASSERT_EQ(tries.size(), all.size());
+      int bounds = 0;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_LE(tries[i].cost, all[i].cost);
+        EXPECT_EQ(tries[i].end, all[i].end);
+        if (all[i].cost <= kept * smallest) {
+          EXPECT_EQ(tries[i].cost, all[i].cost);
+        }
+        EXPECT_TRUE(tries[i].cost == all[i].cost || tries[i].cost > kept * smallest);
+        bounds += tries[i].cost < all[i].cost;
+      }
+      EXPECT_GT(bounds, 5) << "positions that were not scored to the end, " << limb << " " << kept;
+    }
+  }
 }
 
 }  // namespace limb_search_test
