@@ -162,6 +162,7 @@ void BodyTracker::resume(const RigPose& pose, const Lying& lying, double since) 
 
 void BodyTracker::widenHands(const std::array<double, 2>& extent) {
   using enum humanmodel::Joint;
+  body_.held = extent;
   humanmodel::addRadius(body_.frame, kHandLeft, extent[0]);
   humanmodel::addRadius(body_.frame, kHandRight, extent[1]);
 }
@@ -384,6 +385,7 @@ void BodyTracker::finish(double t) {
   body_.frame = humanmodel::SkeletonFrame{};
   body_.frame.t = t;
   body_.visible.fill(0.0);
+  body_.held.fill(0.0);
   if (!body_.found) {
     uncertainty_.forget();
     if (t - found_t_ > kTurns) {

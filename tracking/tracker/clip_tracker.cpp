@@ -13,6 +13,8 @@
 namespace abstand::tracking {
 namespace {
 
+constexpr std::array<humanmodel::Joint, 2> kHands{humanmodel::Joint::kHandLeft,
+                                                  humanmodel::Joint::kHandRight};
 constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -145,7 +147,11 @@ class ClipPasses {
   void record(const ClipMoment& moment, double lag, const TrackedPerson& tracker) {
     noteMoment(track_, place_, moment.id, moment.body.frame.t, &moment.body, true);
     ClipPerson& person = track_.people[place_[moment.id]];
-    if (moment.body.found) noteHeld(person, tracker.held().extent());
+    if (moment.body.found) {
+      const HeldThings::Extents& extent = tracker.held().extent();
+      noteHeld(person, extent);
+      widenEarlier(moment, extent, person.frames);
+    }
     track_.lag = std::max(track_.lag, lag);
     if (person.frames.size() > 1)
       widenByLag(lag, person.frames[person.frames.size() - 2], person.frames.back());
@@ -153,6 +159,22 @@ class ClipPasses {
     const double pause = processorSeconds();
     options_.watch(moment);
     track_.seconds -= processorSeconds() - pause;
+  }
+
+  /// A thing is noticed after some images in which it was in the hand already; the images in which a body was
+  /// chosen are recorded when all of them are known.
+  void widenEarlier(const ClipMoment& moment, const HeldThings::Extents& extent,
+                    std::vector<humanmodel::SkeletonFrame>& frames) {
+    HeldThings::Extents& before = held_[moment.id];
+    for (std::size_t k = 0; k < extent.size(); ++k) {
+      const double more = extent[k] - moment.body.held[k];
+      if (more > 0.0) humanmodel::addRadius(frames.back(), kHands[k], more);
+      const bool is_new = before[k] == 0.0 && extent[k] > 0.0;
+      const std::size_t earlier = is_new ? std::min<std::size_t>(frames.size() - 1, HeldThings::kWindow) : 0;
+      for (std::size_t i = frames.size() - 1 - earlier; i + 1 < frames.size(); ++i)
+        if (frames[i].has(kHands[k])) humanmodel::addRadius(frames[i], kHands[k], extent[k]);
+    }
+    before = extent;
   }
 
   /// People not in these images are lost.
@@ -163,6 +185,7 @@ class ClipPasses {
       if (track_.people[k].frames.back().t < t) track_.people[k].frames.push_back(none);
   }
 
+  std::map<int, HeldThings::Extents> held_;  ///< in the last image, by person
   std::span<const ClipCamera> streams_;
   const ClipTrackerOptions& options_;
   DepthMoments moments_;

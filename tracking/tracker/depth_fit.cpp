@@ -172,11 +172,29 @@ DepthFit::Violation DepthFit::sunk(const Sample& sample, const Vector3d& p_W) co
   return {-Vector3d::UnitZ(), std::min(below, kMaxViolation)};
 }
 
+std::optional<ChairSpace> DepthFit::chairOf(const RigPlacement& X_WS) const {
+  return allows_chair_ ? ChairSpace::of(*rig_, X_WS) : std::nullopt;
+}
+
 void DepthFit::assign(const SeenPoints& points, const RigPlacement& X_WS) {
   std::fill_n(best_.begin(), points.count, std::numeric_limits<float>::max());
   for (std::size_t s = 0; s < kRigSegments; ++s)
     assignOf(surfaces_[s], X_WS[s], scoredFor(s, points), static_cast<std::int32_t>(s), best_.data(),
              segment_.data());
+  const std::optional<ChairSpace> chair = chairOf(X_WS);
+  if (!chair) return;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (best_[i] <= kChairMisfit || !chair->holds(points.point(i))) continue;
+    best_[i] = kChairMisfit;
+    segment_[i] = kChair;
+  }
+}
+
+void DepthFit::lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best) const {
+  const std::optional<ChairSpace> chair = chairOf(X_WS);
+  if (!chair) return;
+  for (std::size_t i = 0; i < points.count; ++i)
+    if (best[i] > kChairMisfit && chair->holds(points.point(i))) best[i] = kChairMisfit;
 }
 
 void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
@@ -227,8 +245,12 @@ DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_
   m.cost = robustMean(best_.data(), points.count) + placeCost(seen, X_WS, kAll);
   const RigPlacement X_SW = inverseOf(X_WS);
   double sum = 0.0;
-  std::size_t explained = 0;
+  std::size_t explained = 0, of_chair = 0;
   for (std::size_t i = 0; i < points.count; ++i) {
+    if (segment_[i] == kChair) {
+      ++of_chair;
+      continue;
+    }
     const auto s = static_cast<std::size_t>(segment_[i]);
     const Vector3d p = points.point(i), ray = (p - seen.eyeOf(i)).normalized();
     const double d = seenDistance(surfaces_[s], X_WS[s], X_SW[s], p, ray).d;
@@ -236,7 +258,8 @@ DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_
     ++explained;
     sum += d * d;
   }
-  m.explained = static_cast<double>(explained) / static_cast<double>(points.count);
+  if (of_chair < points.count)
+    m.explained = static_cast<double>(explained) / static_cast<double>(points.count - of_chair);
   if (explained > 0) m.residual = std::sqrt(sum / static_cast<double>(explained));
   return m;
 }
@@ -254,6 +277,7 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
     const RigPlacement X_SW = inverseOf(X_WS);
     assign(points, X_WS);
     for (std::size_t i = 0; i < points.count; ++i) {
+      if (segment_[i] == kChair) continue;
       const auto s = static_cast<std::size_t>(segment_[i]);
       const Vector3d p = points.point(i);
       const SurfaceDistance hit = seenDistance(surfaces_[s], X_WS[s], X_SW[s], p, ray_[i]);

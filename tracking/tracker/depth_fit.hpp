@@ -5,6 +5,7 @@
 
 #include "tracking/body/body_solver.hpp"
 #include "tracking/tracker/body_observation.hpp"
+#include "tracking/tracker/chair_space.hpp"
 #include "tracking/tracker/fit_surface.hpp"
 
 namespace abstand::tracking {
@@ -28,6 +29,8 @@ class DepthFit {
   const FitSurfaces& surfaces() const { return surfaces_; }
   /// Whether the body must stay above the floor z = 0, too, as for people who lie on it. Initially not.
   void keepAboveFloor(bool above) { above_floor_ = above; }
+  /// Whether the ChairSpace of a person who sits explains points. Initially so.
+  void allowChair(bool allowed) { allows_chair_ = allowed; }
 
   struct Weights {
     BodySolver::Vector prior{BodySolver::Vector::Zero()};  ///< weight towards the expected pose
@@ -51,6 +54,8 @@ class DepthFit {
   /// Lowers `best` to these.
   void lowerToScores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
                      float* best) const;
+  /// Lowers `best` to kChairMisfit for points in the ChairSpace of the pose.
+  void lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best) const;
   /// Robust squares of scores, m^2.
   static double robustSum(const float* score, std::size_t count);
   static double robustMean(const float* score, std::size_t count);
@@ -93,13 +98,16 @@ class DepthFit {
   Violation sunk(const Sample& sample, const Vector3d& p_W) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
   void addUntwist(const BodyObservation& seen, double weight);
+  std::optional<ChairSpace> chairOf(const RigPlacement& X_WS) const;
 
   const BodyRig* rig_;
   FitSurfaces surfaces_;
   std::vector<Sample> samples_;
   BodySolver solver_;
   bool above_floor_{false};
-  std::array<std::int32_t, SeenPoints::kMax> segment_{};
+  bool allows_chair_{true};
+  static constexpr std::int32_t kChair = static_cast<std::int32_t>(kRigSegments);
+  std::array<std::int32_t, SeenPoints::kMax> segment_{};  ///< or kChair
   std::array<Vector3d, SeenPoints::kMax> ray_;  ///< of refine(): from the camera to each point, unit, world
   mutable std::array<float, SeenPoints::kMax> best_{}, score_{};
 };

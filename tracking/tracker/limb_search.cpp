@@ -105,6 +105,7 @@ void LimbSearch::prepare(const BodyObservation& seen, const Limb& limb) {
   all_.points.count = open_.points.count = 0;
   for (std::size_t i = 0; i < points.count; i += stride) all_.points.append(points, i);
   fit_->scores(all_.points, X_WS_, DepthFit::kAll & ~maskOf(limb), all_.others.data());
+  fit_->lowerToChair(all_.points, X_WS_, all_.others.data());
   for (std::size_t i = 0; i < all_.points.count; ++i) {
     if (all_.others[i] < kOpen) continue;
     open_.others[open_.points.count] = all_.others[i];

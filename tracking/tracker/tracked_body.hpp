@@ -14,6 +14,7 @@ struct TrackedBody {
   std::array<double, kRigSegments> visible{};  ///< share of each segment that is visible at its pose
   std::array<double, kRigSegments> support{};  ///< points, DepthFit::support() of the pose
   std::array<double, kRigSegments> gap{};      ///< m, DepthFit::gaps() of the pose
+  std::array<double, 2> held{};                ///< m, BodyTracker::widenHands() of the frame
   humanmodel::SkeletonFrame
       frame;  ///< joints in the world; inferred if little of their segment was seen, missing if lost
 };

@@ -223,7 +223,9 @@ bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) 
   const DepthMisfit upright = now_.track(t, images).misfit;
   const auto attempt = [&](const Stature& stature, bool raised) {
     BodyFollower trial = followerOf(usualBody(stature.used), stature, facing_.away);
+    trial.tracker->allowChair(false);  // the upright body explains all points, too
     const TrackedBody& found = trial.track(t, images);
+    trial.tracker->allowChair(true);
     if (!found.found || found.misfit.cost >= kOtherCost * upright.cost ||
         (raised && !raisesHands(found.frame)))
       return;

@@ -17,6 +17,10 @@ Posture seated(double t) {
           .foot = 0.44,
           .apart = 0.12};
 }
+/// On the feet of seated().
+Posture standingUp(double t) {
+  return {.t = t, .hips = {0.42, 0.0, 0.922}, .reach = 0.46, .foot = 0.44, .apart = 0.12};
+}
 Posture kneeling(double t) {
   return {.t = t,
           .hips = {0.0, 0.0, 0.48},
@@ -260,6 +264,38 @@ std::vector<PosedScene> raisedScenes() {
       scenes.push_back({"hands_" + of, {raised(0.0), raised(1.5), standing(2.0), standing(2.5)}, eye, look});
       scenes.push_back(
           {"raising_" + of, {standing(0.0), standing(0.8), raised(1.3), raised(2.5)}, eye, look});
+    }
+  return scenes;
+}
+
+std::vector<PosedScene> posturesFromAllSides() {
+  constexpr int kSides = 8;
+  const std::vector<Posture> sit{seated(0.0), seated(2.5)}, kneel{kneeling(0.0), kneeling(2.5)};
+  const std::vector<Posture> work{standing(0.0), handsAhead(1.2), standing(2.5)};
+  const std::vector<Posture> bend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
+  const std::vector<Posture> squat{standing(0.0), standing(0.6), squatting(1.5), squatting(2.0),
+                                   standing(3.0)};
+  const std::vector<Posture> sit_down{standingUp(0.0), standingUp(0.6), seated(1.6), seated(2.5)};
+  const std::vector<Posture> stand_up{seated(0.0), seated(0.8), standingUp(1.8), standingUp(2.8)};
+  const std::vector<Posture> kneel_down{standing(0.0), standing(0.6), kneeling(1.6), kneeling(2.5)};
+  const struct {
+    const char* name;
+    const std::vector<Posture>& postures;
+    std::vector<FurnitureBox> furniture;
+  } kinds[] = {{"seated", sit, kChair},           {"kneeling", kneel, {}},
+               {"bench", work, kBench},           {"bending", bend, {}},
+               {"squatting", squat, {}},          {"sitting_down", sit_down, kChair},
+               {"standing_up", stand_up, kChair}, {"kneeling_down", kneel_down, {}}};
+  std::vector<PosedScene> scenes;
+  for (const auto& [name, postures, furniture] : kinds)
+    for (int side = 0; side < kSides; ++side) {
+      const double angle = 2.0 * kPi * side / kSides;
+      const Vector3d eye(2.8 * std::cos(angle), 2.8 * std::sin(angle), 1.2);
+      scenes.push_back({std::string(name) + "_from_" + std::to_string(360 * side / kSides),
+                        postures,
+                        eye,
+                        {0.0, 0.0, 0.9},
+                        furniture});
     }
   return scenes;
 }

@@ -29,6 +29,10 @@ std::vector<PosedScene> heldOutScenes();
 /// and raised after a second (`raising_...`). 80 clips of 2.5 s.
 std::vector<PosedScene> raisedScenes();
 
+/// Seated, kneeling, behind a bench, bending, squatting and changing to and from these, seen from eight
+/// sides. 64 clips of 2.5 to 3 s.
+std::vector<PosedScene> posturesFromAllSides();
+
 /// People who hold bars and boxes.
 std::vector<PosedScene> heldScenes();
 

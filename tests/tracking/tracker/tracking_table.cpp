@@ -40,7 +40,8 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"captures from all sides", clipsOf(scenesFromAllSides())},
           {"postures", clipsOf(posedScenes())},
           {"held-out postures", clipsOf(heldOutScenes())},
-          {"raised hands", clipsOf(raisedScenes())}};
+          {"raised hands", clipsOf(raisedScenes())},
+          {"postures from all sides", clipsOf(posturesFromAllSides())}};
 }
 
 /// Of the person found in the most images: the errors, and in how many images.
@@ -89,7 +90,7 @@ constexpr double kSlice = 0.5;  // s
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
 int printJoints(const std::vector<std::string>& chosen) {
   std::vector<TableClip> clips = clipsOf(posedScenes());
-  for (const auto& scenes : {heldOutScenes(), raisedScenes()})
+  for (const auto& scenes : {heldOutScenes(), raisedScenes(), posturesFromAllSides()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
   for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));

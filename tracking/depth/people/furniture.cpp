@@ -17,16 +17,20 @@ constexpr double kFront = 0.6;        // m, breadth
 constexpr double kFilled = 0.85;      // share of its cells that are sheer
 constexpr double kBeside = 0.05;      // m, distance from the line ...
 constexpr double kBesideFar = 0.006;  // ... and more by the square of the depth (1/m), as a Kinect's noise
+constexpr double kEndFront = 0.44;    // m, of a front with a level top, as of the end of a bench
+constexpr double kLevelShare = 0.8;   // of its cells that have the same top
+constexpr float kLowestEnd = 0.7f;    // m, of that top; higher than the knees of people who sit
 constexpr int kLines = 40;            // tries for each front
 constexpr int kFronts = 3;            // of a component
 constexpr int kGapCells = 2;
 constexpr std::uint8_t kKeptImages = 10;  // that furniture is remembered for, as a search may miss it
 constexpr int kOften = 6;                 // images
 constexpr int kNearCells = 7;
-constexpr float kSameTop = 0.05f;  // m, of a cell in which furniture stays, also if its lower part is hidden
-constexpr float kWall = 1.0f;      // m, fronts higher than that are walls
-constexpr double kDeepest = 1.0;   // m, of the level top of a front
-constexpr float kAbove = 0.03f;    // m, of the surface that belongs to furniture above its top
+constexpr float kSameTop = 0.05f;   // m, of a cell in which furniture stays, also if its lower part is hidden
+constexpr float kWall = 1.0f;       // m, fronts higher than that are walls
+constexpr double kDeepest = 1.0;    // m, of the level top of a front
+constexpr double kContinues = 1.0;  // m that fronts and tops above kLowestEnd go on behind people
+constexpr float kAbove = 0.03f;     // m, of the surface that belongs to furniture above its top
 
 constexpr double kLevel = 0.3;    // m^2
 constexpr float kUneven = 0.01f;  // m, of a level above its median
@@ -50,6 +54,14 @@ using Slabs = std::array<float, 3>;
 bool isSheer(const Slabs& area, float limit) {
   return area[1] > limit && (area[0] > limit || area[2] > limit);
 }
+/// Whether most cells of a front that is no wall end at the same height.
+bool hasLevelTop(std::span<const float> tops, float top) {
+  if (top < kLowestEnd || top > kWall) return false;
+  const auto level =
+      std::count_if(tops.begin(), tops.end(), [&](float t) { return std::abs(t - top) < kLevelBin; });
+  return static_cast<double>(level) >= kLevelShare * static_cast<double>(tops.size());
+}
+
 Slabs lowestSlabs(const PlanView::Cell& c) { return {c.area[0], c.area[1], c.area[2]}; }
 
 }  // namespace
@@ -151,12 +163,12 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
   Random random(1, 0);
   const double middle = 0.5 * static_cast<double>(line_.size()) * PlanView::kCell;
   for (int front = 0; front < kFronts; ++front) {
-    if (static_cast<double>(sheer_.size()) * PlanView::kCell < kFilled * kFront) return;
+    if (static_cast<double>(sheer_.size()) * PlanView::kCell < kFilled * kEndFront) return;
     FrontLine best;
     for (int k = 0; k < kLines; ++k) {
       const Place a = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
       const Place b = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
-      if ((b - a).norm() < 0.5 * kFront) continue;
+      if ((b - a).norm() < 0.5 * kEndFront) continue;
       FrontLine line;
       line.along = (b - a).normalized();
       line.n = {-line.along.y(), line.along.x()};
@@ -177,14 +189,14 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
         last = i;
         ++filled;
         const double breadth = (last + 1 - begin) * PlanView::kCell;
-        if (breadth < std::max(kFront, best.breadth()) || filled * PlanView::kCell < kFilled * breadth)
+        if (breadth < std::max(kEndFront, best.breadth()) || filled * PlanView::kCell < kFilled * breadth)
           continue;
         best = line;
         best.begin = begin * PlanView::kCell - middle;
         best.end = best.begin + breadth;
       }
     }
-    if (best.breadth() < kFront) return;
+    if (best.breadth() < kEndFront) return;
     chosen_.clear();
     tops_.clear();
     for (const int i : component) {
@@ -198,7 +210,9 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
     std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
                      tops_.end());
     const float top = tops_[tops_.size() / 2];
-    for (const int i : chosen_) mark(i, top);
+    if (best.breadth() < kFront && !hasLevelTop(tops_, top)) return;
+    for (const int i : chosen_)
+      if (best.breadth() >= kFront || std::abs(plan.cell(i).top - top) < kLevelBin) mark(i, top);
     std::erase_if(sheer_, [&](int i) { return topOf(i) > 0.0f; });
     // A wall goes on where somebody hides its lower part. What is level with the top of a lower front and
     // beside it is, for instance, the top of a bench that is seen at a low angle.
@@ -208,9 +222,11 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
         if (best.holds(p)) mark(i, static_cast<float>(PlanView::kHighest));
         continue;
       }
-      const double along = best.along.dot(p);
-      if (std::abs(plan.cell(i).top - top) < kLevelBin && std::abs(best.n.dot(p) - best.offset) < kDeepest &&
-          along > best.begin && along < best.end)
+      const double along = best.along.dot(p), behind = top < kLowestEnd ? 0.0 : kContinues;
+      const double beside = best.breadth() < kFront ? 0.0 : behind;
+      if (std::abs(plan.cell(i).top - top) < kLevelBin &&
+          std::abs(best.n.dot(p) - best.offset) < kDeepest + behind && along > best.begin - beside &&
+          along < best.end + beside)
         mark(i, plan.cell(i).top);
     }
   }

@@ -50,6 +50,47 @@ TEST(Furniture, DistinguishesBenchFromPersonBehindIt) {
   EXPECT_EQ(topAt(furniture, {0.05, 2.31}), 0.0f) << "a leg";
 }
 
+TEST(Furniture, FindsTheEndOfABench) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addFront(plan, {-0.25, 1.8}, {0.25, 1.8}, 0.0, 0.75);
+  addLevel(plan, {-0.25, 1.86}, {0.25, 3.4}, 0.75);
+  addPerson(plan, {0.55, 2.6});
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_NEAR(topAt(furniture, {0.1, 1.81}), 0.80f, 0.03f);
+  EXPECT_GT(topAt(furniture, {0.1, 3.3}), 0.75f) << "its top, to the far end";
+  EXPECT_EQ(topAt(furniture, {0.6, 2.61}), 0.0f) << "a leg";
+}
+
+TEST(Furniture, NarrowFrontsWithoutALevelTopAreNone) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addFront(plan, {-0.25, 1.8}, {0.0, 1.8}, 0.0, 0.7);
+  addFront(plan, {0.0, 1.8}, {0.25, 1.8}, 0.0, 1.1);
+  plan.join();
+  EXPECT_FALSE(furniture.find(plan)) << "somebody in a coat";
+  plan.clear();
+  addFront(plan, {-0.25, 1.8}, {0.25, 1.8}, 0.0, 0.55);
+  plan.join();
+  EXPECT_FALSE(furniture.find(plan)) << "calves and knees of somebody who sits";
+}
+
+TEST(Furniture, BenchContinuesBehindAPerson) {
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addFront(plan, {-0.8, 2.2}, {0.0, 2.2}, 0.0, 0.9);
+  addFront(plan, {0.5, 2.2}, {0.7, 2.2}, 0.0, 0.9);
+  addPerson(plan, {0.25, 1.8});
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_NEAR(topAt(furniture, {0.6, 2.21}), 0.93f, 0.03f);
+  EXPECT_EQ(topAt(furniture, {0.31, 1.81}), 0.0f) << "a leg";
+}
+
 TEST(Furniture, PeopleSideBySideAreNotFurniture) {
   PlanView plan;
   Furniture furniture;
