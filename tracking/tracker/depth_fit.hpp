@@ -13,14 +13,16 @@ namespace abstand::tracking {
 /// Fit quality of a pose.
 struct DepthMisfit {
   double cost{kInfinity};  ///< m^2: robust mean over points and free-space samples
-  double explained{0.0};   ///< share of the points within 5 cm of their segment
+  double explained{0.0};   ///< share of the points within 5 cm of their segment, without those of a chair
   double residual{kNaN};   ///< m, RMS distance of those
 };
 
 /// Points of all images attract the surface of the segment that explains them best, by distance and normal,
 /// on its side facing the camera that saw them (Ganapathi and others, ECCV 2012). Sample points on the axes
 /// of the segments must not be in free space of any camera, nor in front of the measured surface, nor inside
-/// of the trunk, the head or the other leg. Not shared between threads; no allocation, no throw.
+/// of the trunk, the head or the other leg. Of a person who sits, points in the ChairSpace attract nothing,
+/// unless a segment explains them better than kChairMisfit. Not shared between threads; no allocation, no
+/// throw.
 class DepthFit {
  public:
   explicit DepthFit(const BodyRig& rig);
