@@ -172,29 +172,23 @@ DepthFit::Violation DepthFit::sunk(const Sample& sample, const Vector3d& p_W) co
   return {-Vector3d::UnitZ(), std::min(below, kMaxViolation)};
 }
 
-std::optional<ChairSpace> DepthFit::chairOf(const RigPlacement& X_WS) const {
-  return allows_chair_ ? ChairSpace::of(*rig_, X_WS) : std::nullopt;
-}
-
 void DepthFit::assign(const SeenPoints& points, const RigPlacement& X_WS) {
   std::fill_n(best_.begin(), points.count, std::numeric_limits<float>::max());
   for (std::size_t s = 0; s < kRigSegments; ++s)
     assignOf(surfaces_[s], X_WS[s], scoredFor(s, points), static_cast<std::int32_t>(s), best_.data(),
              segment_.data());
-  const std::optional<ChairSpace> chair = chairOf(X_WS);
-  if (!chair) return;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    if (best_[i] <= kChairMisfit || !chair->holds(points.point(i))) continue;
-    best_[i] = kChairMisfit;
-    segment_[i] = kChair;
-  }
+  lowerToChair(points, X_WS, best_.data(), segment_.data());
 }
 
-void DepthFit::lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best) const {
-  const std::optional<ChairSpace> chair = chairOf(X_WS);
+void DepthFit::lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best,
+                            std::int32_t* segment) const {
+  const auto chair = allows_chair_ ? ChairSpace::of(*rig_, X_WS) : std::nullopt;
   if (!chair) return;
-  for (std::size_t i = 0; i < points.count; ++i)
-    if (best[i] > kChairMisfit && chair->holds(points.point(i))) best[i] = kChairMisfit;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    if (best[i] <= kChairMisfit || !chair->holds(points.point(i))) continue;
+    best[i] = kChairMisfit;
+    if (segment != nullptr) segment[i] = kChair;
+  }
 }
 
 void DepthFit::scores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,

@@ -56,8 +56,10 @@ class DepthFit {
   /// Lowers `best` to these.
   void lowerToScores(const SeenPoints& points, const RigPlacement& X_WS, std::uint32_t segments,
                      float* best) const;
-  /// Lowers `best` to kChairMisfit for points in the ChairSpace of the pose.
-  void lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best) const;
+  /// Lowers `best` to kChairMisfit for points in the ChairSpace of the pose; where it is lowered, `segment`,
+  /// unless null, becomes kChair.
+  void lowerToChair(const SeenPoints& points, const RigPlacement& X_WS, float* best,
+                    std::int32_t* segment = nullptr) const;
   /// Robust squares of scores, m^2.
   static double robustSum(const float* score, std::size_t count);
   static double robustMean(const float* score, std::size_t count);
@@ -100,7 +102,6 @@ class DepthFit {
   Violation sunk(const Sample& sample, const Vector3d& p_W) const;
   void assign(const SeenPoints& points, const RigPlacement& X_WS);
   void addUntwist(const BodyObservation& seen, double weight);
-  std::optional<ChairSpace> chairOf(const RigPlacement& X_WS) const;
 
   const BodyRig* rig_;
   FitSurfaces surfaces_;

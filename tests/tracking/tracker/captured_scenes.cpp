@@ -62,8 +62,7 @@ std::vector<CapturedScene> hardScenes() {
 }
 
 std::vector<CapturedScene> scenesFromAllSides() {
-  constexpr int kSides = 8;
-  constexpr double kLong = 2.0, kFar = 2.8;  // s, m
+  constexpr double kLong = 2.0;  // s
   const auto mocap = [](const char* file) { return sharedData(std::string("mocap/bvh/") + file); };
   const struct {
     const char* name;
@@ -77,15 +76,10 @@ std::vector<CapturedScene> scenesFromAllSides() {
                   {"sitting", sharedData("kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt"), 0.0}};
   std::vector<CapturedScene> scenes;
   for (const auto& [name, recording, start] : captures)
-    for (int side = 0; side < kSides; ++side) {
-      const double angle = 2.0 * kPi * side / kSides;
-      scenes.push_back({std::string(name) + "_from_" + std::to_string(360 * side / kSides),
-                        {.recording = recording,
-                         .start = start,
-                         .end = start + kLong,
-                         .eye = {kFar * std::cos(angle), kFar * std::sin(angle), 1.2},
-                         .width = 240}});
-    }
+    for (const auto& [suffix, eye] : eightSides())
+      scenes.push_back(
+          {name + suffix,
+           {.recording = recording, .start = start, .end = start + kLong, .eye = eye, .width = 240}});
   return scenes;
 }
 

@@ -5,17 +5,10 @@
 
 #include "tests/support/random_pose.hpp"
 #include "tests/tracking/body/random_rig_pose.hpp"
+#include "tests/tracking/tracker/test_surface.hpp"
 
 namespace abstand::tracking {
 namespace fit_surface_test {
-
-FitSurface surfaceOf(bool drum) {
-  FitSurface s;
-  s.centre = {0.01f, -0.02f, -0.15f};
-  s.semi = {0.06f, 0.09f, 0.2f};
-  s.drum = drum;
-  return s;
-}
 
 class FitSurfaceKinds : public ::testing::TestWithParam<bool> {};
 

@@ -1,4 +1,4 @@
-// People on a chair and behind a bench, from eight sides: the furniture is no part of them, and no person.
+// People on a chair and behind a bench, from several sides: the furniture is no part of them, and no person.
 #include <gtest/gtest.h>
 
 #include <algorithm>

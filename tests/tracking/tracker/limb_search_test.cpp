@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tests/support/random_pose.hpp"
+#include "tests/tracking/tracker/board_observation.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
 
 namespace abstand::tracking {
@@ -48,24 +49,13 @@ struct SearchedLimbs : ::testing::Test {
   BodyRig rig = makeRig(humanmodel::makeHuman({}));
   DepthFit fit{rig};
   std::unique_ptr<LimbSearch> limbs = std::make_unique<LimbSearch>(fit);
-  std::unique_ptr<BodyObservation> seen = std::make_unique<BodyObservation>();
+  std::unique_ptr<BodyObservation> seen = boardSeen(smallCamera(), 2.4f, 4.0f, [](int u, int v) {
+    const bool trunk = std::abs(u - 80) < 12, arm = u >= 80 && u < 115 && std::abs(v - 35) < 4;
+    return trunk || arm;
+  });
   RigPose start;
 
-  SearchedLimbs() {
-    start.X_WP.translation() = Vector3d(0.0, 0.0, 0.95);
-    const DepthCamera camera = smallCamera();
-    DepthImage image(camera.width, camera.height);
-    std::vector<std::uint8_t> is_person(image.z.size(), 0);
-    for (int v = 0; v < image.height; ++v) {
-      for (int u = 0; u < image.width; ++u) {
-        const bool trunk = std::abs(u - 80) < 12, arm = u >= 80 && u < 115 && std::abs(v - 35) < 4;
-        is_person[static_cast<std::size_t>(v * image.width + u)] = trunk || arm;
-        image.at(u, v) = trunk || arm ? 2.4f : 4.0f;
-      }
-    }
-    const PersonImage person{&image, &camera, is_person};
-    seen->update({&person, 1});
-  }
+  SearchedLimbs() { start.X_WP.translation() = Vector3d(0.0, 0.0, 0.95); }
   /// The pose that a search for a limb ends with.
   RigPose found(std::size_t limb, double kept) {
     std::mt19937_64 random(7);

@@ -243,7 +243,6 @@ std::vector<PosedScene> heldOutScenes() {
 }
 
 std::vector<PosedScene> raisedScenes() {
-  constexpr int kSides = 8;
   const struct {
     const char* name;
     double reach, aside, low;
@@ -254,13 +253,12 @@ std::vector<PosedScene> raisedScenes() {
                {"behind_the_head", -0.10, 0.12, 1.65}};
   std::vector<PosedScene> scenes;
   for (const auto& [name, reach, aside, low] : hands)
-    for (int side = 0; side < kSides; ++side) {
+    for (const auto& [suffix, eye] : eightSides()) {
       const auto raised = [reach = reach, aside = aside, low = low](double t) {
         return Posture{.t = t, .reach = reach, .aside = aside, .low = low, .elbows = {0.4, 1.0, 0.0}};
       };
-      const double angle = 2.0 * kPi * side / kSides;
-      const Vector3d eye(2.8 * std::cos(angle), 2.8 * std::sin(angle), 1.2), look(0.0, 0.0, 1.1);
-      const std::string of = std::string(name) + "_from_" + std::to_string(360 * side / kSides);
+      const Vector3d look(0.0, 0.0, 1.1);
+      const std::string of = name + suffix;
       scenes.push_back({"hands_" + of, {raised(0.0), raised(1.5), standing(2.0), standing(2.5)}, eye, look});
       scenes.push_back(
           {"raising_" + of, {standing(0.0), standing(0.8), raised(1.3), raised(2.5)}, eye, look});
@@ -269,7 +267,6 @@ std::vector<PosedScene> raisedScenes() {
 }
 
 std::vector<PosedScene> posturesFromAllSides() {
-  constexpr int kSides = 8;
   const std::vector<Posture> sit{seated(0.0), seated(2.5)}, kneel{kneeling(0.0), kneeling(2.5)};
   const std::vector<Posture> work{standing(0.0), handsAhead(1.2), standing(2.5)};
   const std::vector<Posture> bend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
@@ -288,15 +285,8 @@ std::vector<PosedScene> posturesFromAllSides() {
                {"standing_up", stand_up, kChair}, {"kneeling_down", kneel_down, {}}};
   std::vector<PosedScene> scenes;
   for (const auto& [name, postures, furniture] : kinds)
-    for (int side = 0; side < kSides; ++side) {
-      const double angle = 2.0 * kPi * side / kSides;
-      const Vector3d eye(2.8 * std::cos(angle), 2.8 * std::sin(angle), 1.2);
-      scenes.push_back({std::string(name) + "_from_" + std::to_string(360 * side / kSides),
-                        postures,
-                        eye,
-                        {0.0, 0.0, 0.9},
-                        furniture});
-    }
+    for (const auto& [suffix, eye] : eightSides())
+      scenes.push_back({name + suffix, postures, eye, {0.0, 0.0, 0.9}, furniture});
   return scenes;
 }
 

@@ -14,12 +14,9 @@ namespace seat_points_test {
 
 using enum humanmodel::Joint;
 
-struct SeatPoints : ::testing::Test {
-  BodyRig rig = makeRig(humanmodel::makeHuman({}));
-  RigPlacement X_WS = seatedPlacement(rig);
+struct SeatPoints : ::testing::Test, SeatedPerson {
   std::unique_ptr<SeenPoints> points = std::make_unique<SeenPoints>(), seat = std::make_unique<SeenPoints>();
 
-  Vector3d jointAt(humanmodel::Joint joint) const { return jointPosition(rig, X_WS, joint); }
   void add(const Vector3d& p) {
     const std::size_t i = points->count++;
     points->x[i] = static_cast<float>(p.x());

@@ -27,4 +27,12 @@ inline RigPlacement seatedPlacement(const BodyRig& rig, double swing = 0.0) {
   return X_WS;
 }
 
+struct SeatedPerson {
+  BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  RigPlacement X_WS = seatedPlacement(rig);
+
+  /// m, world.
+  Vector3d jointAt(humanmodel::Joint joint) const { return jointPosition(rig, X_WS, joint); }
+};
+
 }  // namespace abstand::tracking

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "tests/tracking/tracker/board_observation.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
 #include "tests/tracking/tracker/upright_person.hpp"
 #include "tracking/tracker/depth_fit.hpp"
@@ -64,17 +65,7 @@ TEST(Support, IsTheCostThatTheOtherSegmentsAdd) {
   constexpr double kUnexplained = 6.4e-3;  // m^2, cost of a point that nothing explains
   const BodyRig rig = makeRig(humanmodel::makeHuman({}));
   const RigPlacement X_WS = uprightAt(rig, Vector3d::Zero());
-  const DepthCamera camera = smallCamera();
-  DepthImage image(camera.width, camera.height);
-  std::vector<std::uint8_t> is_person(image.z.size(), 0);
-  for (std::size_t i = 0; i < image.z.size(); ++i) {
-    const auto u = static_cast<int>(i % static_cast<std::size_t>(image.width));
-    is_person[i] = std::abs(u - 80) < 25;
-    image.z[i] = is_person[i] ? 2.4f : 4.0f;
-  }
-  const PersonImage person{&image, &camera, is_person};
-  const auto seen = std::make_unique<BodyObservation>();
-  seen->update({&person, 1});
+  const auto seen = boardSeen(smallCamera(), 2.4f, 4.0f, [](int u, int) { return std::abs(u - 80) < 25; });
   const DepthFit fit(rig);
   std::array<double, kRigSegments> support;
   fit.support(*seen, X_WS, support);

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "tracking/depth/formats/depth_stream.hpp"
 #include "tracking/depth/simulator/skin_body.hpp"
@@ -44,6 +46,13 @@ struct SimulatedClip {
 };
 
 SimulatedClip simulate(const ClipPlan& plan);
+
+/// Cameras 2.8 m from the origin, 1.2 m high, every 45 degrees; 0 is ahead of the person, 90 to the left.
+struct SideView {
+  std::string suffix;  ///< of the name of a clip: "_from_45"
+  Vector3d eye;        ///< m
+};
+std::vector<SideView> eightSides();
 
 /// A box that stands or swings in the way: corners, m, world.
 struct FurnitureBox {

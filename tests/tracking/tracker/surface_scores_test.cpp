@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tests/support/random_pose.hpp"
+#include "tests/tracking/tracker/test_surface.hpp"
 
 namespace abstand::tracking {
 namespace surface_scores_test {
@@ -15,15 +16,7 @@ constexpr float kNormalWeight = 0.03f;  // m
 constexpr double kRounding = 1e-5;      // m; float against double
 constexpr float kHighest = std::numeric_limits<float>::max();
 
-FitSurface surfaceOf(bool drum) {
-  FitSurface s;
-  s.centre = {0.01f, -0.02f, -0.15f};
-  s.semi = {0.06f, 0.09f, 0.2f};
-  s.drum = drum;
-  return s;
-}
-
-/// 301 points, so that no vector unit divides their number, in two lots for two segments.
+/// 301 points: not a multiple of any number of lanes.
 struct SurfaceScores : ::testing::TestWithParam<bool> {
   std::unique_ptr<SeenPoints> points = std::make_unique<SeenPoints>();
   std::vector<float> best;

@@ -54,15 +54,15 @@ using Slabs = std::array<float, 3>;
 bool isSheer(const Slabs& area, float limit) {
   return area[1] > limit && (area[0] > limit || area[2] > limit);
 }
+Slabs lowestSlabs(const PlanView::Cell& c) { return {c.area[0], c.area[1], c.area[2]}; }
+
+bool areLevel(float top, float other) { return std::abs(top - other) < kLevelBin; }
 /// Whether most cells of a front that is no wall end at the same height.
 bool hasLevelTop(std::span<const float> tops, float top) {
   if (top < kLowestEnd || top > kWall) return false;
-  const auto level =
-      std::count_if(tops.begin(), tops.end(), [&](float t) { return std::abs(t - top) < kLevelBin; });
+  const auto level = std::count_if(tops.begin(), tops.end(), [&](float t) { return areLevel(t, top); });
   return static_cast<double>(level) >= kLevelShare * static_cast<double>(tops.size());
 }
-
-Slabs lowestSlabs(const PlanView::Cell& c) { return {c.area[0], c.area[1], c.area[2]}; }
 
 }  // namespace
 
@@ -210,9 +210,10 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
     std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
                      tops_.end());
     const float top = tops_[tops_.size() / 2];
-    if (best.breadth() < kFront && !hasLevelTop(tops_, top)) return;
+    const bool is_end = best.breadth() < kFront;
+    if (is_end && !hasLevelTop(tops_, top)) return;
     for (const int i : chosen_)
-      if (best.breadth() >= kFront || std::abs(plan.cell(i).top - top) < kLevelBin) mark(i, top);
+      if (!is_end || areLevel(plan.cell(i).top, top)) mark(i, top);
     std::erase_if(sheer_, [&](int i) { return topOf(i) > 0.0f; });
     // A wall goes on where somebody hides its lower part. What is level with the top of a lower front and
     // beside it is, for instance, the top of a bench that is seen at a low angle.
@@ -223,10 +224,9 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
         continue;
       }
       const double along = best.along.dot(p), behind = top < kLowestEnd ? 0.0 : kContinues;
-      const double beside = best.breadth() < kFront ? 0.0 : behind;
-      if (std::abs(plan.cell(i).top - top) < kLevelBin &&
-          std::abs(best.n.dot(p) - best.offset) < kDeepest + behind && along > best.begin - beside &&
-          along < best.end + beside)
+      const double beside = is_end ? 0.0 : behind;
+      if (areLevel(plan.cell(i).top, top) && std::abs(best.n.dot(p) - best.offset) < kDeepest + behind &&
+          along > best.begin - beside && along < best.end + beside)
         mark(i, plan.cell(i).top);
     }
   }
