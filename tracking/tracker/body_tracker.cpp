@@ -7,6 +7,7 @@
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/crossed_limbs.hpp"
 #include "tracking/tracker/raised_arms.hpp"
+#include "tracking/tracker/seat_points.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -20,6 +21,11 @@ constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
 constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
 constexpr int kBadImages = 5;
+// m^2, of a followed body of somebody who may sit; bodies that fit cost 2e-4 to 4e-4. One that a search finds
+// replaces it if it costs this many times as much, or less. Things in the hands of people who stand cost as
+// much, and a search would put the arms there; legs whose feet are outside of the image, anywhere.
+constexpr double kDoubtful = 5e-4, kBetterCost = 0.7;
+constexpr double kSearchAgain = 0.5;  // s
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 // Of a limb's positions: times the smallest cost. None that costs more than LimbAlternatives::kAlike times
@@ -110,11 +116,13 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
   seen_.update(images);
+  was_replaced_ = false;
   const double highest = seen_.points().top(), top = highest / rig_->height;
   if (!(highest < kLyingTop)) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
   is_cut_ = isCutAbove(images);
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
+  fit_.keepLegsApart(may_sit);
   if (may_sit && !(body_.found && kneels(body_.X_WS))) {
     seen_.markStanding();
     if (body_.found) seen_.setSeatAside(*rig_, body_.X_WS);
@@ -127,6 +135,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     follow(dt);
     badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;
     if (badly_ >= kBadImages) body_.found = false;
+    if (may_sit && body_.found && body_.misfit.cost > kDoubtful && !areFeetCut()) searchAgain(t);
   }
   if (!body_.found && seen_.points().count >= kFewestPoints) {
     find();
@@ -221,6 +230,24 @@ void BodyTracker::follow(double dt) {
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
   uncrossArms();
+}
+
+/// Somebody who sits down, and whose legs were lost in the chair before, is found again on the chair.
+void BodyTracker::searchAgain(double t) {
+  if (t - searched_t_ < kSearchAgain) return;
+  searched_t_ = t;
+  const TrackedBody followed = body_;
+  const BodySolver::Vector velocity = velocity_;
+  const std::mt19937_64 random = random_;
+  const int badly = badly_;
+  find();
+  was_replaced_ =
+      body_.found && body_.misfit.cost < kBetterCost * followed.misfit.cost && sitsOnSeat(*rig_, body_.X_WS);
+  if (was_replaced_) return;
+  body_ = followed;
+  random_ = random;
+  velocity_ = velocity;
+  badly_ = badly;
 }
 
 void BodyTracker::find() {

@@ -62,6 +62,9 @@ class BodyTracker {
   const TrackedBody& search(const BodyTracker& other, double yaw);
   const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
+  /// Whether the last body comes from a search that explains the image much better than the followed one did:
+  /// the bodies before were wrong.
+  bool wasReplaced() const { return was_replaced_; }
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
 
@@ -71,6 +74,7 @@ class BodyTracker {
   static constexpr double kTurns = 1.0;
 
  private:
+  void searchAgain(double t);
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
   void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
@@ -99,10 +103,12 @@ class BodyTracker {
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body
   double appeared_t_{-kInfinity};        ///< s, the first image since the person was found
+  double searched_t_{-kInfinity};        ///< s, of the last search while the person was followed
   double legs_seen_t_{-kInfinity};       ///< s, last image with a calf or a foot
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
   Lying lying_;
+  bool was_replaced_{false};
   bool is_cut_{false};  ///< the upper border of the last image cuts off the person
   bool facing_known_{true};
   bool away_{false};                ///< until the person is found

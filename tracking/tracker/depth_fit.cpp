@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/tracker/leg_contact.hpp"
 #include "tracking/tracker/surface_scores.hpp"
 
 namespace abstand::tracking {
@@ -20,6 +21,7 @@ constexpr double kMaxViolation = 0.3;   // m
 constexpr double kJointLimitWeight = 20.0;  // 1/rad^2; 0.1 rad beyond a limit costs as much as 200 points 3
                                             // cm off
 constexpr double kPlantedWeight = 3.0;      // a hidden foot on the floor has the weight of this many points
+constexpr double kLegsWeight = 6.0;         // legs in each other have the weight of this many points
 constexpr double kStepDamping = 1e-3;
 constexpr double kMaxStepTurn = 0.35;  // rad, m, for each step
 constexpr double kSeenWithin = 0.08;   // m
@@ -31,6 +33,10 @@ constexpr std::uint32_t kArms =
     DepthFit::bit(RigSegment::kUpperArmLeft) | DepthFit::bit(RigSegment::kUpperArmRight) |
     DepthFit::bit(RigSegment::kForearmLeft) | DepthFit::bit(RigSegment::kForearmRight) |
     DepthFit::bit(RigSegment::kHandLeft) | DepthFit::bit(RigSegment::kHandRight);
+
+constexpr std::uint32_t kLegs = DepthFit::bit(RigSegment::kThighLeft) |
+                                DepthFit::bit(RigSegment::kThighRight) |
+                                DepthFit::bit(RigSegment::kCalfLeft) | DepthFit::bit(RigSegment::kCalfRight);
 
 /// What a segment is scored with.
 ScoredPoints scoredFor(std::size_t segment, const SeenPoints& points) {
@@ -80,6 +86,9 @@ std::uint32_t alike(RigSegment s) {
     case kHandLeft:
     case kHandRight:
       return foes(s) | DepthFit::bit(kThighLeft) | DepthFit::bit(kThighRight);
+    case kThighLeft:
+    case kThighRight:
+      return 0;
     default:
       return foes(s);
   }
@@ -228,7 +237,10 @@ double DepthFit::placeCost(const BodyObservation& seen, const RigPlacement& X_WS
       sum += robust(overlap(sample, p_W, k, X_WS[k]).depth);
     }
   }
-  return sum * kSampleWeight / kRows;
+  double of_legs = 0.0;
+  if (legs_apart_ && (segments & kLegs) != 0)
+    for (const LegContact& contact : legContacts(X_WS)) of_legs += robust(contact.depth);
+  return (sum * kSampleWeight + of_legs * kLegsWeight) / kRows;
 }
 
 DepthMisfit DepthFit::misfit(const BodyObservation& seen, const RigPlacement& X_WS) {
@@ -292,6 +304,11 @@ void DepthFit::refine(const BodyObservation& seen, const RigPose& expected, cons
         const Violation in = overlap(sample, p_W, o, X_WS[o]);
         if (in.depth > 0.0) solver_.addPlane(sample.segment, p_W, in.n, in.depth, kSampleWeight);
       }
+    }
+    for (const LegContact& contact : legContacts(X_WS)) {
+      if (!legs_apart_ || contact.depth <= 0.0) continue;
+      solver_.addPlane(contact.left, contact.p_left, -contact.n, 0.5 * contact.depth, kLegsWeight);
+      solver_.addPlane(contact.right, contact.p_right, contact.n, 0.5 * contact.depth, kLegsWeight);
     }
     for (const RigSegment foot : {RigSegment::kFootLeft, RigSegment::kFootRight}) {
       if ((weights.planted & bit(foot)) == 0) continue;

@@ -31,6 +31,8 @@ class DepthFit {
   const FitSurfaces& surfaces() const { return surfaces_; }
   /// Whether the body must stay above the floor z = 0, too, as for people who lie on it. Initially not.
   void keepAboveFloor(bool above) { above_floor_ = above; }
+  /// Whether the axes of both legs keep apart (LegContact), as of people who may sit. Initially not.
+  void keepLegsApart(bool apart) { legs_apart_ = apart; }
   /// Whether the ChairSpace of a person who sits explains points. Initially so.
   void allowChair(bool allowed) { allows_chair_ = allowed; }
 
@@ -109,6 +111,7 @@ class DepthFit {
   BodySolver solver_;
   bool above_floor_{false};
   bool allows_chair_{true};
+  bool legs_apart_{false};
   static constexpr std::int32_t kChair = static_cast<std::int32_t>(kRigSegments);
   std::array<std::int32_t, SeenPoints::kMax> segment_{};  ///< or kChair
   std::array<Vector3d, SeenPoints::kMax> ray_;  ///< of refine(): from the camera to each point, unit, world

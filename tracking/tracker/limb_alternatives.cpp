@@ -19,7 +19,7 @@ void LimbAlternatives::add(std::size_t limb, std::span<const LimbTry> tries, dou
   const Vector3d& end = X_WS[index(kLimbs[limb].end)].translation();
   double of_middle = 0.0, of_end = 0.0;
   for (const LimbTry& other : tries) {
-    if (other.cost > kAlike * cost) continue;
+    if (other.cost > cost + (kAlike - 1.0) * std::max(cost, kDoubtfulCost)) continue;
     of_middle = std::max(of_middle, (other.middle - middle).norm());
     of_end = std::max(of_end, (other.end - end).norm());
   }

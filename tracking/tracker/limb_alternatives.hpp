@@ -14,9 +14,11 @@ class LimbAlternatives {
  public:
   using Distances = std::array<double, humanmodel::kJointCount>;  ///< m
 
-  /// A place counts if it costs at most this times as much as the fitted one. Places that are tried are not
-  /// refined: their cost is an upper bound.
+  /// A place counts if it costs at most this times as much as the fitted one, or more by as much as that is
+  /// for a body of kDoubtfulCost: how well other parts fit tells nothing of a limb. Places that are tried are
+  /// not refined: their cost is an upper bound.
   static constexpr double kAlike = 1.2;
+  static constexpr double kDoubtfulCost = 6e-4;  ///< m^2, of a body that hardly fits
   static constexpr double kFar = 0.15;   ///< m; the vicinity of the fitted place always costs about as much
   static constexpr double kDecay = 0.5;  ///< s, after which a distance counts e times less
 

@@ -54,6 +54,27 @@ void StillThings::update(const PersonImage& image, View& view) {
   }
 }
 
+void StillThings::keepChair() {
+  for (View& view : views_)
+    for (Pixel& pixel : view.pixels) {
+      if (pixel.chair < kChairImages) continue;
+      pixel.apart = kApartImages;
+      pixel.stretch = static_cast<std::uint16_t>(stretch_ - 1);
+      pixel.kept = true;
+    }
+}
+
+void StillThings::forgetChair() {
+  for (View& view : views_)
+    for (Pixel& pixel : view.pixels) pixel.chair = 0;
+}
+
+void StillThings::forget() {
+  for (View& view : views_)
+    for (Pixel& pixel : view.pixels)
+      if (!pixel.kept) pixel = {};
+}
+
 std::span<const PersonImage> StillThings::remove(std::span<const PersonImage> images) {
   images_.clear();
   removed_ = 0;
@@ -65,17 +86,21 @@ std::span<const PersonImage> StillThings::remove(std::span<const PersonImage> im
   return images_;
 }
 
-void StillThings::note(const DepthCamera& camera, const Vector3d& p_C, bool is_apart, View& view) {
+void StillThings::note(const DepthCamera& camera, const Vector3d& p_C, const Reasons& of, View& view) {
   const auto u = static_cast<int>(std::lround(camera.fx * p_C.x() / p_C.z() + camera.cx));
   const auto v = static_cast<int>(std::lround(camera.fy * p_C.y() / p_C.z() + camera.cy));
   const auto z = static_cast<float>(p_C.z());
   for (int y = std::max(0, v - kPointPixels); y <= std::min(camera.height - 1, v + kPointPixels); ++y)
     for (int x = std::max(0, u - kPointPixels); x <= std::min(camera.width - 1, u + kPointPixels); ++x) {
       Pixel& pixel = view.pixels[static_cast<std::size_t>(y * camera.width + x)];
-      if (pixel.z == 0.0f && is_apart) pixel = {z, 0, 0, stretch_, 0};
+      if (pixel.z == 0.0f && (of.is_apart || of.is_chair)) pixel = {.z = z, .stretch = stretch_};
       if (pixel.z == 0.0f || std::abs(pixel.z - z) >= noiseAt(z)) continue;
       pixel.z += kMeanWeight * (z - pixel.z);
-      if (!is_apart || pixel.image == image_ || pixel.apart >= kApartImages) continue;
+      if (of.is_chair && pixel.chair_image != image_ && pixel.chair < kChairImages) {
+        pixel.chair_image = image_;
+        ++pixel.chair;
+      }
+      if (!of.is_apart || pixel.image == image_ || pixel.apart >= kApartImages) continue;
       pixel.image = image_;
       ++pixel.apart;
       pixel.stretch = stretch_;
@@ -105,17 +130,20 @@ void StillThings::noteKnees(const RigPlacement& X_WS) {
 void StillThings::learn(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS) {
   noteKnees(X_WS);
   image_ = static_cast<std::uint16_t>(image_ == 65535 ? 1 : image_ + 1);
-  noteAll(seen, seen.points(), fit, X_WS);
-  noteAll(seen, seen.seat(), fit, X_WS);
+  const std::optional<ChairSpace> chair = ChairSpace::of(fit.rig(), X_WS);
+  noteAll(seen, seen.points(), fit, X_WS, chair);
+  noteAll(seen, seen.seat(), fit, X_WS, chair);
 }
 
 void StillThings::noteAll(const BodyObservation& seen, const SeenPoints& points, const DepthFit& fit,
-                          const RigPlacement& X_WS) {
+                          const RigPlacement& X_WS, const std::optional<ChairSpace>& chair) {
+  const bool is_seat = &points == &seen.seat();
   fit.scores(points, X_WS, DepthFit::kAll, score_.data());
   for (std::size_t i = 0; i < points.count; ++i) {
     const std::size_t k = points.view[i];
     if (k >= images_.size()) continue;
-    note(*images_[k].camera, seen.views()[k].X_CW() * points.point(i), score_[i] > kApart,
+    const bool is_chair = chair && (is_seat || (score_[i] > kChairMisfit && chair->holds(points.point(i))));
+    note(*images_[k].camera, seen.views()[k].X_CW() * points.point(i), {score_[i] > kApart, is_chair},
          viewOf(images_[k]));
   }
 }

@@ -13,6 +13,9 @@ namespace abstand::tracking {
 /// - a knee has moved by kLegMoved since then: what moves with the knees is the person.
 /// Without the second condition, legs that the fit has lost would be things if the person stands still.
 ///
+/// The chair on which a person sits (ChairSpace) does not need the second condition, but becomes a thing only
+/// for another pass over the same images: keepChair().
+///
 /// Only pixels with the depth of the thing are removed from the person: they then count as another surface
 /// that is seen. Things that are hidden for a while are remembered; they are forgotten where the camera looks
 /// past them. Allocates for the first image of a camera; does not throw otherwise. Not shared between
@@ -23,21 +26,32 @@ class StillThings {
   std::span<const PersonImage> remove(std::span<const PersonImage> images);
   /// Learns from the body that was fitted to the result of remove().
   void learn(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS);
+  /// Makes things of the surfaces that were of the chair in kChairImages images, for all images, also where
+  /// forget() is called. If the facing direction is known.
+  void keepChair();
+  /// The person faces the other way: what was learned of a chair is wrong.
+  void forgetChair();
+  /// The poses so far were wrong: what was learned with them, too.
+  void forget();
   /// Number of pixels that show things in the images of the last remove().
   std::size_t removed() const { return removed_; }
 
   static constexpr int kApartImages = 5;
   static constexpr double kLegMoved = 0.15;  ///< m
-  static constexpr float kApart = 0.10f;     ///< m, DepthFit::scores() of a point that is not on the body
+  static constexpr int kChairImages = 15;
+  static constexpr float kApart = 0.10f;  ///< m, DepthFit::scores() of a point that is not on the body
 
  private:
   /// Candidate surface of a pixel.
   struct Pixel {
-    float z{0.0f};             ///< m, mean depth; 0: none
-    std::uint8_t apart{0};     ///< images apart from the body, up to kApartImages
-    std::uint8_t past{0};      ///< consecutive images in which the camera looked past it
-    std::uint16_t stretch{0};  ///< of stretch_, when `apart` became kApartImages
-    std::uint16_t image{0};    ///< of image_, last one counted in `apart`
+    float z{0.0f};                 ///< m, mean depth; 0: none
+    std::uint8_t apart{0};         ///< images apart from the body, up to kApartImages
+    std::uint8_t past{0};          ///< consecutive images in which the camera looked past it
+    std::uint8_t chair{0};         ///< images as a part of a chair, up to kChairImages
+    bool kept{false};              ///< by keepChair()
+    std::uint16_t stretch{0};      ///< of stretch_, when `apart` became kApartImages
+    std::uint16_t image{0};        ///< of image_, last one counted in `apart`
+    std::uint16_t chair_image{0};  ///< likewise in `chair`
   };
   struct View {
     std::size_t number{0};  ///< PersonImage::number
@@ -47,10 +61,14 @@ class StillThings {
   View& viewOf(const PersonImage& image);
   bool isThing(const Pixel& pixel, float z) const;
   void update(const PersonImage& image, View& view);
-  void note(const DepthCamera& camera, const Vector3d& p_C, bool is_apart, View& view);
+  /// What a point is that is not on the body.
+  struct Reasons {
+    bool is_apart, is_chair;
+  };
+  void note(const DepthCamera& camera, const Vector3d& p_C, const Reasons& of, View& view);
   void noteKnees(const RigPlacement& X_WS);
   void noteAll(const BodyObservation& seen, const SeenPoints& points, const DepthFit& fit,
-               const RigPlacement& X_WS);
+               const RigPlacement& X_WS, const std::optional<ChairSpace>& chair);
 
   std::vector<View> views_;
   std::vector<PersonImage> images_;

@@ -92,6 +92,7 @@ KnownBody TrackedPerson::known() const {
     return KnownBody::Side{of.body, of.path, of.held.atStart()};
   };
   KnownBody known{side(now_), std::nullopt, stature_, facing_, things_};
+  if (facing_.decided()) known.things.keepChair();
   if (other_) known.other = side(other_);
   return known;
 }
@@ -123,6 +124,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   compareFacings(t, images);
   const TrackedBody& body = renewBody(t, images) ? track(t, images) : now_.tracker->body();
   if (body.found) noteFirst(t);  // after the likelier direction was assumed
+  if (now_.tracker->wasReplaced()) things_.forget();
   if (body.found) things_.learn(now_.tracker->seen(), now_.tracker->fit(), body.X_WS);
   now_.learn();
   if (other_) {
@@ -262,8 +264,9 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
   if (facing_.decided()) endComparison();
 }
 
-/// Bodies that face as assumed, and the other way, in one image.
+/// Bodies that face as assumed, and the other way, in one image. Evidence with wrong poses does not count.
 void TrackedPerson::addToTrial(double t, const BodyFollower& mine, const BodyFollower& its) {
+  if (mine.tracker->wasReplaced() || its.tracker->wasReplaced()) trial_ = {};
   BySide<FacingEvidence> evidence;
   evidence[facing_.away] = facingEvidence(*mine.tracker);
   evidence[!facing_.away] = facingEvidence(*its.tracker);
@@ -292,6 +295,7 @@ void TrackedPerson::decideFacing(double ratio) {
 void TrackedPerson::assume(bool away) {
   if (away == facing_.away) return;
   facing_.away = away;
+  things_.forgetChair();
   std::swap(now_, other_);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
@@ -64,6 +65,59 @@ TEST(FurnitureFromAllSides, ChairIsNoPartOfThePerson) {
   }
   EXPECT_GE(tracked.within(), kWithin);
   EXPECT_GE(inferred.within(), kHiddenWithin);
+}
+
+// Far legs were fitted to the surface of near ones: 0.71 to 0.80 of the tracked joints within their
+// ellipsoids. Measured: 0.98 to 1.00.
+TEST(FurnitureFromAllSides, LegsThatHideEachOtherAreBesideEachOther) {
+  constexpr double kRawMean = 0.050;  // m
+  JointErrors::Stated tracked, inferred;
+  std::vector<testing::PosedScene> scenes = scenesOf("seated", {90, 270});
+  scenes.push_back(scenesOf("standing_up", {90}).front());
+  for (const testing::PosedScene& scene : scenes) {
+    const Result result = track(scene);
+    EXPECT_EQ(result.found, result.images) << scene.name;
+    tracked.add(result.errors.tracked);
+    inferred.add(result.errors.inferred);
+  }
+  EXPECT_LE(JointErrors::mean(tracked.error), kRawMean);
+  EXPECT_GE(tracked.within(), kWithin);
+  EXPECT_GE(inferred.within(), kHiddenWithin);
+}
+
+// The chair beside somebody who stands was a part of the body, which was not found in 37 of 76 images.
+TEST(FurnitureFromAllSides, ChairIsKnownBeforeSomebodySitsDown) {
+  constexpr double kRawMean = 0.050;  // m, the aim
+  JointErrors::Stated tracked, inferred;
+  for (const testing::PosedScene& scene : scenesOf("sitting_down", {45, 135, 315})) {
+    const Result result = track(scene);
+    EXPECT_EQ(result.found, result.images) << scene.name;
+    EXPECT_LE(JointErrors::mean(result.errors.tracked.error), kRawMean) << scene.name;
+    tracked.add(result.errors.tracked);
+    inferred.add(result.errors.inferred);
+  }
+  EXPECT_GE(tracked.within(), kWithin);
+  EXPECT_GE(inferred.within(), kHiddenWithin);
+}
+
+// The chair behind somebody who walks away was a second person in 80 to 121 of the images.
+TEST(FurnitureFromAllSides, ChairThatIsLeftIsNoPerson) {
+  const std::vector<testing::FurnitureBox> chair{{{-0.67, -0.22, 0.37}, {-0.23, 0.22, 0.41}},
+                                                 {{-0.71, -0.22, 0.0}, {-0.67, 0.22, 0.95}}};
+  int seen = 0;
+  for (const testing::CapturedScene& scene : testing::scenesFromAllSides()) {
+    if (scene.name != "walking_from_90" && scene.name != "walking_from_180") continue;
+    if (!exists(scene.plan.recording)) continue;
+    ++seen;
+    testing::ClipPlan plan = scene.plan;
+    plan.end = plan.start + 3.0;
+    plan.room = true;
+    const auto clip = testing::simulate(plan, testing::simulate(plan).truth, chair);
+    const ClipTrack track = trackClip(*clip.stream, {});
+    ASSERT_EQ(track.people.size(), 1u) << scene.name;
+    EXPECT_GE(testing::compare(track.people[0].frames, clip.truth).tracked.within(), 0.95) << scene.name;
+  }
+  if (seen == 0) GTEST_SKIP() << "no captures";
 }
 
 }  // namespace furniture_from_all_sides_test

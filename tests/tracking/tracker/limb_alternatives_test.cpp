@@ -13,7 +13,7 @@ namespace limb_alternatives_test {
 
 using enum humanmodel::Joint;
 
-constexpr double kCost = 1e-4;  // m^2, of the fitted arm
+constexpr double kCost = 2.0 * LimbAlternatives::kDoubtfulCost;  // m^2
 constexpr double kFarAway = 2.0 * LimbAlternatives::kFar;
 constexpr double kRounding = 1e-12;
 constexpr std::size_t kLeftArm = 0, kRightLeg = 3;  // of kLimbs
@@ -44,6 +44,16 @@ TEST_F(Alternatives, AreTheFarthestPlacesThatCostAboutAsMuch) {
   EXPECT_NEAR(distance(kHandLeft), 0.4, kRounding) << "moves with the wrist";
   for (const humanmodel::Joint joint : {kShoulderLeft, kElbowRight, kWristRight, kKneeLeft, kHead})
     EXPECT_EQ(distance(joint), 0.0);
+}
+
+TEST_F(Alternatives, OfABodyThatFitsWellCostAsMuchMoreAsOfADoubtfulOne) {
+  constexpr double kGood = 0.25 * LimbAlternatives::kDoubtfulCost;
+  constexpr double kMore = (LimbAlternatives::kAlike - 1.0) * LimbAlternatives::kDoubtfulCost;
+  alternatives.begin(0.0);
+  alternatives.add(kLeftArm, std::vector{placeOf(kGood + 0.9 * kMore, 0.2, 0.4)}, kGood, X_WS);
+  alternatives.add(kLeftArm, std::vector{placeOf(kGood + 1.1 * kMore, 0.8, 0.9)}, kGood, X_WS);
+  EXPECT_NEAR(distance(kElbowLeft), 0.2, kRounding);
+  EXPECT_NEAR(distance(kWristLeft), 0.4, kRounding);
 }
 
 TEST_F(Alternatives, OfALegMoveKneeAnkleAndToe) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/no_alloc.hpp"
+#include "tests/tracking/tracker/seated_pose.hpp"
 #include "tests/tracking/tracker/small_camera.hpp"
 #include "tests/tracking/tracker/upright_person.hpp"
 
@@ -33,8 +34,8 @@ struct PostBeside {
   }
   std::size_t postPixels() const { return 6 * 30; }
   RigPlacement placed(const Vector3d& moved) const { return uprightAt(rig, moved); }
-  /// Shows the post at a depth of `post` (m), and learns from the person.
-  void show(float post, const Vector3d& moved) {
+  /// Shows the post at a depth of `post` (m).
+  void look(float post) {
     for (std::size_t i = 0; i < image.z.size(); ++i) {
       is_person[i] = isPost(i);
       image.z[i] = is_person[i] ? post : kWall;
@@ -42,6 +43,10 @@ struct PostBeside {
     const PersonImage person{&image, &camera, is_person};
     const std::span<const PersonImage> left = things.remove({&person, 1});
     seen.update(left);
+  }
+  /// And learns from the person.
+  void show(float post, const Vector3d& moved) {
+    look(post);
     things.learn(seen, fit, placed(moved));
   }
   void show(float post, double moved) { show(post, moved * Vector3d::UnitX()); }
@@ -125,6 +130,65 @@ TEST(StillThings, AreForgottenWhereTheCameraLooksPastThem) {
   scene.showFor(StillThings::kApartImages, kPost, 0.0);
   scene.walk(kPost);
   scene.showFor(8, kShin, kBeyondLegMoved);
+  scene.show(kPost, kBeyondLegMoved);
+  EXPECT_EQ(scene.things.removed(), 0u);
+}
+
+/// The post is behind the back of somebody who sits, facing +x across the view of the camera.
+struct ChairSeen : PostBeside {
+  RigPlacement seated() const {
+    RigPlacement X_WS = seatedPlacement(rig);
+    const Vector3d post = camera.X_WC * camera.at(142.5, 95.0, kPost);
+    const Vector3d back = X_WS[index(RigSegment::kPelvis)].translation() - 0.25 * Vector3d::UnitX();
+    const Vector3d by(post.x() - back.x(), post.y() - back.y(), 0.0);
+    for (Transform& X : X_WS) X.pretranslate(by);
+    return X_WS;
+  }
+  void sit(int images) {
+    for (int k = 0; k < images; ++k) {
+      look(kPost);
+      things.learn(seen, fit, seated());
+    }
+  }
+  std::size_t removedNext() {
+    look(kPost);
+    return things.removed();
+  }
+};
+
+TEST(StillThings, ChairIsOneInTheNextPassOnly) {
+  ChairSeen scene;
+  ASSERT_TRUE(ChairSpace::of(scene.rig, scene.seated())
+                  ->holds(scene.camera.X_WC * scene.camera.at(142.5, 95.0, kPost)));
+  scene.sit(StillThings::kChairImages);
+  EXPECT_EQ(scene.removedNext(), 0u);
+  scene.things.keepChair();
+  EXPECT_EQ(scene.removedNext(), scene.postPixels());
+  scene.things.forget();
+  scene.things.forgetChair();
+  EXPECT_EQ(scene.removedNext(), scene.postPixels()) << "kept";
+}
+
+TEST(StillThings, ChairIsNoneAfterFewImagesOrWrongPoses) {
+  ChairSeen scene;
+  scene.sit(StillThings::kChairImages - 1);
+  scene.things.keepChair();
+  EXPECT_EQ(scene.removedNext(), 0u) << "few images";
+  for (const bool facing : {false, true}) {
+    ChairSeen other;
+    other.sit(StillThings::kChairImages);
+    facing ? other.things.forgetChair() : other.things.forget();
+    other.things.keepChair();
+    EXPECT_EQ(other.removedNext(), 0u) << facing;
+  }
+}
+
+TEST(StillThings, OfWrongPosesAreForgotten) {
+  PostBeside scene;
+  scene.showFor(StillThings::kApartImages, kPost, 0.0);
+  scene.walk(kPost);
+  ASSERT_EQ(scene.things.removed(), scene.postPixels());
+  scene.things.forget();
   scene.show(kPost, kBeyondLegMoved);
   EXPECT_EQ(scene.things.removed(), 0u);
 }

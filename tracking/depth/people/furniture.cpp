@@ -17,6 +17,7 @@ constexpr double kFront = 0.6;        // m, breadth
 constexpr double kFilled = 0.85;      // share of its cells that are sheer
 constexpr double kBeside = 0.05;      // m, distance from the line ...
 constexpr double kBesideFar = 0.006;  // ... and more by the square of the depth (1/m), as a Kinect's noise
+constexpr double kStanding = 0.4;     // share of the cells of a front that are seen near the floor
 constexpr double kEndFront = 0.44;    // m, of a front with a level top, as of the end of a bench
 constexpr double kLevelShare = 0.8;   // of its cells that have the same top
 constexpr float kLowestEnd = 0.7f;    // m, of that top; higher than the knees of people who sit
@@ -62,6 +63,14 @@ bool hasLevelTop(std::span<const float> tops, float top) {
   if (top < kLowestEnd || top > kWall) return false;
   const auto level = std::count_if(tops.begin(), tops.end(), [&](float t) { return areLevel(t, top); });
   return static_cast<double>(level) >= kLevelShare * static_cast<double>(tops.size());
+}
+
+/// Whether a front is seen near the floor. Somebody on a chair, seen from the side, is as broad and as
+/// straight above the seat's edge, but has legs below (0.2 of the cells; benches and their ends 0.6 to 1).
+bool standsOnFloor(const PlanView& plan, std::span<const int> front) {
+  const auto low =
+      std::count_if(front.begin(), front.end(), [&](int i) { return plan.cell(i).area[0] > kMinSheer; });
+  return static_cast<double>(low) >= kStanding * static_cast<double>(front.size());
 }
 
 }  // namespace
@@ -210,6 +219,10 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
     std::nth_element(tops_.begin(), tops_.begin() + static_cast<std::ptrdiff_t>(tops_.size() / 2),
                      tops_.end());
     const float top = tops_[tops_.size() / 2];
+    if (top <= kWall && !standsOnFloor(plan, chosen_)) {
+      std::erase_if(sheer_, [&](int i) { return best.holds(PlanView::placeOf(i)); });
+      continue;
+    }
     const bool is_end = best.breadth() < kFront;
     if (is_end && !hasLevelTop(tops_, top)) return;
     for (const int i : chosen_)

@@ -14,6 +14,8 @@ constexpr double kHeadRadius = 0.16;  // points as high as the head are within t
 constexpr double kBesideHead = 0.32;  // ... and hardly any between that and this one
 constexpr double kHeadDrop = 0.22;    // as high: at most this much lower
 constexpr double kMaxBeside = 0.5;    // cells beside a head, relative to those of the head
+// Cells of shoulders, or of arms at their height, and by how much (m) they are lower.
+constexpr double kShouldersFrom = 0.12, kShouldersTo = 0.30, kHighShoulder = 0.20, kLowShoulder = 0.45;
 constexpr int kMinHeadCells = 3;
 constexpr double kBodyFrom = 0.3, kBodyTo = 0.8;  // share of the head's height
 
@@ -71,6 +73,16 @@ void dropHeadsWithoutBody(const PlanView& plan, std::vector<Head>& heads) {
   }
 }
 
+int shouldersOf(const PlanView& plan, const Head& head) {
+  const float top = plan.cell(head.cell).top;
+  int cells = 0;
+  plan.around(head.place, kShouldersTo, [&](int i, double distance) {
+    const auto drop = static_cast<double>(top - plan.cell(i).top);
+    cells += distance > kShouldersFrom && drop > kHighShoulder && drop < kLowShoulder;
+  });
+  return cells;
+}
+
 }  // namespace
 
 void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads) {
@@ -91,6 +103,7 @@ void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads) 
         heads.erase(heads.begin() + static_cast<std::ptrdiff_t>(b));
       }
   dropHeadsWithoutBody(plan, heads);
+  for (Head& head : heads) head.shoulders = shouldersOf(plan, head);
 }
 
 }  // namespace abstand::tracking

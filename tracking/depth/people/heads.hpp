@@ -14,6 +14,7 @@ struct Head {
   int cell{-1};
   PlanView::Place place{PlanView::Place::Zero()};  ///< m
   double body{0.0};  ///< m^2 of surface below it, nearer to it than to other heads
+  int shoulders{0};  ///< cells beside it that are lower by a head
 };
 
 /// Sets `heads` to those of a plan, at most `max`. After plan.join(). Does not throw; allocates only if

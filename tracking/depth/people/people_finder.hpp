@@ -43,11 +43,12 @@ struct PeopleImage {
 };
 
 /// Projects pixels that are above the floor, not background and not otherwise known to a plan view. A person
-/// is detected by a head: a peak of a head's breadth with free space beside it, above enough of a body.
-/// Touching people are separated by their heads and their earlier positions; people who overlap in the image
-/// but not on the floor are separate anyway. Detected people are followed without a visible head, too. A
-/// person who lies is detected by the outline (LyingPeople), one whose head is above the image, or beside or
-/// under the hands, by the trunk (HeadlessPeople). Raised fists above one trunk are one person (shareTrunk).
+/// is detected by a head: a peak of a head's breadth with free space and shoulders beside it, above enough of
+/// a body. Touching people are separated by their heads and their earlier positions; people who overlap in
+/// the image but not on the floor are separate anyway. Detected people are followed without a visible head,
+/// too. A person who lies is detected by the outline (LyingPeople), one whose head is above the image, or
+/// beside or under the hands, by the trunk (HeadlessPeople). Raised fists above one trunk are one person
+/// (shareTrunk).
 ///
 /// Surfaces too large and flat for a person (Furniture) belong to nobody.
 ///

@@ -91,6 +91,30 @@ TEST(Furniture, BenchContinuesBehindAPerson) {
   EXPECT_EQ(topAt(furniture, {0.31, 1.81}), 0.0f) << "a leg";
 }
 
+TEST(Furniture, SeatWithSomebodyOnItFromTheSideIsNone) {
+  const auto addSeated = [](PlanView& plan) {
+    addFront(plan, {-0.26, 2.0}, {-0.22, 2.0}, 0.0, 0.95);  // back of the chair
+    addFront(plan, {0.18, 2.0}, {0.22, 2.0}, 0.0, 0.37);    // a leg of it
+    addFront(plan, {-0.22, 2.0}, {0.22, 2.0}, 0.37, 0.41);  // seat
+    addFront(plan, {-0.11, 2.0}, {0.45, 2.0}, 0.42, 0.56);  // thigh
+    addFront(plan, {0.36, 2.0}, {0.45, 2.0}, 0.05, 0.42);   // calf
+    addFront(plan, {-0.11, 2.0}, {0.12, 2.0}, 0.56, 1.0);   // trunk
+  };
+  PlanView plan;
+  Furniture furniture;
+  plan.clear();
+  addSeated(plan);
+  plan.join();
+  EXPECT_FALSE(furniture.find(plan));
+  plan.clear();
+  addSeated(plan);
+  addFront(plan, {0.6, 2.0}, {1.4, 2.0}, 0.0, 0.9);
+  plan.join();
+  EXPECT_TRUE(furniture.find(plan));
+  EXPECT_GT(topAt(furniture, {1.0, 2.01}), 0.9f) << "a bench in line with them";
+  EXPECT_EQ(topAt(furniture, {0.4, 2.01}), 0.0f) << "a calf";
+}
+
 TEST(Furniture, PeopleSideBySideAreNotFurniture) {
   PlanView plan;
   Furniture furniture;

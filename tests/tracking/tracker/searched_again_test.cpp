@@ -1,0 +1,71 @@
+// A body that is followed where the person is not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tests/tracking/tracker/seated_pose.hpp"
+#include "tests/tracking/tracker/simulated_clip.hpp"
+#include "tracking/tracker/body_tracker.hpp"
+
+namespace abstand::tracking {
+namespace searched_again_test {
+
+constexpr double kNear = 0.15;  // m, mean error of a pose that is right
+
+testing::SimulatedClip seatedClip() {
+  const std::vector<testing::PosedScene> scenes = testing::posturesFromAllSides();
+  const auto seated =
+      std::find_if(scenes.begin(), scenes.end(), [](const auto& s) { return s.name == "seated_from_45"; });
+  return testing::simulate({.recording = {}, .eye = seated->eye}, testing::posedFrames(seated->postures), {});
+}
+
+/// A person alone in the image, who sits, and a tracker that takes up the body at a place.
+struct SearchedAgain : ::testing::Test {
+  void SetUp() override {
+    start = seatedPose(rig);
+    start.X_WP.translation() = clip.truth[0][humanmodel::Joint::kPelvis];
+  }
+  const TrackedBody& trackNext() {
+    EXPECT_TRUE(clip.stream->next(frame));
+    mask.resize(frame.image.z.size());
+    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
+    const PersonImage image{&frame.image, &clip.stream->camera(), mask};
+    return tracker.track(frame.t, {&image, 1});
+  }
+  double error(std::size_t number) const {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+      sum += (tracker.body().frame.p[j] - clip.truth[number].p[j]).norm();
+    return sum / humanmodel::kJointCount;
+  }
+
+  testing::SimulatedClip clip = seatedClip();
+  BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  BodyTracker tracker{rig, 1};
+  RigPose start;
+  DepthFrame frame;
+  std::vector<std::uint8_t> mask;
+};
+
+TEST_F(SearchedAgain, BodyIsReplacedThatExplainsTheImageBadly) {
+  start.X_WP.translation() += Vector3d(0.0, 1.5, -0.4);
+  tracker.resume(start, {}, 0.0);
+  EXPECT_TRUE(trackNext().found);
+  EXPECT_TRUE(tracker.wasReplaced());
+  EXPECT_LE(error(0), kNear);
+  EXPECT_TRUE(trackNext().found);
+  EXPECT_FALSE(tracker.wasReplaced()) << "in one image only";
+}
+
+TEST_F(SearchedAgain, BodyThatExplainsTheImageIsFollowed) {
+  tracker.resume(start, {}, 0.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(trackNext().found);
+    EXPECT_FALSE(tracker.wasReplaced()) << i;
+    EXPECT_LE(error(i), kNear) << i;
+  }
+}
+
+}  // namespace searched_again_test
+}  // namespace abstand::tracking
