@@ -29,7 +29,8 @@ StillThings::View& StillThings::viewOf(const PersonImage& image) {
 }
 
 bool StillThings::isThing(const Pixel& pixel, float z) const {
-  return pixel.apart >= kApartImages && pixel.stretch != stretch_ && std::abs(pixel.z - z) < noiseAt(z);
+  const bool is_known = pixel.kept || (pixel.apart >= kApartImages && pixel.stretch != stretch_);
+  return is_known && std::abs(pixel.z - z) < noiseAt(z);
 }
 
 void StillThings::update(const PersonImage& image, View& view) {
@@ -56,12 +57,7 @@ void StillThings::update(const PersonImage& image, View& view) {
 
 void StillThings::keepChair() {
   for (View& view : views_)
-    for (Pixel& pixel : view.pixels) {
-      if (pixel.chair < kChairImages) continue;
-      pixel.apart = kApartImages;
-      pixel.stretch = static_cast<std::uint16_t>(stretch_ - 1);
-      pixel.kept = true;
-    }
+    for (Pixel& pixel : view.pixels) pixel.kept = pixel.kept || pixel.chair >= kChairImages;
 }
 
 void StillThings::forgetChair() {
@@ -119,7 +115,7 @@ void StillThings::noteKnees(const RigPlacement& X_WS) {
     // One of the two poses is wrong, and so may be what was learned with it.
     for (View& view : views_)
       for (Pixel& pixel : view.pixels)
-        if (pixel.stretch == stretch_) pixel = {};
+        if (!pixel.kept && pixel.stretch == stretch_) pixel = {};
     knees_ = knees;
   } else if (apart(knees_) > kLegMoved) {
     knees_ = knees;

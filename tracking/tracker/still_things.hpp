@@ -26,8 +26,8 @@ class StillThings {
   std::span<const PersonImage> remove(std::span<const PersonImage> images);
   /// Learns from the body that was fitted to the result of remove().
   void learn(const BodyObservation& seen, const DepthFit& fit, const RigPlacement& X_WS);
-  /// Makes things of the surfaces that were of the chair in kChairImages images, for all images, also where
-  /// forget() is called. If the facing direction is known.
+  /// Makes things of the surfaces that were of the chair in kChairImages images. Only for a person whose
+  /// facing direction is known: the other one has its chair elsewhere. forget() does not forget them.
   void keepChair();
   /// The person faces the other way: what was learned of a chair is wrong.
   void forgetChair();
@@ -38,8 +38,8 @@ class StillThings {
 
   static constexpr int kApartImages = 5;
   static constexpr double kLegMoved = 0.15;  ///< m
-  static constexpr int kChairImages = 15;
-  static constexpr float kApart = 0.10f;  ///< m, DepthFit::scores() of a point that is not on the body
+  static constexpr int kChairImages = 15;    ///< half a second at 30 Hz
+  static constexpr float kApart = 0.10f;     ///< m, DepthFit::scores() of a point that is not on the body
 
  private:
   /// Candidate surface of a pixel.
