@@ -59,7 +59,7 @@ class ClipPasses {
     return track_.interrupted;
   }
 
-  /// First pass: the bodies of the people, and their arrivals.
+  /// First pass: the bodies of the people, where they arrive, and things.
   void learnPeople() {
     moments_.rewind();
     PeopleViews views(cameras_);
@@ -70,7 +70,7 @@ class ClipPasses {
       if (options_.progress) options_.progress(i + 1, 2 * moments_.size());
     }
     learned_.settle(views);
-    arrivals_ = views.arrivals();
+    seen_ = views.seen();
   }
 
   /// A person whom the first pass has learned, at moment `number`, before the first body is chosen.
@@ -108,7 +108,7 @@ class ClipPasses {
   void trackPeople() {
     moments_.rewind();
     PeopleViews views(cameras_);
-    views.expect(arrivals_);
+    views.expect(seen_);
     DepthMoment moment;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
       const double begin = processorSeconds();
@@ -191,7 +191,7 @@ class ClipPasses {
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
   LearnedPeople learned_{options_.person};
-  std::vector<std::vector<Arrival>> arrivals_;  // in the first pass, for each camera
+  std::vector<SeenBefore> seen_;  // in the first pass, for each camera
   std::map<int, TrackedPerson> trackers_;
   std::map<int, StartTrial> starts_;  // of people who are not tracked yet
   std::vector<double> times_;         // s, of all moments so far

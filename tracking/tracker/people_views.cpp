@@ -32,8 +32,14 @@ PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after
     views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
 }
 
-void PeopleViews::expect(const std::vector<std::vector<Arrival>>& arrivals) {
-  for (std::size_t c = 0; c < arrivals.size(); ++c) views_[c].finder.expect(arrivals[c]);
+void PeopleViews::expect(const std::vector<SeenBefore>& seen) {
+  for (std::size_t c = 0; c < seen.size(); ++c) views_[c].finder.expect(seen[c]);
+}
+
+std::vector<SeenBefore> PeopleViews::seen() const {
+  std::vector<SeenBefore> seen;
+  for (const View& view : views_) seen.push_back(view.finder.seen());
+  return seen;
 }
 
 std::vector<std::vector<Arrival>> PeopleViews::arrivals() const {

@@ -41,8 +41,9 @@ class PeopleViews {
   /// With poses in one world; they must outlive this object.
   explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
-  /// For each camera, those of a first pass over the same recordings (PeopleFinder::expect).
-  void expect(const std::vector<std::vector<Arrival>>& arrivals);
+  /// For each camera, what a first pass over the same recordings (PeopleFinder::expect).
+  void expect(const std::vector<SeenBefore>& seen);
+  std::vector<SeenBefore> seen() const;
   std::vector<std::vector<Arrival>> arrivals() const;
 
   /// `moment.t` (s) increases; it must be valid until the last call of each(). `known` may be empty.

@@ -36,6 +36,12 @@ std::vector<CapturedScene> capturedScenes() {
   };
 }
 
+SimulatedClip simulate(const CapturedScene& scene) {
+  SimulatedClip clip = simulate(scene.plan);
+  if (scene.furniture.empty()) return clip;
+  return simulate(scene.plan, std::move(clip.truth), scene.furniture);
+}
+
 std::vector<CapturedScene> hardScenes() {
   const auto mocap = [](const char* file) { return sharedData(std::string("mocap/bvh/") + file); };
   const auto boxing = debianBvh("Boxing_Toes.bvh");

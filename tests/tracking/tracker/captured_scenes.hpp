@@ -8,7 +8,9 @@ namespace abstand::testing {
 struct CapturedScene {
   std::string name;
   ClipPlan plan;
+  std::vector<FurnitureBox> furniture{};
 };
+SimulatedClip simulate(const CapturedScene& scene);
 
 /// In full view. The captures may be missing on a machine.
 std::vector<CapturedScene> capturedScenes();

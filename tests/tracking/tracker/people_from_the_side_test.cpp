@@ -34,7 +34,7 @@ double yawError(const ClipTrack& track, const std::vector<humanmodel::SkeletonFr
 TEST(PeopleFromTheSide, FaceAsTheirFeet) {
   constexpr double kYaw = 20.0;  // degrees
   int clips = 0;
-  for (const auto& [name, plan] : testing::scenesFromAllSides()) {
+  for (const auto& [name, plan, furniture] : testing::scenesFromAllSides()) {
     if ((name != "waving_from_90" && name != "waving_from_270") || !exists(plan.recording)) continue;
     auto clip = testing::simulate(plan);
     const ClipTrack track = trackClip(*clip.stream, {});

@@ -29,7 +29,7 @@ constexpr std::size_t kEnoughHidden = 50;  // joints
 
 TEST(StatedUncertainty, CoversErrorsOfTrackedAndInferredJoints) {
   JointErrors::Stated tracked, inferred;
-  for (const auto& [name, plan] : testing::hardScenes()) {
+  for (const auto& [name, plan, furniture] : testing::hardScenes()) {
     if (!exists(plan.recording)) continue;
     auto clip = testing::simulate(plan);
     const ClipTrack track = trackClip(*clip.stream, {});
@@ -62,7 +62,7 @@ TEST(StatedUncertainty, CoversPeopleFromAllSides) {
   constexpr int kEnoughDecided = 10;
   int decided = 0;
   JointErrors::Stated tracked, inferred;
-  for (const auto& [name, plan] : testing::scenesFromAllSides()) {
+  for (const auto& [name, plan, furniture] : testing::scenesFromAllSides()) {
     if (!exists(plan.recording)) continue;
     if (!name.starts_with("boxing") && !name.starts_with("jumping") && !name.starts_with("sitting")) continue;
     if (name.ends_with("_0") || name.ends_with("45") || name.ends_with("_90") || name.ends_with("315"))
@@ -86,7 +86,7 @@ TEST(StatedUncertainty, CoversPeopleFromAllSides) {
 }
 
 TEST(StatedUncertainty, IsSmallWhereTheBodyExplainsThePersonWell) {
-  for (const auto& [name, plan] : testing::capturedScenes()) {
+  for (const auto& [name, plan, furniture] : testing::capturedScenes()) {
     if (name != "reaching") continue;
     if (!exists(plan.recording)) GTEST_SKIP();
     auto clip = testing::simulate(plan);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "tests/tracking/tracker/beside_things.hpp"
 #include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tests/tracking/tracker/certified_clip.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
@@ -23,8 +24,7 @@ struct TableClip {
 std::vector<TableClip> clipsOf(const std::vector<CapturedScene>& scenes) {
   std::vector<TableClip> clips;
   for (const CapturedScene& scene : scenes)
-    if (exists(scene.plan.recording))
-      clips.push_back({scene.name, [plan = scene.plan] { return simulate(plan); }});
+    if (exists(scene.plan.recording)) clips.push_back({scene.name, [scene] { return simulate(scene); }});
   return clips;
 }
 
@@ -41,7 +41,8 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"postures", clipsOf(posedScenes())},
           {"held-out postures", clipsOf(heldOutScenes())},
           {"raised hands", clipsOf(raisedScenes())},
-          {"postures from all sides", clipsOf(posturesFromAllSides())}};
+          {"postures from all sides", clipsOf(posturesFromAllSides())},
+          {"people beside things", clipsOf(scenesBesideThings())}};
 }
 
 /// Of the person found in the most images: the errors, and in how many images.
@@ -92,7 +93,7 @@ int printJoints(const std::vector<std::string>& chosen) {
   std::vector<TableClip> clips = clipsOf(posedScenes());
   for (const auto& scenes : {heldOutScenes(), raisedScenes(), posturesFromAllSides()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
-  for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides()})
+  for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides(), scenesBesideThings()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
   for (const TableClip& named : clips) {
     if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;

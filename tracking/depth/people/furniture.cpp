@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/math/random.hpp"
 #include "tracking/depth/people/pillars.hpp"
 
 namespace abstand::tracking {
@@ -29,6 +28,8 @@ constexpr int kOften = 6;                 // images
 constexpr int kNearCells = 7;
 constexpr float kSameTop = 0.05f;   // m, of a cell in which furniture stays, also if its lower part is hidden
 constexpr float kWall = 1.0f;       // m, fronts higher than that are walls
+constexpr float kRoomWall = 1.9f;   // m, walls that go on beyond gaps; people are lower
+constexpr double kCutShare = 0.2;   // of a wall, that the upper border of the image cuts off
 constexpr double kDeepest = 1.0;    // m, of the level top of a front
 constexpr double kContinues = 1.0;  // m that fronts and tops above kLowestEnd go on behind people
 constexpr float kAbove = 0.03f;     // m, of the surface that belongs to furniture above its top
@@ -36,18 +37,6 @@ constexpr float kAbove = 0.03f;     // m, of the surface that belongs to furnitu
 constexpr double kLevel = 0.3;    // m^2
 constexpr float kUneven = 0.01f;  // m, of a level above its median
 constexpr float kLowestLevel = 0.3f, kHighestLevel = 1.2f, kLevelBin = 0.04f;
-
-/// Points p with n . p = offset; `along` is perpendicular to n.
-struct FrontLine {
-  Place n{Place::Zero()}, along{Place::Zero()};
-  double offset{0.0};
-  double begin{0.0}, end{0.0};  ///< m along the line, of the longest run
-  double breadth() const { return end - begin; }
-  bool holds(const Place& p) const {
-    const double beside = kBeside + kBesideFar * p.y() * p.y();
-    return std::abs(n.dot(p) - offset) < beside;
-  }
-};
 
 /// Surface (m^2) in the lowest three slabs.
 using Slabs = std::array<float, 3>;
@@ -74,6 +63,23 @@ bool standsOnFloor(const PlanView& plan, std::span<const int> front) {
 }
 
 }  // namespace
+
+/// Points p with n . p = offset; `along` is perpendicular to n.
+struct Furniture::FrontLine {
+  Place n{Place::Zero()}, along{Place::Zero()};
+  double offset{0.0};
+  double begin{0.0}, end{0.0};  ///< m along the line, of the longest run
+  double breadth() const { return end - begin; }
+  bool holds(const Place& p) const {
+    const double beside = kBeside + kBesideFar * p.y() * p.y();
+    return std::abs(n.dot(p) - offset) < beside;
+  }
+  /// Whether its run is there.
+  bool runsOver(const Place& p) const {
+    const double at = along.dot(p);
+    return holds(p) && at >= begin - PlanView::kCell && at <= end + PlanView::kCell;
+  }
+};
 
 Furniture::Furniture()
     : top_(static_cast<std::size_t>(PlanView::kColumns) * PlanView::kRows, 0.0f),
@@ -165,54 +171,57 @@ void Furniture::mark(int cell, float top) {
   if (found_[k] < 255) ++found_[k];
 }
 
+/// Of the sheer cells, along lines through two of them; without breadth: none.
+Furniture::FrontLine Furniture::longestFront(const PlanView& plan, Random& random) {
+  const double middle = 0.5 * static_cast<double>(line_.size()) * PlanView::kCell;
+  FrontLine best;
+  for (int k = 0; k < kLines; ++k) {
+    const Place a = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
+    const Place b = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
+    if ((b - a).norm() < 0.5 * kEndFront) continue;
+    FrontLine line;
+    line.along = (b - a).normalized();
+    line.n = {-line.along.y(), line.along.x()};
+    line.offset = line.n.dot(a);
+    std::fill(line_.begin(), line_.end(), Slabs{});
+    for (const int i : sheer_) {
+      const Place p = PlanView::placeOf(i);
+      if (!line.holds(p)) continue;
+      Slabs& sum = line_[static_cast<std::size_t>((line.along.dot(p) + middle) / PlanView::kCell)];
+      const Slabs area = lowestSlabs(plan.cell(i));
+      for (std::size_t slab = 0; slab < sum.size(); ++slab) sum[slab] += area[slab];
+    }
+    // The longest run.
+    int begin = -1, last = -1, filled = 0;
+    for (int i = 0; i < static_cast<int>(line_.size()); ++i) {
+      if (!isSheer(line_[static_cast<std::size_t>(i)], kSheer)) continue;
+      if (begin < 0 || i - last > kGapCells) begin = i, filled = 0;
+      last = i;
+      ++filled;
+      const double breadth = (last + 1 - begin) * PlanView::kCell;
+      if (breadth < std::max(kEndFront, best.breadth()) || filled * PlanView::kCell < kFilled * breadth)
+        continue;
+      best = line;
+      best.begin = begin * PlanView::kCell - middle;
+      best.end = best.begin + breadth;
+    }
+  }
+  return best;
+}
+
 void Furniture::findFronts(const PlanView& plan, std::span<const int> component) {
   sheer_.clear();
   for (const int i : component)
     if (isSheer(lowestSlabs(plan.cell(i)), kMinSheer)) sheer_.push_back(i);
   Random random(1, 0);
-  const double middle = 0.5 * static_cast<double>(line_.size()) * PlanView::kCell;
   for (int front = 0; front < kFronts; ++front) {
     if (static_cast<double>(sheer_.size()) * PlanView::kCell < kFilled * kEndFront) return;
-    FrontLine best;
-    for (int k = 0; k < kLines; ++k) {
-      const Place a = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
-      const Place b = PlanView::placeOf(sheer_[random.below(sheer_.size())]);
-      if ((b - a).norm() < 0.5 * kEndFront) continue;
-      FrontLine line;
-      line.along = (b - a).normalized();
-      line.n = {-line.along.y(), line.along.x()};
-      line.offset = line.n.dot(a);
-      std::fill(line_.begin(), line_.end(), Slabs{});
-      for (const int i : sheer_) {
-        const Place p = PlanView::placeOf(i);
-        if (!line.holds(p)) continue;
-        Slabs& sum = line_[static_cast<std::size_t>((line.along.dot(p) + middle) / PlanView::kCell)];
-        const Slabs area = lowestSlabs(plan.cell(i));
-        for (std::size_t slab = 0; slab < sum.size(); ++slab) sum[slab] += area[slab];
-      }
-      // The longest run.
-      int begin = -1, last = -1, filled = 0;
-      for (int i = 0; i < static_cast<int>(line_.size()); ++i) {
-        if (!isSheer(line_[static_cast<std::size_t>(i)], kSheer)) continue;
-        if (begin < 0 || i - last > kGapCells) begin = i, filled = 0;
-        last = i;
-        ++filled;
-        const double breadth = (last + 1 - begin) * PlanView::kCell;
-        if (breadth < std::max(kEndFront, best.breadth()) || filled * PlanView::kCell < kFilled * breadth)
-          continue;
-        best = line;
-        best.begin = begin * PlanView::kCell - middle;
-        best.end = best.begin + breadth;
-      }
-    }
+    const FrontLine best = longestFront(plan, random);
     if (best.breadth() < kEndFront) return;
     chosen_.clear();
     tops_.clear();
     for (const int i : component) {
-      const Place p = PlanView::placeOf(i);
-      const double along = best.along.dot(p);
-      if (!best.holds(p) || along < best.begin - PlanView::kCell || along > best.end + PlanView::kCell)
-        continue;
+      if (!best.runsOver(PlanView::placeOf(i))) continue;
       chosen_.push_back(i);
       tops_.push_back(plan.cell(i).top);
     }
@@ -228,20 +237,33 @@ void Furniture::findFronts(const PlanView& plan, std::span<const int> component)
     for (const int i : chosen_)
       if (!is_end || areLevel(plan.cell(i).top, top)) mark(i, top);
     std::erase_if(sheer_, [&](int i) { return topOf(i) > 0.0f; });
-    // A wall goes on where somebody hides its lower part. What is level with the top of a lower front and
-    // beside it is, for instance, the top of a bench that is seen at a low angle.
-    for (const int i : plan.used()) {
-      const Place p = PlanView::placeOf(i);
-      if (top > kWall) {
-        if (best.holds(p)) mark(i, static_cast<float>(PlanView::kHighest));
-        continue;
-      }
-      const double along = best.along.dot(p), behind = top < kLowestEnd ? 0.0 : kContinues;
-      const double beside = is_end ? 0.0 : behind;
-      if (areLevel(plan.cell(i).top, top) && std::abs(best.n.dot(p) - best.offset) < kDeepest + behind &&
-          along > best.begin - beside && along < best.end + beside)
-        mark(i, plan.cell(i).top);
-    }
+    top > kWall ? markWall(plan, best) : markLevel(plan, best, top);
+  }
+}
+
+/// A wall goes on in its plane where somebody hides its lower part; beside a lower one, as a cupboard,
+/// somebody may stand. chosen_ are its cells, tops_ their tops.
+void Furniture::markWall(const PlanView& plan, const FrontLine& line) {
+  const auto cut = std::count_if(chosen_.begin(), chosen_.end(), [&](int i) { return plan.cell(i).cut; });
+  const bool goes_on = *std::max_element(tops_.begin(), tops_.end()) > kRoomWall ||
+                       static_cast<double>(cut) * PlanView::kCell > kCutShare * line.breadth();
+  for (const int i : plan.used()) {
+    const Place p = PlanView::placeOf(i);
+    if (goes_on ? line.holds(p) : line.runsOver(p)) mark(i, static_cast<float>(PlanView::kHighest));
+  }
+}
+
+/// What is level with the top of a lower front and beside it is, for instance, the top of a bench that is
+/// seen at a low angle.
+void Furniture::markLevel(const PlanView& plan, const FrontLine& line, float top) {
+  const double behind = top < kLowestEnd ? 0.0 : kContinues;
+  const double beside = line.breadth() < kFront ? 0.0 : behind;
+  for (const int i : plan.used()) {
+    const Place p = PlanView::placeOf(i);
+    const double along = line.along.dot(p);
+    if (areLevel(plan.cell(i).top, top) && std::abs(line.n.dot(p) - line.offset) < kDeepest + behind &&
+        along > line.begin - beside && along < line.end + beside)
+      mark(i, plan.cell(i).top);
   }
 }
 

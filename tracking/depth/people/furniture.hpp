@@ -3,17 +3,19 @@
 
 #include <vector>
 
+#include "core/math/random.hpp"
 #include "tracking/depth/people/plan_view.hpp"
 
 namespace abstand::tracking {
 
 /// Three kinds of things are furniture: sheer surfaces below 0.75 m, straight in plan view and at least 0.6 m
 /// broad without a gap, or 0.44 m if they end at one height between 0.7 and 1 m (benches and their ends,
-/// cupboards; if higher than 1 m: walls, with all that continues them; if higher than 0.7 m, with what
-/// continues them at the same height within 1 m, as behind somebody), level ones between 0.3 and 1.2 m of at
-/// least 0.3 m^2 (tables), and pillars, which are at least 1 m high and as broad and deep at the floor as at
-/// the top (sheerShare). Legs are no such front, since there is a gap between them, and a bowed back is
-/// smaller. Chairs are smaller, too, and not found (ChairSpace).
+/// cupboards; if higher than 1 m: walls, with all that continues them if they are higher than 1.9 m or the
+/// image cuts them off; if higher than 0.7 m, with what continues them at the same height within 1 m, as
+/// behind somebody), level ones between 0.3 and 1.2 m of at least 0.3 m^2 (tables), and pillars, which are at
+/// least 1 m high and as broad and deep at the floor as at the top (sheerShare). Legs are no such front,
+/// since there is a gap between them, and a bowed back is smaller. Chairs are smaller, too, and not found
+/// (ChairSpace, ThingsBeside).
 ///
 /// Not shared between threads. find() does not allocate or throw.
 class Furniture {
@@ -32,6 +34,10 @@ class Furniture {
 
  private:
   void findFronts(const PlanView& plan, std::span<const int> component);
+  struct FrontLine;
+  FrontLine longestFront(const PlanView& plan, Random& random);
+  void markWall(const PlanView& plan, const FrontLine& line);
+  void markLevel(const PlanView& plan, const FrontLine& line, float top);
   void findLevels(const PlanView& plan, std::span<const int> component);
   void mark(int cell, float top);
   bool isKept(int cell) const;

@@ -19,13 +19,18 @@ constexpr double kYoung = 1.0;  // s
 // the back of a chair, or a part of the other.
 constexpr double kSplit = 0.4, kSplitLow = 0.8;
 constexpr float kLowestOfNew = 1.2f;  // m
-// Cells of shoulders (Head::shoulders) of a new person, and of one whose head is that low. Most heads of
-// people have more than 4, but fewer in some images with raised arms; all but one of 554 low ones have at
-// least 19. Backs of chairs have 0 to 4.
-constexpr int kMinShoulders = 3, kMinShouldersOfLow = 8;
+// Cells of shoulders (Head::shoulders) of a new person, of one with less than kSmallBody (m^2) of surface,
+// and of one whose head is that low. Most heads of people have more than 4, but fewer in some images with
+// raised arms; all but one of 554 low ones have at least 19. Backs of chairs have 0 to 4, in some images 8;
+// boxes on a post 3 to 8, and 0.05 to 0.12 m^2. People have 0.08 m^2 and more in the image in which they are
+// found.
+constexpr int kMinShoulders = 3, kMinShouldersOfSmall = 10, kMinShouldersOfLow = 12;
+constexpr double kFewestBody = 0.075, kSmallBody = 0.13;
 // m^2: a new person this near (kSplitLow) to another has so much of a body of its own; a bucket that is
 // lifted has less. Half of a trunk that faces the camera.
 constexpr double kBodyBeside = 0.15;
+// m, m^2: surface of a new person that is so near to the middle of a known one is the known one's.
+constexpr double kConnectedWithin = 0.2, kConnectedArea = 0.02;
 constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
 // m: a person who was found this near to an arrival is the one who arrived.
@@ -39,7 +44,12 @@ std::size_t pixelsOf(const DepthCamera& camera) {
 }  // namespace
 
 PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options)
-    : camera_(camera), options_(options), background_(pixelsOf(camera), options.learn_after) {
+    : camera_(camera),
+      options_(options),
+      things_(camera),
+      pieces_(camera),
+      is_object_(pixelsOf(camera), 0),
+      background_(pixelsOf(camera), options.learn_after) {
   floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixelsOf(camera), -1);
@@ -52,8 +62,9 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   people_.persons.reserve(kMaxPeople);
 }
 
-void PeopleFinder::expect(std::vector<Arrival> arrivals) {
-  expected_ = std::move(arrivals);
+void PeopleFinder::expect(SeenBefore seen) {
+  expected_ = std::move(seen.arrivals);
+  things_.expect(seen.things);
   for (const Arrival& arrival : expected_) next_id_ = std::max(next_id_, arrival.id + 1);
 }
 
@@ -114,6 +125,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
       const bool is_background = background_.has(i, z);
       if (is_background && !(notes_background && u % kEvery == 0)) continue;
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
+      if (!is_background && things_.has(i, z)) continue;
       const float x = x_[static_cast<std::size_t>(u)];
       const float rise = U.x() * x + up_row;  // slope of the ray
       const float h = z * rise + height;
@@ -182,7 +194,7 @@ void PeopleFinder::follow(double t) {
 }
 
 /// Heads that no known person has are those of new people.
-void PeopleFinder::addHeads(double t) {
+void PeopleFinder::addHeads(double t, const DepthImage& image) {
   // The highest first: a bar in the hand of a person who sits is lower than the head.
   std::sort(heads_.begin(), heads_.end(), [&](const Head& a, const Head& b) {
     const float top_a = plan_.cell(a.cell).top, top_b = plan_.cell(b.cell).top;
@@ -191,16 +203,43 @@ void PeopleFinder::addHeads(double t) {
   for (const Head& head : heads_) {
     const Place place = middleOfBody(plan_, head.place);
     const bool is_low = plan_.cell(head.cell).top < kLowestOfNew;
-    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople) &&
-                  head.shoulders >= (is_low ? kMinShouldersOfLow : kMinShoulders);
+    const int fewest = is_low                   ? kMinShouldersOfLow
+                       : head.body < kSmallBody ? kMinShouldersOfSmall
+                                                : kMinShoulders;
+    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople) && head.shoulders >= fewest &&
+                  head.body >= kFewestBody;
     const double apart = is_low ? kSplitLow : kSplit;
+    bool is_near = false;
     for (const Track& track : tracks_) {
       if (!track.here || (track.born == t && !is_low)) continue;
       const double distance = (track.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
+      is_near = is_near || distance < kSplitLow;
     }
+    if (is_new && is_near) is_new = hasOwnBody(head, image);
     if (is_new) addTrack(t, place, idAt(t, place));
   }
+}
+
+/// Whether the surface at a head is enough of a body, and no part of a known person, as a hand above a chair.
+bool PeopleFinder::hasOwnBody(const Head& head, const DepthImage& image) {
+  std::size_t seed = cell_of_.size();
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+    is_object_[i] = cell_of_[i] >= 0;
+    if (cell_of_[i] == head.cell && seed == cell_of_.size()) seed = i;
+  }
+  if (seed == cell_of_.size()) return false;
+  const SurfacePiece piece = pieces_.pieceAt(seed, image, is_object_, 1);
+  const double pixel = 1.0 / (camera_.fx * camera_.fy);
+  double own = 0.0, others = 0.0;
+  for (const std::uint32_t i : pieces_.pixels(piece)) {
+    const Place place = PlanView::placeOf(cell_of_[i]);
+    const double area = static_cast<double>(image.z[i] * image.z[i]) * pixel;
+    if ((place - head.place).norm() < kBodyRadius) own += area;
+    for (const Track& track : tracks_)
+      if (track.here && (track.place - place).norm() < kConnectedWithin) others += area;
+  }
+  return own >= kBodyBeside && others < kConnectedArea;
 }
 
 /// People who will be found soon, and are already where they will be.
@@ -350,10 +389,11 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   people_.persons.clear();
   findFloor(t, image);
   if (!people_.floor) estimateFloorFromScene(image);
+  things_.look(image);
   projectToPlan(image, known);
   findHeads(plan_, kMaxPeople, heads_);
   follow(t);
-  addHeads(t);
+  addHeads(t, image);
   followLying(t);
   followHeadless(t);
   addExpected(t);
@@ -363,6 +403,10 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   assignCells(std::span(places).first(tracks_.size()), plan_);
   label(image);
   dropUncovered(image);
+  for (std::size_t p = 0; p < tracks_.size(); ++p)
+    if (tracks_[p].here)
+      things_.find(image, plane_, cell_of_, tracks_[p].place, static_cast<std::uint8_t>(p + 1),
+                   people_.label);
   describe(t, image);
   last_t_ = t;
   return people_;

@@ -8,6 +8,7 @@
 #include "tracking/depth/people/learned_background.hpp"
 #include "tracking/depth/people/lying_people.hpp"
 #include "tracking/depth/people/plan_view.hpp"
+#include "tracking/depth/people/things_beside.hpp"
 
 namespace abstand::tracking {
 
@@ -25,6 +26,12 @@ struct Arrival {
   PlanView::Place place{PlanView::Place::Zero()};  ///< m, in the plan view of the camera
   double area{0.0};                                ///< m^2 of visible surface around it
   double t{0.0};                                   ///< s
+};
+
+/// What a finder knows after a recording.
+struct SeenBefore {
+  std::vector<Arrival> arrivals;
+  std::vector<ThingPixel> things;
 };
 
 struct FoundPerson {
@@ -50,7 +57,9 @@ struct PeopleImage {
 /// beside or under the hands, by the trunk (HeadlessPeople). Raised fists above one trunk are one person
 /// (shareTrunk).
 ///
-/// Surfaces too large and flat for a person (Furniture) belong to nobody.
+/// Surfaces too large and flat for a person (Furniture) belong to nobody, nor do things that stand beside a
+/// person (ThingsBeside). A new person near a known one needs a body that is not connected to that of the
+/// known one.
 ///
 /// Background is learned for each pixel: the farthest depth of an unassigned surface that was stable for
 /// `learn_after`. A detected person is never learned; an undetected person who stands still is. Newly
@@ -70,11 +79,14 @@ class PeopleFinder {
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
   /// Of a finder that has seen the same images: these people get the same ids, and are foreseen in up to
-  /// kForesight of images before, as soon as a surface of the size that they had is at the place.
-  void expect(std::vector<Arrival> arrivals);
+  /// kForesight of images before, as soon as a surface of the size that they had is at the place. Things are
+  /// known from the first image on.
+  void expect(SeenBefore seen);
   static constexpr double kForesight = 1.0;  ///< s
   /// Of all people so far, at most kMaxArrivals.
   const std::vector<Arrival>& arrivals() const { return arrivals_; }
+  /// These, and the things in the last image.
+  SeenBefore seen() const { return {arrivals_, things_.things()}; }
 
   /// `t` (s) increases. `known`: depths (m; 0: none) of known objects, such as a robot; pixels within 6 cm of
   /// them or behind them are unassigned. The result is valid until the next call.
@@ -101,7 +113,8 @@ class PeopleFinder {
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void follow(double t);
-  void addHeads(double t);
+  void addHeads(double t, const DepthImage& image);
+  bool hasOwnBody(const Head& head, const DepthImage& image);
   void followLying(double t);
   void followHeadless(double t);
   void keepOrAdd(double t, const Place& place, double reach);
@@ -122,7 +135,10 @@ class PeopleFinder {
   Furniture furniture_;
   LyingPeople lying_;
   HeadlessPeople headless_;
-  std::vector<int> cell_of_;  ///< of each pixel; -1: ignored
+  ThingsBeside things_;
+  SurfacePieces pieces_;
+  std::vector<std::uint8_t> is_object_;  ///< of each pixel, for pieces_
+  std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
   LearnedBackground background_;
   std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;

@@ -75,7 +75,7 @@ TEST(ExpectedPeople, AreFoundBeforeTheirHeads) {
   EXPECT_EQ(before[6], (std::vector<int>{2, 1}));
   ASSERT_EQ(first.arrivals().size(), 2u);
   PeopleFinder second(levelCamera());
-  second.expect(first.arrivals());
+  second.expect(first.seen());
   for (const std::vector<int>& ids : look(scene, second, {0, 6})) EXPECT_EQ(ids, (std::vector<int>{2, 1}));
 }
 
@@ -86,7 +86,7 @@ TEST(ExpectedPeople, KeepTheirNumbersInAnotherOrder) {
   const auto before = look(scene, first);
   EXPECT_EQ(before[4], (std::vector<int>{1}));
   EXPECT_EQ(before[8], (std::vector<int>{2, 1}));
-  second.expect(first.arrivals());
+  second.expect(first.seen());
   const auto after = look(scene, second, {4, 8});
   EXPECT_EQ(after[0], (std::vector<int>{2}));
   EXPECT_EQ(after[2], (std::vector<int>{2}));
@@ -98,7 +98,7 @@ TEST(ExpectedPeople, AreNotWhereNobodyIsYet) {
   const Scene scene{.head_from = {8, 0}, .there_from = {8, 0}};
   PeopleFinder first(levelCamera()), second(levelCamera());
   const auto before = look(scene, first);
-  second.expect(first.arrivals());
+  second.expect(first.seen());
   EXPECT_EQ(look(scene, second), before);
 }
 
@@ -107,7 +107,7 @@ TEST(ExpectedPeople, AreFoundAtMostOneSecondEarlier) {
   const Scene scene{.head_from = {kLate, 0}};
   PeopleFinder first(levelCamera()), second(levelCamera());
   look(scene, first);
-  second.expect(first.arrivals());
+  second.expect(first.seen());
   const auto after = look(scene, second, {0, kLate});
   const int earliest = kLate - static_cast<int>(std::lround(PeopleFinder::kForesight / kStep));
   for (int i = 0; i < kImages; ++i)

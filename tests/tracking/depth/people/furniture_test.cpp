@@ -64,6 +64,21 @@ TEST(Furniture, FindsTheEndOfABench) {
   EXPECT_EQ(topAt(furniture, {0.6, 2.61}), 0.0f) << "a leg";
 }
 
+// A wall goes on in its plane, also behind a gap; a cupboard does not.
+TEST(Furniture, SomebodyInThePlaneOfACupboardIsNoWall) {
+  for (const double top : {1.6, 2.3}) {
+    PlanView plan;
+    Furniture furniture;
+    plan.clear();
+    addFront(plan, {0.45, 2.5}, {1.05, 2.5}, 0.0, top);
+    addPerson(plan, {0.0, 2.5});
+    plan.join();
+    EXPECT_TRUE(furniture.find(plan));
+    EXPECT_GT(topAt(furniture, {0.7, 2.51}), 1.6f) << "the front";
+    EXPECT_EQ(topAt(furniture, {0.05, 2.51}) > 0.0f, top > 1.9) << "a leg, beside one of " << top << " m";
+  }
+}
+
 TEST(Furniture, NarrowFrontsWithoutALevelTopAreNone) {
   PlanView plan;
   Furniture furniture;

@@ -322,6 +322,22 @@ TEST(PeopleFinder, ChairsAreNoPeople) {
     }
 }
 
+// Cameras, screens and lamps. Without the rule for small bodies, some were people.
+TEST(PeopleFinder, BoxesOnPostsAreNoPeople) {
+  constexpr int kImages = 15;
+  for (const double top : {1.3, 1.4, 1.5})
+    for (const double distance : {2.0, 2.6, 3.4}) {
+      Room room;
+      room.furnish(box({0.06, 0.06, top - 0.2}, {distance, 0.2, 0.5 * (top - 0.2)}));
+      room.furnish(box({0.2, 0.3, 0.2}, {distance, 0.2, top - 0.1}));
+      tracking::PeopleFinder finder(room.camera());
+      int wrong = 0;
+      for (int i = 0; i < kImages; ++i)
+        wrong += !finder.find(i / 30.0, room.see({}, static_cast<std::uint64_t>(i))).persons.empty();
+      EXPECT_EQ(wrong, 0) << top << " m high, " << distance << " m away";
+    }
+}
+
 TEST(PeopleFinder, IsDeterministicWithoutAllocation) {
   Room room;
   std::vector<tracking::DepthImage> images;
