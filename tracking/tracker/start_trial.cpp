@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abstand::tracking {
 namespace {
@@ -9,6 +10,9 @@ namespace {
 constexpr double kLatestPath = 1.0;    // s, of a start on the path after the first search
 constexpr double kLostCost = 3.0;      // times the usual cost, of an image in which a candidate is lost
 constexpr double kTypicalCost = 3e-4;  // m^2, if the usual one is unknown
+// Images in which a body that faces the other way may be searched for in vain: each search takes as long as
+// ten images, and several cameras mostly refute that body at once.
+constexpr int kVainSearches = 2;
 
 /// The same person facing the other way all the time.
 std::shared_ptr<const KnownBody> turned(const KnownBody& known) {
@@ -38,7 +42,7 @@ StartTrial::StartTrial(const TrackedPerson::Options& options, std::shared_ptr<co
 
 StartTrial::Result StartTrial::run(std::span<const KeptMoment> moments) const {
   Result best{nullptr, {}, kInfinity};
-  for (const Start& start : starts_) compete(start, known_, moments, best);
+  for (const Start& start : starts_) compete(start, known_, moments, std::numeric_limits<int>::max(), best);
   if (mayFaceOtherWay()) letOtherWayCompete(moments, best);
   continueBefore(moments, best);
   return best;
@@ -53,7 +57,7 @@ void StartTrial::letOtherWayCompete(std::span<const KeptMoment> moments, Result&
   const auto other_way = turned(*known_);
   Result refuting{nullptr, {}, kRefuted * best.cost};
   for (const Start& start : starts_)
-    if (!start.on_path) compete(start, other_way, moments, refuting);
+    if (!start.on_path) compete(start, other_way, moments, kVainSearches, refuting);
   if (!refuting.tracker) return;
   const double ratio = refuting.cost / best.cost;
   refuting.tracker->decideFacing(other_way->facing.away ? ratio : 1.0 / ratio);
@@ -64,18 +68,23 @@ double StartTrial::costOf(const TrackedBody& body) const {
   return body.found && body.misfit.cost < lost_cost_ ? body.misfit.cost : lost_cost_;
 }
 
-/// Tracks a candidate through the moments from its start on. If it costs less than `best`, replaces it.
+/// Tracks a candidate through the moments from its start on, unless it is not found in the first `vain`
+/// images. If it costs less than `best`, replaces it.
 void StartTrial::compete(const Start& start, const std::shared_ptr<const KnownBody>& known,
-                         std::span<const KeptMoment> moments, Result& best) const {
+                         std::span<const KeptMoment> moments, int vain, Result& best) const {
   TrackedPerson::Options options = options_;
   options.seed += start.seed;
   options.starts_on_path = start.on_path;
   Result candidate{std::make_unique<TrackedPerson>(options, known), {}, 0.0};
   candidate.bodies.resize(moments.size());
   const double counted_from = std::min(counted_from_, moments.back().t - kCounted);
+  bool was_found = false;
   for (std::size_t i = 0; i < moments.size() && candidate.cost < best.cost; ++i) {
-    if (moments[i].t >= start.t)
+    if (moments[i].t >= start.t) {
       candidate.bodies[i] = *candidate.tracker->see(moments[i].t, moments[i].views());
+      was_found = was_found || candidate.bodies[i].found;
+      if (!was_found && --vain == 0) return;
+    }
     if (moments[i].t >= counted_from) candidate.cost += costOf(candidate.bodies[i]);
   }
   if (candidate.cost < best.cost) best = std::move(candidate);

@@ -45,7 +45,7 @@ class StartTrial {
     std::size_t seed;  ///< added to the usual one
   };
   void compete(const Start& start, const std::shared_ptr<const KnownBody>& known,
-               std::span<const KeptMoment> moments, Result& best) const;
+               std::span<const KeptMoment> moments, int vain, Result& best) const;
   void continueBefore(std::span<const KeptMoment> moments, Result& best) const;
   bool mayFaceOtherWay() const;
   void letOtherWayCompete(std::span<const KeptMoment> moments, Result& best) const;
