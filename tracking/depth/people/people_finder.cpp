@@ -31,6 +31,9 @@ constexpr double kFewestBody = 0.075, kSmallBody = 0.13;
 constexpr double kBodyBeside = 0.15;
 // m, m^2: surface of a new person that is so near to the middle of a known one is the known one's.
 constexpr double kConnectedWithin = 0.2, kConnectedArea = 0.02;
+// Cells of shoulders with which the head may be a piece of its own, as seen from above. A hand above a thing
+// has up to 14.
+constexpr int kSureShoulders = 19;
 constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
 // m: a person who was found this near to an arrival is the one who arrived.
@@ -239,7 +242,7 @@ bool PeopleFinder::hasOwnBody(const Head& head, const DepthImage& image) {
     for (const Track& track : tracks_)
       if (track.here && (track.place - place).norm() < kConnectedWithin) others += area;
   }
-  return own >= kBodyBeside && others < kConnectedArea;
+  return others < kConnectedArea && (own >= kBodyBeside || head.shoulders >= kSureShoulders);
 }
 
 /// People who will be found soon, and are already where they will be.
