@@ -41,7 +41,7 @@ class PeopleViews {
   /// With poses in one world; they must outlive this object.
   explicit PeopleViews(std::span<const DepthCamera> cameras, double hung_after = kInfinity);
 
-  /// For each camera, what a first pass over the same recordings (PeopleFinder::expect).
+  /// For each camera, what a first pass over the same recordings has seen (PeopleFinder::expect).
   void expect(const std::vector<SeenBefore>& seen);
   std::vector<SeenBefore> seen() const;
   std::vector<std::vector<Arrival>> arrivals() const;

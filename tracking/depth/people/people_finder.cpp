@@ -233,15 +233,10 @@ bool PeopleFinder::hasOwnBody(const Head& head, const DepthImage& image) {
   }
   if (seed == cell_of_.size()) return false;
   const SurfacePiece piece = pieces_.pieceAt(seed, image, is_object_, 1);
-  const double pixel = 1.0 / (camera_.fx * camera_.fy);
-  double own = 0.0, others = 0.0;
-  for (const std::uint32_t i : pieces_.pixels(piece)) {
-    const Place place = PlanView::placeOf(cell_of_[i]);
-    const double area = static_cast<double>(image.z[i] * image.z[i]) * pixel;
-    if ((place - head.place).norm() < kBodyRadius) own += area;
-    for (const Track& track : tracks_)
-      if (track.here && (track.place - place).norm() < kConnectedWithin) others += area;
-  }
+  const double own = pieces_.areaWithin(piece, image, cell_of_, head.place, kBodyRadius);
+  double others = 0.0;
+  for (const Track& track : tracks_)
+    if (track.here) others += pieces_.areaWithin(piece, image, cell_of_, track.place, kConnectedWithin);
   return others < kConnectedArea && (own >= kBodyBeside || head.shoulders >= kSureShoulders);
 }
 

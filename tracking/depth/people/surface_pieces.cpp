@@ -61,14 +61,13 @@ SurfacePiece SurfacePieces::pieceAt(std::size_t pixel, const DepthImage& image,
 void SurfacePieces::grow(std::size_t seed, const DepthImage& image, std::span<const std::uint8_t> labels,
                          std::uint8_t label) {
   const auto number = static_cast<int>(pieces_.size());
-  const double pixel = 1.0 / (camera_.fx * camera_.fy);
   SurfacePiece piece{pixels_.size(), 0, 0.0};
   pixels_.push_back(static_cast<std::uint32_t>(seed));
   piece_of_[seed] = number;
   for (std::size_t k = piece.begin; k < pixels_.size(); ++k) {
     const std::size_t i = pixels_[k];
     const float z = image.z[i];
-    piece.area += static_cast<double>(z * z) * pixel;
+    piece.area += areaOf(z);
     for (const PixelStep& side : kFourSides) {
       const int next = nextMeasured(image, i, side);
       if (next < 0) continue;
@@ -99,11 +98,11 @@ SurfacePieces::Outlines SurfacePieces::outlines(const SurfacePiece& piece, const
       const auto j = static_cast<std::size_t>(std::max(0, next));
       if (next >= 0 && piece_of_[j] == number) continue;
       const bool is_nearer = image.z[j] < image.z[i] - stepAt(image.z[i]), is_other = piece_of_[j] >= 0;
-      const auto kind = next < 0    ? &PieceOutline::unknown
-                        : is_nearer ? (is_thing[j] != 0 ? &PieceOutline::behind : &PieceOutline::hidden)
-                        : !is_other ? &PieceOutline::free
-                        : is_thing[j] != 0 ? &PieceOutline::free
-                                           : &PieceOutline::beside;
+      const bool of_thing = is_thing[j] != 0;
+      const auto kind = next < 0                ? &PieceOutline::unknown
+                        : is_nearer             ? (of_thing ? &PieceOutline::behind : &PieceOutline::hidden)
+                        : is_other && !of_thing ? &PieceOutline::beside
+                                                : &PieceOutline::free;
       ++(outlines.whole.*kind);
       if (side.v < 0) ++(outlines.above.*kind);
       if (is_end) ++(outlines.end.*kind);
@@ -113,6 +112,16 @@ SurfacePieces::Outlines SurfacePieces::outlines(const SurfacePiece& piece, const
   const auto most = std::max_element(covered.begin(), covered.end());
   if (*most > 0) outlines.covers = static_cast<int>(most - covered.begin());
   return outlines;
+}
+
+double SurfacePieces::areaWithin(const SurfacePiece& piece, const DepthImage& image,
+                                 std::span<const int> cell_of, const PlanView::Place& place,
+                                 double radius) const {
+  double area = 0.0;
+  for (const std::uint32_t i : pixels(piece))
+    if (cell_of[i] >= 0 && (PlanView::placeOf(cell_of[i]) - place).norm() < radius)
+      area += areaOf(image.z[i]);
+  return area;
 }
 
 double SurfacePieces::breadth(const SurfacePiece& piece, const DepthImage& image) {

@@ -7,6 +7,7 @@
 
 #include "tracking/depth/camera/depth_camera.hpp"
 #include "tracking/depth/camera/depth_image.hpp"
+#include "tracking/depth/people/plan_view.hpp"
 
 namespace abstand::tracking {
 
@@ -51,6 +52,9 @@ class SurfacePieces {
   /// `is_thing`: of all pixels, 1 for those that belong to things.
   Outlines outlines(const SurfacePiece& piece, const DepthImage& image,
                     std::span<const std::uint8_t> is_thing);
+  /// m^2 of a piece within `radius` (m) of a place in plan view; `cell_of`: cell of each pixel, -1: none.
+  double areaWithin(const SurfacePiece& piece, const DepthImage& image, std::span<const int> cell_of,
+                    const PlanView::Place& place, double radius) const;
   /// m, side of the largest square in the image that the piece fills, at the depth of the piece.
   double breadth(const SurfacePiece& piece, const DepthImage& image);
 
@@ -59,6 +63,7 @@ class SurfacePieces {
 
  private:
   void clear();
+  double areaOf(float z) const { return static_cast<double>(z * z) / (camera_.fx * camera_.fy); }
   void grow(std::size_t seed, const DepthImage& image, std::span<const std::uint8_t> labels,
             std::uint8_t label);
 

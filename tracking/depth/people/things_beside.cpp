@@ -29,15 +29,18 @@ float thingNoise(float z) { return 0.5f * depthNoise(z); }
 }  // namespace
 
 ThingsBeside::ThingsBeside(const DepthCamera& camera) : camera_(camera), pieces_(camera) {
-  is_thing_.resize(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   things_.resize(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  is_thing_.resize(things_.size());
 }
 
 void ThingsBeside::expect(std::span<const ThingPixel> things) {
-  if (things.size() == things_.size()) std::copy(things.begin(), things.end(), things_.begin());
+  if (things.size() != things_.size()) return;
+  std::copy(things.begin(), things.end(), things_.begin());
+  noted_ = true;
 }
 
 void ThingsBeside::look(const DepthImage& image) {
+  if (!noted_) return;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     ThingPixel& thing = things_[i];
     const float z = image.z[i];
@@ -53,6 +56,7 @@ bool ThingsBeside::isAt(std::size_t pixel, float z) const {
 }
 
 bool ThingsBeside::has(std::size_t pixel, float z) const {
+  if (!noted_) return false;
   // Edges flicker: beside a thing is more of it.
   const auto width = static_cast<std::size_t>(camera_.width);
   if (isAt(pixel, z)) return true;
@@ -61,6 +65,7 @@ bool ThingsBeside::has(std::size_t pixel, float z) const {
 }
 
 void ThingsBeside::note(std::size_t pixel, float z) {
+  noted_ = true;
   ThingPixel& thing = things_[pixel];
   if (thing.images == 0 || std::abs(thing.z - z) >= thingNoise(z)) {
     if (thing.images < kImages) thing = {z, 1, 0};
@@ -82,16 +87,6 @@ ThingsBeside::Extent ThingsBeside::extentOf(const SurfacePiece& piece, const Dep
     extent.high = std::max(extent.high, height);
   }
   return extent;
-}
-
-double ThingsBeside::areaNear(const SurfacePiece& piece, const DepthImage& image,
-                              std::span<const int> cell_of, const PlanView::Place& place) const {
-  const double pixel = 1.0 / (camera_.fx * camera_.fy);
-  double area = 0.0;
-  for (const std::uint32_t i : pieces_.pixels(piece))
-    if (cell_of[i] >= 0 && (PlanView::placeOf(cell_of[i]) - place).norm() < kBodyRadius)
-      area += static_cast<double>(image.z[i] * image.z[i]) * pixel;
-  return area;
 }
 
 bool ThingsBeside::isThing(const SurfacePiece& piece, const DepthImage& image, const Extent& extent,
@@ -126,7 +121,7 @@ const SurfacePiece* ThingsBeside::trunkOf(const DepthImage& image, std::span<con
   const SurfacePiece* trunk = nullptr;
   double most = 0.0;
   for (const SurfacePiece& piece : pieces_.pieces()) {
-    const double area = areaNear(piece, image, cell_of, place);
+    const double area = pieces_.areaWithin(piece, image, cell_of, place, kBodyRadius);
     if (area > most) most = area, trunk = &piece;
   }
   return trunk;

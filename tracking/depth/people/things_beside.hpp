@@ -17,12 +17,10 @@ struct ThingPixel {
 /// Finds things among the pixels of a person. A piece of surface (SurfacePieces) other than that of the trunk
 /// is a thing, because no limb is like that, if it begins below the height of a seat and
 /// - nothing adjoins it or hides a part of it: nothing can connect it to the person;
-/// - it is broader than kBroad, and ends at the top by itself, as what is above it is farther away. Legs go
-/// on
-///   above behind what hides them;
-/// - somebody stands, and it stands on the floor and ends at the top in front of all else, or is higher than
-/// a
-///   leg (a post). What covers the end of a thing, as a box on a post, belongs to it.
+/// - it is broader than kBroad, and ends at the top by itself: what is above it is farther away (legs go on
+///   above, behind what hides them);
+/// - somebody stands, and it stands on the floor, and ends at the top in front of all else or is higher than
+///   a leg (a post). What covers the end of a thing, as a box on a post, belongs to it.
 /// Things that touch the piece of the trunk in each image, or are beside somebody lower than 1 m, are not
 /// found.
 ///
@@ -53,8 +51,6 @@ class ThingsBeside {
     double low, high;
   };
   Extent extentOf(const SurfacePiece& piece, const DepthImage& image, const FloorPlane& floor) const;
-  double areaNear(const SurfacePiece& piece, const DepthImage& image, std::span<const int> cell_of,
-                  const PlanView::Place& place) const;
   const SurfacePiece* trunkOf(const DepthImage& image, std::span<const int> cell_of,
                               const PlanView::Place& place) const;
   bool isThing(const SurfacePiece& piece, const DepthImage& image, const Extent& extent, bool stands,
@@ -66,6 +62,7 @@ class ThingsBeside {
   DepthCamera camera_;
   SurfacePieces pieces_;
   std::vector<ThingPixel> things_;
+  bool noted_{false};                   ///< whether things_ may have any
   std::vector<std::uint8_t> is_thing_;  ///< of each pixel of an image
 };
 
