@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QStatusBar>
 #include <QTimer>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/serve/udp_socket.hpp"
@@ -58,6 +59,7 @@ struct StudioLive : StudioWindow {
                      ", shape: {sphere: {radius: 0.1}}}]\nobjects:\n"
                      "  - {name: plate, shape: {cuboid: {size: [1, 1, 0.2]}}, pose: {xyz: [0, 0, -0.1]}}\n");
   }
+  /// True when a server listens and has answered a packet.
   bool serve(const QString& port = QStringLiteral("0")) {
     server.start(ABSTAND_PROGRAM, {"serve", in("scene.yaml"), "--bind", "127.0.0.1:" + port, "--nearest", "1",
                                    "--stale", "5", "--resume", "0"});
@@ -69,8 +71,10 @@ struct StudioLive : StudioWindow {
         },
         kLimitMs);
     address = QRegularExpression("127.0.0.1:\\d+").match(said).captured();
+    // A window that connects before the first packet records the slide at its zero position, in the plate.
+    answered = kNaN;
     timer.start(10);
-    return listens;
+    return listens && QTest::qWaitFor([&] { return std::isfinite(answered); }, kLimitMs);
   }
   /// Sends the height, and reads answers.
   void exchange() {
