@@ -84,7 +84,9 @@ class BodyTracker {
   void tryExpected(const Vector3d& middle, double top, TrackedBody& best);
   void uncrossLegs();
   void uncrossArms();
-  bool tryUncrossed(const RigPose& start);
+  void lowerLeg();
+  void lowerArms();
+  bool tryLikelier(const RigPose& start, double limit);
   void follow(double dt);
   void plantHiddenFeet();
   bool isHeadCut() const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "tracking/tracker/leg_posture.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
@@ -23,6 +24,7 @@ FacingEvidence facingEvidence(const BodyTracker& tracker) {
   evidence.empty_cost =
       tracker.fit().placeCost(tracker.seen(), body.X_WS,
                               DepthFit::bit(RigSegment::kFootLeft) | DepthFit::bit(RigSegment::kFootRight));
+  evidence.kneels = kneels(body.X_WS);
   evidence.p_WP = body.pose.X_WP.translation();
   evidence.distance = kInfinity;
   for (const BodyView& view : tracker.seen().views())

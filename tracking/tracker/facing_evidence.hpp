@@ -13,6 +13,7 @@ struct FacingEvidence {
   double low_points{0.0};  ///< number of points below kLow
   double low_cost{0.0};    ///< m^2, sum of their robust squares
   double empty_cost{0.0};  ///< m^2, DepthFit::placeCost of the feet: toes in empty space
+  bool kneels{false};      ///< a knee is on the floor: the toes point backwards
 
   double distance{0.0};                   ///< m, of the pelvis from the nearest camera
   Vector3d p_WP{Vector3d::Zero()};        ///< m, the pelvis

@@ -13,8 +13,9 @@ constexpr double kEmptyPower = 0.4, kEmptyFloor = 1e-6, kDistance = 2.8;
 
 }  // namespace
 
-void FacingTrial::Sums::add(const FacingEvidence& evidence) {
+void FacingTrial::Sums::add(const FacingEvidence& evidence, bool feet_count) {
   cost += evidence.cost;
+  if (!feet_count) return;
   low_cost += evidence.low_cost;
   empty_cost += evidence.empty_cost;
   low_points += evidence.low_points;
@@ -23,8 +24,10 @@ void FacingTrial::Sums::add(const FacingEvidence& evidence) {
 
 void FacingTrial::add(double t, const FacingEvidence& camera, const FacingEvidence& away) {
   ++images_;
-  camera_.add(camera);
-  away_.add(away);
+  const bool feet_count = !away.kneels;
+  if (feet_count) ++images_of_feet_;
+  camera_.add(camera, feet_count);
+  away_.add(away, feet_count);
   const Vector3d p_W = 0.5 * (camera.p_WP + away.p_WP);
   if (std::abs(t - last_t_) < kLongestStep) {
     const Vector3d step = t > last_t_ ? Vector3d(p_W - last_p_) : Vector3d(last_p_ - p_W);
@@ -36,8 +39,8 @@ void FacingTrial::add(double t, const FacingEvidence& camera, const FacingEviden
 }
 
 double FacingTrial::feetFactor() const {
-  const auto images = static_cast<double>(images_);
-  if (camera_.low_points < kMinLowPoints * images) return 1.0;
+  const auto images = static_cast<double>(images_of_feet_);
+  if (2 * images_of_feet_ < images_ || camera_.low_points < kMinLowPoints * images) return 1.0;
   const double low_floor = kLowFloor * images;
   const double empty_floor = kEmptyFloor * camera_.square_distance / (kDistance * kDistance);
   const auto favoursCamera = [](double away, double camera, double floor, double power) {

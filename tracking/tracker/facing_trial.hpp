@@ -11,8 +11,10 @@ namespace abstand::tracking {
 /// Adds what the images say of two bodies that follow the same person, one that faced the camera at first and
 /// one that faced away: motion refutes the wrong one. The ratio is that of the costs of both, times two
 /// factors for what is little of an image but tells the front (docs/tracking.md has measured values): toes
-/// that only the body that faces the camera explains, and walking forward. Toes that are not seen tell
-/// nothing, as cameras lose them in the floor. One thread. Allocates nothing, does not throw.
+/// that only the body that faces the camera explains, and walking forward. Toes do not count in images in
+/// which the other body kneels, nor if these are more than half of all: its feet point to the camera, too.
+/// Toes that are not seen tell nothing, as cameras lose them in the floor. One thread. Allocates nothing,
+/// does not throw.
 class FacingTrial {
  public:
   /// Images that can decide; fewer, if the ratio of the costs is beyond kClear; and how many are compared.
@@ -51,9 +53,10 @@ class FacingTrial {
     double low_points{0.0};
     double square_distance{0.0};  ///< m^2
     double walked{0.0};           ///< m, forward
-    void add(const FacingEvidence& evidence);
+    void add(const FacingEvidence& evidence, bool feet_count);
   };
   std::size_t images_{0};
+  std::size_t images_of_feet_{0};  ///< those in which the feet of both bodies are compared
   Sums camera_, away_;
   double last_t_{kNaN};                ///< s
   Vector3d last_p_{Vector3d::Zero()};  ///< m, middle of both pelves

@@ -138,15 +138,15 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, const Scope&
   const SeenPoints& points = all_.points;
 
   const double before = costOf(seen, limb, start, start);
-  tried_[k] = 0;
-  keep(k, before);
+  if (scope.keeps) tried_[k] = 0;
+  if (scope.keeps) keep(k, before);
   double smallest_cost = before * kBetter;
   bool found = false;
   const auto attempt = [&](const Vector3d& goal, double swivel) {
     RigPose other = start;
     reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
     const double cost = costOf(seen, limb, other, start, scope.kept * smallest_cost);
-    keep(k, cost);
+    if (scope.keeps) keep(k, cost);
     if (cost >= smallest_cost) return;
     smallest_cost = cost;
     pose = other;

@@ -1,7 +1,5 @@
-// Wrists beside the head.
+// Wrists beside the head, or beside the hips.
 #include "tracking/tracker/raised_arms.hpp"
-
-#include "tracking/tracker/limb_search.hpp"
 
 namespace abstand::tracking {
 
@@ -14,6 +12,20 @@ void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside) {
     const Vector3d shoulder = X_WS[index(rig[arm.upper].parent)] * rig[arm.upper].p_parent;
     reachFor(rig, arm, X_WS, shoulder + above * up + aside * out, 0.0, pose);
   }
+}
+
+bool isRaised(const RigPlacement& X_WS, const Limb& arm) {
+  return X_WS[index(arm.lower)].translation().z() > X_WS[index(arm.upper)].translation().z();
+}
+
+RigPose hangingArm(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, const Limb& arm) {
+  constexpr double kStretched = 0.97;  // of the length of the arm, as the elbows of hanging arms are bent
+  const double length = kStretched * (rig[arm.lower].p_parent.norm() + rig[arm.end].p_parent.norm());
+  const Vector3d shoulder = X_WS[index(arm.upper)].translation();
+  RigPose hanging = pose;
+  reachFor(rig, arm, X_WS, shoulder - length * X_WS[index(rig[arm.upper].parent)].linear().col(2), 0.0,
+           hanging);
+  return hanging;
 }
 
 }  // namespace abstand::tracking

@@ -121,6 +121,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   if (other_ && t - found_t_ > BodyTracker::kTurns) endComparison();
   follow(t, images);
   if (now_.tracker->body().found) found_t_ = t;
+  tryOtherFacing();
   compareFacings(t, images);
   const TrackedBody& body = renewBody(t, images) ? track(t, images) : now_.tracker->body();
   if (body.found) noteFirst(t);  // after the likelier direction was assumed
@@ -189,6 +190,14 @@ void TrackedPerson::follow(double t, std::span<const PersonImage> images) {
     if (checkUpright(t, images)) return;
   }
   track(t, images);
+}
+
+/// Until a body is found, one that faces the other way is searched for in every second image: the back of a
+/// chair may hide most of a person, and not be explained by one who faces the camera.
+void TrackedPerson::tryOtherFacing() {
+  if (first_ || known_ || compared_ || facing_.given || now_.tracker->body().found) return;
+  facing_.away = !facing_.away;
+  now_ = followerOf(now_.body, stature_, facing_.away);
 }
 
 /// All bodies; returns the one that faces as assumed.

@@ -99,6 +99,7 @@ class TrackedPerson {
   bool start(double t, std::span<const PersonImage> images);
   void keepMeasured(double t, std::span<const PersonImage> images);
   void follow(double t, std::span<const PersonImage> images);
+  void tryOtherFacing();
   const TrackedBody& track(double t, std::span<const PersonImage> images);
   void noteFirst(double t);
   void startBefore();

@@ -108,6 +108,28 @@ TEST(FacingTrial, IsAgainstToesOfWhoFacesAwayInEmptySpace) {
   EXPECT_LT(ratio(0.0, 4e-6, 5.6), ratio(0.0, 4e-6)) << "far away, noise places toes in empty space";
 }
 
+// The feet of somebody on the knees who faces away point to the camera.
+TEST(FacingTrial, IgnoresToesOfWhoFacesAwayOnTheKnees) {
+  constexpr int kImages = 10;
+  const auto ratio = [](int kneeling) {
+    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
+    camera.low_points = away.low_points = 2.0 * FacingTrial::kMinLowPoints;
+    camera.distance = away.distance = 2.8;
+    camera.low_cost = 0.02;
+    away.low_cost = 0.06;
+    FacingTrial trial;
+    for (int i = 0; i < kImages; ++i) {
+      away.kneels = i < kneeling;
+      trial.add(kPeriod * i, camera, away);
+    }
+    return trial.ratio();
+  };
+  EXPECT_GT(ratio(0), 1.1);
+  EXPECT_NEAR(ratio(2), ratio(0), kTolerance) << "of the other images";
+  EXPECT_NEAR(ratio(6), 1.0, kTolerance) << "too few other ones";
+  EXPECT_NEAR(ratio(kImages), 1.0, kTolerance);
+}
+
 /// Ratio of a person who moves `step` (m) to +x in each of `images`, `period` (s) apart, whose bodies face
 /// +x (to the camera) and -x.
 double ratioOfWalk(int images, double step, double period) {

@@ -290,6 +290,37 @@ std::vector<PosedScene> posturesFromAllSides() {
   return scenes;
 }
 
+std::vector<PosedScene> posturesFromOtherPlaces() {
+  const std::vector<Posture> stand{standing(0.0), handsAhead(1.2), standing(2.5)};
+  const std::vector<Posture> sit{seated(0.0), seated(2.5)}, kneel{kneeling(0.0), kneeling(2.5)};
+  const std::vector<Posture> bend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
+  const struct {
+    const char* name;
+    const std::vector<Posture>& postures;
+    double look;  // m, height
+    std::vector<FurnitureBox> furniture;
+  } kinds[] = {{"standing", stand, 0.9, {}},
+               {"seated", sit, 0.6, kChair},
+               {"kneeling", kneel, 0.6, {}},
+               {"bending", bend, 0.9, {}}};
+  const struct {
+    const char* name;
+    double distance, height;  // m
+  } places[] = {{"low", 2.5, 0.5}, {"above", 1.5, 2.8}, {"high", 4.0, 2.8}, {"far", 5.0, 1.2}};
+  std::vector<PosedScene> scenes;
+  for (const auto& [kind, postures, look, furniture] : kinds)
+    for (const auto& [place, distance, height] : places)
+      for (int side = 0; side < 360; side += 45) {
+        const double angle = unit::deg(static_cast<double>(side));
+        scenes.push_back({std::string(kind) + "_" + place + "_from_" + std::to_string(side),
+                          postures,
+                          {distance * std::cos(angle), distance * std::sin(angle), height},
+                          {0.0, 0.0, look},
+                          furniture});
+      }
+  return scenes;
+}
+
 std::vector<PosedScene> heldScenes() {
   using enum HeldBox::Grip;
   const std::vector<Posture> stand{standing(0.0), handsAhead(1.5), standing(3.0)};

@@ -33,6 +33,10 @@ std::vector<PosedScene> raisedScenes();
 /// sides. 64 clips of 2.5 to 3 s.
 std::vector<PosedScene> posturesFromAllSides();
 
+/// Standing, seated, kneeling and bending, seen from eight sides by cameras that are low (0.5 m high, 2.5 m
+/// away), above (2.8 m; 1.5 m), high (2.8 m; 4 m) and far (1.2 m; 5 m). 128 clips of 2.5 to 3 s.
+std::vector<PosedScene> posturesFromOtherPlaces();
+
 /// People who hold bars and boxes.
 std::vector<PosedScene> heldScenes();
 

@@ -42,7 +42,8 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"held-out postures", clipsOf(heldOutScenes())},
           {"raised hands", clipsOf(raisedScenes())},
           {"postures from all sides", clipsOf(posturesFromAllSides())},
-          {"people beside things", clipsOf(scenesBesideThings())}};
+          {"people beside things", clipsOf(scenesBesideThings())},
+          {"postures from other places", clipsOf(posturesFromOtherPlaces())}};
 }
 
 /// Of the person found in the most images: the errors, and in how many images.
@@ -91,7 +92,8 @@ constexpr double kSlice = 0.5;  // s
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
 int printJoints(const std::vector<std::string>& chosen) {
   std::vector<TableClip> clips = clipsOf(posedScenes());
-  for (const auto& scenes : {heldOutScenes(), raisedScenes(), posturesFromAllSides()})
+  for (const auto& scenes :
+       {heldOutScenes(), raisedScenes(), posturesFromAllSides(), posturesFromOtherPlaces()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
   for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides(), scenesBesideThings()})
     for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));

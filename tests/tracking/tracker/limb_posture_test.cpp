@@ -1,0 +1,76 @@
+// Raised legs and arms, and where they would be otherwise.
+#include <gtest/gtest.h>
+
+#include "tests/tracking/tracker/seated_pose.hpp"
+#include "tests/tracking/tracker/upright_person.hpp"
+#include "tracking/tracker/leg_posture.hpp"
+#include "tracking/tracker/limb_search.hpp"
+#include "tracking/tracker/raised_arms.hpp"
+
+namespace abstand::tracking {
+namespace limb_posture_test {
+
+constexpr std::size_t kRightArm = 1, kLeftLeg = 2;  // of kLimbs
+constexpr double kNearly = 0.03;                    // m, of knees, as reachFor() leaves limbs slightly bent
+
+struct LimbPosture : ::testing::Test {
+  BodyRig rig = makeRig(humanmodel::makeHuman({}));
+  RigPlacement upright = uprightAt(rig, Vector3d::Zero());
+
+  RigPlacement placed(const RigPose& pose) const {
+    RigPlacement X_WS;
+    place(rig, pose, X_WS);
+    return X_WS;
+  }
+  /// Standing, the left ankle `ahead` and `up` (m) of its place.
+  RigPose stepping(double ahead, double up) const {
+    RigPose pose;
+    pose.X_WP = upright[0];
+    const Vector3d ankle = upright[index(RigSegment::kFootLeft)].translation();
+    reachFor(rig, kLimbs[kLeftLeg], upright, ankle + Vector3d(ahead, 0.0, up), 0.0, pose);
+    return pose;
+  }
+};
+
+TEST_F(LimbPosture, KneelsWithAKneeOnTheFloor) {
+  EXPECT_FALSE(kneels(upright));
+  EXPECT_FALSE(kneels(seatedPlacement(rig)));
+  RigPose pose;
+  pose.X_WP.translation() = Vector3d(0.0, 0.0, 0.5);
+  for (const RigSegment calf : {RigSegment::kCalfLeft, RigSegment::kCalfRight})
+    pose.angle[index(calf)][0] = 0.5 * kPi;
+  EXPECT_TRUE(kneels(placed(pose)));
+}
+
+TEST_F(LimbPosture, RaisedLegIsFarAboveTheOtherOne) {
+  EXPECT_FALSE(raisedLeg(upright));
+  EXPECT_FALSE(raisedLeg(seatedPlacement(rig)));
+  EXPECT_FALSE(raisedLeg(placed(stepping(0.4, 0.15)))) << "a step";
+  EXPECT_EQ(raisedLeg(placed(stepping(0.6, 0.5))), kLeftLeg);
+}
+
+TEST_F(LimbPosture, LoweredLegIsBesideTheOtherOne) {
+  const RigPose pose = stepping(0.6, 0.5);
+  const RigPlacement lowered = placed(loweredLeg(rig, pose, placed(pose), kLeftLeg));
+  for (const RigSegment joint : {RigSegment::kCalfLeft, RigSegment::kFootLeft})
+    EXPECT_LE((lowered[index(joint)].translation() - upright[index(joint)].translation()).norm(), kNearly);
+}
+
+TEST_F(LimbPosture, RaisedArmIsHungBesideTheTrunk) {
+  const Limb& arm = kLimbs[kRightArm];
+  EXPECT_FALSE(isRaised(upright, arm));
+  RigPose pose;
+  pose.X_WP = upright[0];
+  raiseArms(rig, 0.3, pose);
+  const RigPlacement raised = placed(pose);
+  ASSERT_TRUE(isRaised(raised, arm));
+  const RigPlacement hanging = placed(hangingArm(rig, pose, raised, arm));
+  EXPECT_FALSE(isRaised(hanging, arm));
+  // The wrists of upright people hang straight below the shoulders; those of bent arms a little higher.
+  constexpr double kBent = 0.10;  // m
+  EXPECT_LE((hanging[index(arm.end)].translation() - upright[index(arm.end)].translation()).norm(), kBent);
+  EXPECT_TRUE(isRaised(hanging, kLimbs[0])) << "the other arm stays";
+}
+
+}  // namespace limb_posture_test
+}  // namespace abstand::tracking

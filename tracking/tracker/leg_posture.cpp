@@ -1,0 +1,41 @@
+// Heights of knees and ankles, and a leg parallel to the other one.
+#include "tracking/tracker/leg_posture.hpp"
+
+#include <algorithm>
+
+#include "tracking/tracker/limb_search.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr std::size_t kLeftLeg = 2, kRightLeg = 3;  // of kLimbs
+constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
+constexpr double kRaised = 0.25;  // m, of an ankle above the other one; feet of people who walk stay lower
+
+double ankleHeight(const RigPlacement& X_WS, std::size_t leg) {
+  return X_WS[index(kLimbs[leg].end)].translation().z();
+}
+
+}  // namespace
+
+bool kneels(const RigPlacement& X_WS) {
+  return std::min(X_WS[index(RigSegment::kCalfLeft)].translation().z(),
+                  X_WS[index(RigSegment::kCalfRight)].translation().z()) < kKneeOnFloor;
+}
+
+std::optional<std::size_t> raisedLeg(const RigPlacement& X_WS) {
+  const double left = ankleHeight(X_WS, kLeftLeg), right = ankleHeight(X_WS, kRightLeg);
+  if (left > right + kRaised) return kLeftLeg;
+  if (right > left + kRaised) return kRightLeg;
+  return std::nullopt;
+}
+
+RigPose loweredLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, std::size_t leg) {
+  const Limb &raised = kLimbs[leg], &other = kLimbs[leg == kLeftLeg ? kRightLeg : kLeftLeg];
+  const Vector3d beside = X_WS[index(raised.upper)].translation() - X_WS[index(other.upper)].translation();
+  RigPose lowered = pose;
+  reachFor(rig, raised, X_WS, X_WS[index(other.end)].translation() + beside, 0.0, lowered);
+  return lowered;
+}
+
+}  // namespace abstand::tracking

@@ -1,0 +1,24 @@
+// How the legs of a body stand.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "tracking/body/body_rig.hpp"
+
+namespace abstand::tracking {
+
+/// Whether a knee is on the floor z = 0. There is no chair then, thighs stand on the floor beside the hands,
+/// and the toes point backwards.
+bool kneels(const RigPlacement& X_WS);
+
+/// Of kLimbs, the leg whose ankle is well above the one of the other leg; nullopt if there is none. Of
+/// somebody who is seen from the side, the far leg is hidden by the near one, and free to explain points of
+/// the far arm.
+std::optional<std::size_t> raisedLeg(const RigPlacement& X_WS);
+
+/// The pose with kLimbs[`leg`] beside the other leg. `X_WS`: the placement of `pose`. Does not allocate or
+/// throw.
+RigPose loweredLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, std::size_t leg);
+
+}  // namespace abstand::tracking
