@@ -168,6 +168,7 @@ void BodyTracker::resume(const RigPose& pose, const Lying& lying, double since) 
   appeared_t_ = since;
   lying_ = lying;
   body_.pose = pose;
+  place(*rig_, pose, body_.X_WS);
   body_.found = true;
   velocity_.setZero();
   badly_ = 0;

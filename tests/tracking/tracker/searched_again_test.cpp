@@ -58,6 +58,14 @@ TEST_F(SearchedAgain, BodyIsReplacedThatExplainsTheImageBadly) {
   EXPECT_FALSE(tracker.wasReplaced()) << "in one image only";
 }
 
+// Whether somebody kneels or sits is asked before the next fit: of memory that was not set before.
+TEST_F(SearchedAgain, ResumedBodyIsPlaced) {
+  tracker.resume(start, {}, 0.0);
+  RigPlacement X_WS;
+  place(rig, start, X_WS);
+  for (std::size_t s = 0; s < kRigSegments; ++s) EXPECT_TRUE(tracker.body().X_WS[s].isApprox(X_WS[s])) << s;
+}
+
 TEST_F(SearchedAgain, BodyThatExplainsTheImageIsFollowed) {
   tracker.resume(start, {}, 0.0);
   for (std::size_t i = 0; i < 4; ++i) {
