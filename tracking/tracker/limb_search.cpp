@@ -138,15 +138,17 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, const Scope&
   const SeenPoints& points = all_.points;
 
   const double before = costOf(seen, limb, start, start);
-  if (scope.keeps) tried_[k] = 0;
-  if (scope.keeps) keep(k, before);
+  if (scope.recorded) {
+    tried_[k] = 0;
+    keep(k, before);
+  }
   double smallest_cost = before * kBetter;
   bool found = false;
   const auto attempt = [&](const Vector3d& goal, double swivel) {
     RigPose other = start;
     reachFor(fit_->rig(), limb, X_WS, goal, swivel, other);
     const double cost = costOf(seen, limb, other, start, scope.kept * smallest_cost);
-    if (scope.keeps) keep(k, cost);
+    if (scope.recorded) keep(k, cost);
     if (cost >= smallest_cost) return;
     smallest_cost = cost;
     pose = other;

@@ -52,17 +52,17 @@ class LimbSearch {
   explicit LimbSearch(DepthFit& fit) : fit_{&fit} {}
 
   struct Scope {
-    int tries;         ///< random positions
-    double spread;     ///< m, their standard deviation around the wrist or ankle
-    double kept;       ///< at least 1: of what was tried, costs up to this times the smallest one are exact
-    bool keeps{true};  ///< what was tried becomes tries()
+    int tries;      ///< random positions
+    double spread;  ///< m, their standard deviation around the wrist or ankle
+    double kept;    ///< at least 1: of what was tried, costs up to this times the smallest one are exact
+    bool recorded{true};  ///< what was tried becomes tries()
   };
   /// Of kLimbs[`limb`], tries random positions around the wrist, positions of points that no segment
   /// explains, and for a leg the straight one below the hip, on which a person stands. `pose` changes only if
   /// one is better; returns whether it did.
   bool search(const BodyObservation& seen, std::size_t limb, const Scope& scope, std::mt19937_64& random,
               RigPose& pose);
-  /// What the last search for kLimbs[`limb`] that kept it tried, the place where it started included.
+  /// What the last recorded search for kLimbs[`limb`] tried, the place where it started included.
   std::span<const LimbTry> tries(std::size_t limb) const { return {tries_[limb].data(), tried_[limb]}; }
   /// Nothing was tried in this image.
   void forgetTries() { tried_.fill(0); }

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tracking/tracker/clip_tracker.hpp"
 
 namespace abstand::tracking {
@@ -18,11 +16,8 @@ struct Beside : ::testing::TestWithParam<const char*> {};
 TEST_P(Beside, ThingIsNoLimb) {
   constexpr double kRawMean = 0.050;                      // m, of tracked joints; the aim
   constexpr double kWithin = 0.99, kHiddenWithin = 0.97;  // shares
-  const std::vector<testing::CapturedScene> scenes = testing::scenesBesideThings();
-  const auto scene =
-      std::find_if(scenes.begin(), scenes.end(), [](const auto& s) { return s.name == GetParam(); });
-  ASSERT_NE(scene, scenes.end());
-  const testing::SimulatedClip clip = testing::simulate(*scene);
+  const testing::SimulatedClip clip =
+      testing::simulate(testing::sceneNamed(testing::scenesBesideThings(), GetParam()));
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_EQ(track.people.size(), 1u);
   EXPECT_EQ(track.people[0].found, clip.truth.size());

@@ -18,6 +18,17 @@ FacingEvidence evidenceOf(double cost) {
   return evidence;
 }
 
+constexpr double kSome = 2.0 * FacingTrial::kMinLowPoints;  // low points
+
+/// Of a body at 2.8 m, of whose feet `points` are seen, with robust squares `low_cost` (m^2).
+FacingEvidence evidenceOfFeet(double low_cost, double points = kSome) {
+  FacingEvidence evidence = evidenceOf(1.0);
+  evidence.low_points = points;
+  evidence.low_cost = low_cost;
+  evidence.distance = 2.8;
+  return evidence;
+}
+
 /// The ratio of costs is `ratio`.
 FacingTrial trialOf(std::size_t images, double ratio) {
   FacingTrial trial;
@@ -77,16 +88,11 @@ TEST(FacingTrial, EndsAfterTheMostImages) {
 
 TEST(FacingTrial, FavoursFacingTheCameraIfThatExplainsTheFeet) {
   const auto ratio = [](double points, double low_camera, double low_away) {
-    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
-    camera.low_points = away.low_points = points;
-    camera.distance = away.distance = 2.8;
-    camera.low_cost = low_camera;
-    away.low_cost = low_away;
     FacingTrial trial;
-    for (int i = 0; i < 3; ++i) trial.add(kPeriod * i, camera, away);
+    for (int i = 0; i < 3; ++i)
+      trial.add(kPeriod * i, evidenceOfFeet(low_camera, points), evidenceOfFeet(low_away, points));
     return trial.ratio();
   };
-  constexpr double kSome = 2.0 * FacingTrial::kMinLowPoints;
   EXPECT_GT(ratio(kSome, 0.02, 0.06), 1.1);
   EXPECT_NEAR(ratio(kSome, 0.06, 0.02), 1.0, kTolerance) << "never for facing away";
   EXPECT_NEAR(ratio(0.5 * FacingTrial::kMinLowPoints, 0.02, 0.06), 1.0, kTolerance) << "too few points";
@@ -94,8 +100,7 @@ TEST(FacingTrial, FavoursFacingTheCameraIfThatExplainsTheFeet) {
 
 TEST(FacingTrial, IsAgainstToesOfWhoFacesAwayInEmptySpace) {
   const auto ratio = [](double empty_camera, double empty_away, double distance = 2.8) {
-    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
-    camera.low_points = away.low_points = 2.0 * FacingTrial::kMinLowPoints;
+    FacingEvidence camera = evidenceOfFeet(0.0), away = evidenceOfFeet(0.0);
     camera.empty_cost = empty_camera;
     away.empty_cost = empty_away;
     camera.distance = away.distance = distance;
@@ -112,11 +117,8 @@ TEST(FacingTrial, IsAgainstToesOfWhoFacesAwayInEmptySpace) {
 TEST(FacingTrial, IgnoresToesOfWhoFacesAwayOnTheKnees) {
   constexpr int kImages = 10;
   const auto ratio = [](int kneeling) {
-    FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
-    camera.low_points = away.low_points = 2.0 * FacingTrial::kMinLowPoints;
-    camera.distance = away.distance = 2.8;
-    camera.low_cost = 0.02;
-    away.low_cost = 0.06;
+    const FacingEvidence camera = evidenceOfFeet(0.02);
+    FacingEvidence away = evidenceOfFeet(0.06);
     FacingTrial trial;
     for (int i = 0; i < kImages; ++i) {
       away.kneels = i < kneeling;

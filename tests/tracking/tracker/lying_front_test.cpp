@@ -18,10 +18,7 @@ constexpr double kHeadEnd = 0.3;                        // m; the other end is 1
 constexpr double kUnbiasedMean = 0.050;                 // m, measured: 0.044
 
 testing::PosedScene sceneOf(const std::string& name) {
-  for (testing::PosedScene& scene : testing::heldOutScenes())
-    if (scene.name == name) return scene;
-  ADD_FAILURE() << "no such scene";
-  return {};
+  return testing::sceneNamed(testing::heldOutScenes(), name);
 }
 
 class LyingOnTheFront : public ::testing::TestWithParam<const char*> {};

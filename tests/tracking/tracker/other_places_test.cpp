@@ -1,8 +1,6 @@
 // Postures seen from above, from low and from far.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 
@@ -13,13 +11,7 @@ using testing::JointErrors;
 
 /// Of the only person, who is found in all images.
 JointErrors errorsOf(const std::vector<testing::PosedScene>& scenes, const std::string& name) {
-  const auto scene =
-      std::find_if(scenes.begin(), scenes.end(), [&](const auto& s) { return s.name == name; });
-  if (scene == scenes.end()) {
-    ADD_FAILURE() << name;
-    return {};
-  }
-  const testing::SimulatedClip clip = testing::simulate(*scene);
+  const testing::SimulatedClip clip = testing::simulate(testing::sceneNamed(scenes, name));
   const ClipTrack track = trackClip(*clip.stream, {});
   EXPECT_EQ(track.people.size(), 1u) << name;
   if (track.people.empty()) return {};

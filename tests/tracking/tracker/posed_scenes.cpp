@@ -143,6 +143,11 @@ const std::vector<FurnitureBox> kChair{{{-0.22, -0.22, 0.37}, {0.22, 0.22, 0.41}
                                        {{0.18, 0.18, 0.0}, {0.22, 0.22, 0.37}}};
 const std::vector<FurnitureBox> kBench{{{0.45, -0.8, 0.0}, {0.95, 0.8, 0.9}}};
 
+// Of people seen from all sides.
+const std::vector<Posture> kWork{standing(0.0), handsAhead(1.2), standing(2.5)};
+const std::vector<Posture> kSit{seated(0.0), seated(2.5)}, kKneel{kneeling(0.0), kneeling(2.5)};
+const std::vector<Posture> kBend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
+
 }  // namespace
 
 std::vector<PosedScene> posedScenes() {
@@ -267,9 +272,6 @@ std::vector<PosedScene> raisedScenes() {
 }
 
 std::vector<PosedScene> posturesFromAllSides() {
-  const std::vector<Posture> sit{seated(0.0), seated(2.5)}, kneel{kneeling(0.0), kneeling(2.5)};
-  const std::vector<Posture> work{standing(0.0), handsAhead(1.2), standing(2.5)};
-  const std::vector<Posture> bend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
   const std::vector<Posture> squat{standing(0.0), standing(0.6), squatting(1.5), squatting(2.0),
                                    standing(3.0)};
   const std::vector<Posture> sit_down{standingUp(0.0), standingUp(0.6), seated(1.6), seated(2.5)};
@@ -279,8 +281,8 @@ std::vector<PosedScene> posturesFromAllSides() {
     const char* name;
     const std::vector<Posture>& postures;
     std::vector<FurnitureBox> furniture;
-  } kinds[] = {{"seated", sit, kChair},           {"kneeling", kneel, {}},
-               {"bench", work, kBench},           {"bending", bend, {}},
+  } kinds[] = {{"seated", kSit, kChair},          {"kneeling", kKneel, {}},
+               {"bench", kWork, kBench},          {"bending", kBend, {}},
                {"squatting", squat, {}},          {"sitting_down", sit_down, kChair},
                {"standing_up", stand_up, kChair}, {"kneeling_down", kneel_down, {}}};
   std::vector<PosedScene> scenes;
@@ -291,18 +293,15 @@ std::vector<PosedScene> posturesFromAllSides() {
 }
 
 std::vector<PosedScene> posturesFromOtherPlaces() {
-  const std::vector<Posture> stand{standing(0.0), handsAhead(1.2), standing(2.5)};
-  const std::vector<Posture> sit{seated(0.0), seated(2.5)}, kneel{kneeling(0.0), kneeling(2.5)};
-  const std::vector<Posture> bend{standing(0.0), standing(0.6), bent(1.5), bent(2.0), standing(3.0)};
   const struct {
     const char* name;
     const std::vector<Posture>& postures;
     double look;  // m, height
     std::vector<FurnitureBox> furniture;
-  } kinds[] = {{"standing", stand, 0.9, {}},
-               {"seated", sit, 0.6, kChair},
-               {"kneeling", kneel, 0.6, {}},
-               {"bending", bend, 0.9, {}}};
+  } kinds[] = {{"standing", kWork, 0.9, {}},
+               {"seated", kSit, 0.6, kChair},
+               {"kneeling", kKneel, 0.6, {}},
+               {"bending", kBend, 0.9, {}}};
   const struct {
     const char* name;
     double distance, height;  // m
@@ -310,14 +309,9 @@ std::vector<PosedScene> posturesFromOtherPlaces() {
   std::vector<PosedScene> scenes;
   for (const auto& [kind, postures, look, furniture] : kinds)
     for (const auto& [place, distance, height] : places)
-      for (int side = 0; side < 360; side += 45) {
-        const double angle = unit::deg(static_cast<double>(side));
-        scenes.push_back({std::string(kind) + "_" + place + "_from_" + std::to_string(side),
-                          postures,
-                          {distance * std::cos(angle), distance * std::sin(angle), height},
-                          {0.0, 0.0, look},
-                          furniture});
-      }
+      for (const auto& [suffix, eye] : eightSides(distance, height))
+        scenes.push_back(
+            {std::string(kind) + "_" + place + suffix, postures, eye, {0.0, 0.0, look}, furniture});
   return scenes;
 }
 

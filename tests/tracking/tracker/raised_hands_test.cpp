@@ -11,10 +11,7 @@ namespace raised_hands_test {
 using testing::JointErrors;
 
 testing::PosedScene sceneOf(const std::string& name) {
-  for (testing::PosedScene& scene : testing::raisedScenes())
-    if (scene.name == name) return scene;
-  ADD_FAILURE() << "no scene " << name;
-  return {};
+  return testing::sceneNamed(testing::raisedScenes(), name);
 }
 
 class RaisedHands : public ::testing::TestWithParam<const char*> {

@@ -1,8 +1,6 @@
 // A body that is followed where the person is not.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tests/tracking/tracker/seated_pose.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
@@ -14,10 +12,8 @@ namespace searched_again_test {
 constexpr double kNear = 0.15;  // m, mean error of a pose that is right
 
 testing::SimulatedClip seatedClip() {
-  const std::vector<testing::PosedScene> scenes = testing::posturesFromAllSides();
-  const auto seated =
-      std::find_if(scenes.begin(), scenes.end(), [](const auto& s) { return s.name == "seated_from_45"; });
-  return testing::simulate({.recording = {}, .eye = seated->eye}, testing::posedFrames(seated->postures), {});
+  const testing::PosedScene seated = testing::sceneNamed(testing::posturesFromAllSides(), "seated_from_45");
+  return testing::simulate({.recording = {}, .eye = seated.eye}, testing::posedFrames(seated.postures), {});
 }
 
 /// A person alone in the image, who sits, and a tracker that takes up the body at a place.

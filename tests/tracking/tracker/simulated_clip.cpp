@@ -286,14 +286,13 @@ JointErrors compare(const std::vector<humanmodel::SkeletonFrame>& tracked,
   return errors;
 }
 
-std::vector<SideView> eightSides() {
+std::vector<SideView> eightSides(double distance, double height) {
   constexpr int kSides = 8;
-  constexpr double kFar = 2.8, kHigh = 1.2;  // m
   std::vector<SideView> sides;
   for (int side = 0; side < kSides; ++side) {
     const double angle = 2.0 * kPi * side / kSides;
     sides.push_back({"_from_" + std::to_string(360 * side / kSides),
-                     {kFar * std::cos(angle), kFar * std::sin(angle), kHigh}});
+                     {distance * std::cos(angle), distance * std::sin(angle), height}});
   }
   return sides;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,12 +48,21 @@ struct SimulatedClip {
 
 SimulatedClip simulate(const ClipPlan& plan);
 
-/// Cameras 2.8 m from the origin, 1.2 m high, every 45 degrees; 0 is ahead of the person, 90 to the left.
+/// Of scenes of any kind, the one with this name. Throws std::out_of_range if there is none.
+template <typename Scene>
+Scene sceneNamed(const std::vector<Scene>& scenes, const std::string& name) {
+  for (const Scene& scene : scenes)
+    if (scene.name == name) return scene;
+  throw std::out_of_range("no scene " + name);
+}
+
+/// One of the cameras around the origin, every 45 degrees; 0 is ahead of the person, 90 to the left.
 struct SideView {
   std::string suffix;  ///< of the name of a clip: "_from_45"
   Vector3d eye;        ///< m
 };
-std::vector<SideView> eightSides();
+/// Cameras `distance` and `height` (m) from the origin.
+std::vector<SideView> eightSides(double distance = 2.8, double height = 1.2);
 
 /// A box that stands or swings in the way: corners, m, world.
 struct FurnitureBox {

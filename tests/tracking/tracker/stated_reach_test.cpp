@@ -1,8 +1,6 @@
 // What is stated of a joint holds: the raw error, no offset taken off, lies within the reach of its spread.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "humanmodel/part_uncertainty.hpp"
 #include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
@@ -111,10 +109,7 @@ TEST(StatedUncertainty, CoversArmsThatTheSearchPutElsewhere) {
   for (testing::PosedScene& scene : testing::heldOutScenes()) scenes.push_back(std::move(scene));
   for (const auto& [clip_name, seed] : cases) {
     const std::string name = clip_name;
-    const auto scene =
-        std::find_if(scenes.begin(), scenes.end(), [&](const auto& s) { return s.name == name; });
-    ASSERT_NE(scene, scenes.end()) << name;
-    auto clip = testing::simulate(*scene);
+    auto clip = testing::simulate(testing::sceneNamed(scenes, name));
     ClipTrackerOptions options;
     options.person.seed = seed;
     const ClipTrack track = trackClip(*clip.stream, options);

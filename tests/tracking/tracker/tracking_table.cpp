@@ -90,40 +90,37 @@ void printRow(const std::string& name, const ClipResult& result) {
 constexpr double kSlice = 0.5;  // s
 
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
-int printJoints(const std::vector<std::string>& chosen) {
-  std::vector<TableClip> clips = clipsOf(posedScenes());
-  for (const auto& scenes :
-       {heldOutScenes(), raisedScenes(), posturesFromAllSides(), posturesFromOtherPlaces()})
-    for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
-  for (const auto& scenes : {hardScenes(), capturedScenes(), scenesFromAllSides(), scenesBesideThings()})
-    for (TableClip& clip : clipsOf(scenes)) clips.push_back(std::move(clip));
-  for (const TableClip& named : clips) {
-    if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
-    SimulatedClip clip = named.make();
-    const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
-    if (track.people.empty()) continue;
-    const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
-    std::printf("%s\n", named.name.c_str());
-    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-      const auto joint = static_cast<humanmodel::Joint>(j);
-      std::printf("%-14s", std::string(humanmodel::jointName(joint)).c_str());
-      for (double t = clip.truth.front().t; t <= clip.truth.back().t; t += kSlice) {
-        double sum = 0.0;
-        int count = 0, inferred = 0;
-        for (const humanmodel::SkeletonFrame& f : frames) {
-          if (f.t < t || f.t >= t + kSlice || !f.has(joint)) continue;
-          const auto truth = std::find_if(clip.truth.begin(), clip.truth.end(),
-                                          [&](const auto& o) { return std::abs(o.t - f.t) < 1e-6; });
-          if (truth == clip.truth.end()) continue;
-          sum += (f[joint] - (*truth)[joint]).norm();
-          ++count;
-          inferred += f.state[j] == humanmodel::JointState::kInferred;
-        }
-        std::printf(2 * inferred > count ? " (%3.0f)" : "  %3.0f ", count > 0 ? 1e3 * sum / count : kNaN);
+void printJoints(const TableClip& named) {
+  SimulatedClip clip = named.make();
+  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
+  if (track.people.empty()) return;
+  const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
+  std::printf("%s\n", named.name.c_str());
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    const auto joint = static_cast<humanmodel::Joint>(j);
+    std::printf("%-14s", std::string(humanmodel::jointName(joint)).c_str());
+    for (double t = clip.truth.front().t; t <= clip.truth.back().t; t += kSlice) {
+      double sum = 0.0;
+      int count = 0, inferred = 0;
+      for (const humanmodel::SkeletonFrame& f : frames) {
+        if (f.t < t || f.t >= t + kSlice || !f.has(joint)) continue;
+        const auto truth = std::find_if(clip.truth.begin(), clip.truth.end(),
+                                        [&](const auto& o) { return std::abs(o.t - f.t) < 1e-6; });
+        if (truth == clip.truth.end()) continue;
+        sum += (f[joint] - (*truth)[joint]).norm();
+        ++count;
+        inferred += f.state[j] == humanmodel::JointState::kInferred;
       }
-      std::printf("\n");
+      std::printf(2 * inferred > count ? " (%3.0f)" : "  %3.0f ", count > 0 ? 1e3 * sum / count : kNaN);
     }
+    std::printf("\n");
   }
+}
+
+int printJoints(const std::vector<std::string>& chosen) {
+  for (const auto& [group, clips] : groups())
+    for (const TableClip& named : clips)
+      if (std::find(chosen.begin(), chosen.end(), named.name) != chosen.end()) printJoints(named);
   return 0;
 }
 

@@ -217,11 +217,7 @@ TEST_P(UtdMhad, SkeletonsAreAheadOfImages) {
 // The offset is not a lag of the tracker: it has none where images and joints are simulated together.
 TEST(UtdMhadClock, TrackerDoesNotLag) {
   constexpr double kAgreement = 0.5 / kRate;  // s, half an image
-  const std::vector<testing::PosedScene> scenes = testing::posedScenes();
-  const auto scene = std::find_if(scenes.begin(), scenes.end(),
-                                  [](const testing::PosedScene& s) { return s.name == "sitting_down"; });
-  ASSERT_NE(scene, scenes.end());
-  auto clip = testing::simulate(*scene);
+  auto clip = testing::simulate(testing::sceneNamed(testing::posedScenes(), "sitting_down"));
   const ClipTrack track = trackClip(*clip.stream, {});
   ASSERT_FALSE(track.people.empty());
   const ClockOffset clock = estimateClockOffset(track.people[0].frames, clip.truth);
