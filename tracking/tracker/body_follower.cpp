@@ -26,7 +26,7 @@ BodyFollower::BodyFollower(const humanmodel::HumanOptions& options, const Statur
       rig{std::make_shared<BodyRig>(makeRig(humanmodel::makeHuman(options)))},
       tracker{std::make_unique<BodyTracker>(*rig, seed)} {
   tracker->setStatureDeviation(stature.deviation());
-  if (facing.away) tracker->expectAway();
+  tracker->expectAway(facing.away);
   if (facing.lies) tracker->expectLying(facing.away);
   tracker->setFacingKnown(facing.decided());
 }

@@ -26,7 +26,9 @@ constexpr int kBadImages = 5;
 // replaces it if it costs this many times as much, or less. Things in the hands of people who stand cost as
 // much, and a search would put the arms there; legs whose feet are outside of the image, anywhere.
 constexpr double kDoubtful = 5e-4, kBetterCost = 0.7;
-constexpr double kSearchAgain = 0.5;  // s
+// A search takes as long as to follow a body through ten images.
+constexpr Backoff::Waits kSearchLost{10, 0.15, 1.0, 0.15};
+constexpr Backoff::Waits kSearchDoubtful{0, 0.5, 2.0, 4.0};
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  // of a search
 // Of a limb's positions: times the smallest cost. None that costs more than LimbAlternatives::kAlike times
@@ -55,7 +57,6 @@ constexpr double kLikelierCost = 1.1;
 // The same of a raised arm whose forearm is hidden. Upper arms that explained the neck had 1.2 to 1.6, those
 // of hands behind the head at least 2.7; with 2.0, somebody who boxes lost an arm more often.
 constexpr double kHangingCost = 1.6;
-
 // Points that a forearm may explain alone beside a leg that explains the rest of it.
 constexpr double kShared = 4.0;
 
@@ -112,7 +113,13 @@ BodySolver::Vector priorsOf(const BodyRig& rig) {
 }  // namespace
 
 BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
-    : rig_{&rig}, fit_{rig}, limbs_{fit_}, uncertainty_{rig}, random_{seed} {
+    : rig_{&rig},
+      fit_{rig},
+      limbs_{fit_},
+      uncertainty_{rig},
+      random_{seed},
+      lost_{kSearchLost},
+      doubtful_{kSearchDoubtful} {
   wide_.prior = priorsOf(rig);
   narrow_.prior = wide_.prior;
   wide_.reach = 0.20;
@@ -142,7 +149,9 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     if (badly_ >= kBadImages) body_.found = false;
     if (may_sit && body_.found && body_.misfit.cost > kDoubtful && !areFeetCut()) searchAgain(t);
   }
-  if (!body_.found && seen_.points().count >= kFewestPoints) {
+  const bool is_lost = !body_.found && seen_.points().count >= kFewestPoints;
+  is_searched_ = is_lost && lost_.isDue(t);
+  if (is_searched_) {
     find();
     if (may_sit && body_.found && kneels(body_.X_WS)) {
       seen_.unmarkStanding();
@@ -151,6 +160,9 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
       find();
     }
     appeared_t_ = t;
+    lost_.note(t, body_.found);
+  } else if (is_lost) {
+    body_.misfit = {};
   }
   finish(t);
   return body_;
@@ -242,8 +254,7 @@ void BodyTracker::follow(double dt) {
 
 /// Somebody who sits down, and whose legs were lost in the chair before, is found again on the chair.
 void BodyTracker::searchAgain(double t) {
-  if (t - searched_t_ < kSearchAgain) return;
-  searched_t_ = t;
+  if (!doubtful_.isDue(t)) return;
   const TrackedBody followed = body_;
   const BodySolver::Vector velocity = velocity_;
   const std::mt19937_64 random = random_;
@@ -251,6 +262,7 @@ void BodyTracker::searchAgain(double t) {
   find();
   was_replaced_ =
       body_.found && body_.misfit.cost < kBetterCost * followed.misfit.cost && sitsOnSeat(*rig_, body_.X_WS);
+  doubtful_.note(t, was_replaced_);
   if (was_replaced_) return;
   body_ = followed;
   random_ = random;
@@ -296,8 +308,8 @@ void BodyTracker::find() {
     tryStarts(middle, top, *front_, best);
   } else {
     for (std::size_t v = 0; v < seen_.views().size(); ++v)
-      if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (away_ ? kPi : 0.0), best);
-    if (expected_) tryExpected(middle, top, best);
+      if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (expected_.away ? kPi : 0.0), best);
+    if (expected_.yaw) tryStarts(middle, top, *expected_.yaw, best);
   }
   body_ = best;
   if (std::isfinite(body_.misfit.cost)) uncrossLegs(), uncrossArms(), lowerLeg(), lowerArms();
@@ -331,9 +343,14 @@ void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vect
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
       if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose);
-      tryStart(pose, best);
+      fitFrom(pose);
+      if (mayFace(yawOf(body_.pose)) && body_.misfit.cost < best.misfit.cost) best = body_;
     }
   }
+}
+
+bool BodyTracker::mayFace(double yaw) const {
+  return !expected_.yaw || std::cos(yaw - *expected_.yaw) >= 0.0;
 }
 
 /// Fits a person who lies.
@@ -344,9 +361,8 @@ void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
   std::array<LyingStart, kLyingStarts> starts;
   lyingStarts(*rig_, seen_.points(), middle, starts);
   for (const LyingStart& start : starts) {
-    if (on_front_.value_or(start.on_front) != start.on_front) continue;
-    TrackedBody none;
-    tryStart(start.pose, none);
+    if (expected_.on_front.value_or(start.on_front) != start.on_front) continue;
+    fitFrom(start.pose);
     fit_.gaps(body_.X_WS, body_.gap);
     if (fits.add(body_.misfit.cost, body_.X_WS, body_.gap, start.on_front))
       of_side[start.on_front ? 1 : 0] = body_;
@@ -356,7 +372,8 @@ void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
   if (fits.sidesAlike()) facing_known_ = false;
 }
 
-void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
+/// Sets pose and misfit of the body.
+void BodyTracker::fitFrom(const RigPose& start) {
   body_.pose = start;
   for (int round = 0; round < 3; ++round) {
     fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
@@ -365,13 +382,6 @@ void BodyTracker::tryStart(const RigPose& start, TrackedBody& best) {
   fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
-  if (body_.misfit.cost < best.misfit.cost) best = body_;
-}
-
-/// Tries the expected direction, too; drops `best` if it faces another way.
-void BodyTracker::tryExpected(const Vector3d& middle, double top, TrackedBody& best) {
-  tryStarts(middle, top, *expected_, best);
-  if (std::cos(yawOf(best.pose) - *expected_) < 0.0) best = TrackedBody{};
 }
 
 /// Legs that a fit has exchanged; while a person is followed, crossed legs are those of somebody who walks.
@@ -459,9 +469,7 @@ void BodyTracker::finish(double t) {
     return;
   }
   found_t_ = t;
-  away_ = false;
-  expected_.reset();
-  on_front_.reset();
+  expected_ = {};
   if (!facesUpOrDown(body_.pose.X_WP.linear().col(0))) front_ = yawOf(body_.pose);
   fit_.visibility(seen_, body_.X_WS, body_.visible);
   if (isHeadCut()) body_.visible[index(RigSegment::kHead)] = 0.0;

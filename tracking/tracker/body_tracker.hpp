@@ -4,6 +4,7 @@
 #include <optional>
 #include <random>
 
+#include "tracking/tracker/backoff.hpp"
 #include "tracking/tracker/person_uncertainty.hpp"
 
 namespace abstand::tracking {
@@ -22,7 +23,7 @@ struct StartPosture {
 /// lying, on the back or on the front, if nothing is high: where both explain the image about as well, it is
 /// no longer known which way the person faces. Afterwards left and right persist, as motion
 /// between two images is small. Lost when more than a third of the person's points are far from the body for
-/// some images; then searched anew, within a second in the last orientation.
+/// some images; then searched anew, within a second in the last orientation, less often if in vain.
 ///
 /// One tracker for each person and thread. The rig must outlive it. track() allocates nothing after the first
 /// image; it does not throw.
@@ -33,13 +34,13 @@ class BodyTracker {
   /// `t` (s) increases. One image of each camera that looks at that time, at most BodyObservation::kMaxViews;
   /// if no pixel is set, the person is not in view, and lost.
   const TrackedBody& track(double t, std::span<const PersonImage> images);
-  /// The initial search assumes that the person's back is to the camera.
-  void expectAway() { away_ = true; }
+  /// Whether the initial search assumes that the person's back is to the camera.
+  void expectAway(bool away) { expected_.away = away; }
   /// The initial search of a person who does not lie starts from `yaw` (rad, world), too, and finds none who
   /// faces another way by more than 90 degrees.
-  void expectFacing(double yaw) { expected_ = yaw; }
+  void expectFacing(double yaw) { expected_.yaw = yaw; }
   /// The initial search assumes that a person who lies does so on the front, or on the back.
-  void expectLying(bool on_front) { on_front_ = on_front; }
+  void expectLying(bool on_front) { expected_.on_front = on_front; }
   /// Whether it is known which way the person faces. If not, the reach of each joint includes its place in a
   /// person who faces the other way. Known at first; unknown again for a person who was lost for more than a
   /// second.
@@ -62,6 +63,8 @@ class BodyTracker {
   const TrackedBody& search(const BodyTracker& other, double yaw);
   const Lying& lying() const { return lying_; }
   const TrackedBody& body() const { return body_; }
+  /// Whether the person was searched for in the last image, and not found. Not every image is searched.
+  bool searchedInVain() const { return is_searched_ && !body_.found; }
   /// Whether the last body comes from a search that explains the image much better than the followed one did:
   /// the bodies before were wrong.
   bool wasReplaced() const { return was_replaced_; }
@@ -74,14 +77,20 @@ class BodyTracker {
   static constexpr double kTurns = 1.0;
 
  private:
+  /// Of the initial search, until the person is found.
+  struct Expected {
+    bool away{false};
+    std::optional<double> yaw;     ///< rad
+    std::optional<bool> on_front;  ///< of a person who lies; nullopt: both are tried
+  };
   void searchAgain(double t);
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
   void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
                    double facing, TrackedBody& best);
   void tryLying(const Vector3d& middle, TrackedBody& best);
-  void tryStart(const RigPose& start, TrackedBody& best);
-  void tryExpected(const Vector3d& middle, double top, TrackedBody& best);
+  bool mayFace(double yaw) const;
+  void fitFrom(const RigPose& start);
   void uncrossLegs();
   void uncrossArms();
   void lowerLeg();
@@ -100,12 +109,13 @@ class BodyTracker {
   BodyObservation seen_;
   PersonUncertainty uncertainty_;
   std::mt19937_64 random_;
+  Backoff lost_, doubtful_;  ///< searches for a lost person, and while a body is followed that fits badly
+  bool is_searched_{false};  ///< the last image was searched for a lost person
   TrackedBody body_;
   BodySolver::Vector velocity_{BodySolver::Vector::Zero()};  ///< rad/s, m/s
   DepthFit::Weights wide_, narrow_;
   double last_t_{kNaN}, found_t_{kNaN};  ///< s, of the last image, and of the last one with the body
   double appeared_t_{-kInfinity};        ///< s, the first image since the person was found
-  double searched_t_{-kInfinity};        ///< s, of the last search while the person was followed
   double legs_seen_t_{-kInfinity};       ///< s, last image with a calf or a foot
   std::optional<double> front_;          ///< rad, last facing direction
   double stature_deviation_{0.0};        ///< m
@@ -113,10 +123,8 @@ class BodyTracker {
   bool was_replaced_{false};
   bool is_cut_{false};  ///< the upper border of the last image cuts off the person
   bool facing_known_{true};
-  bool away_{false};                ///< until the person is found
-  std::optional<double> expected_;  ///< rad, likewise
-  std::optional<bool> on_front_;    ///< likewise, of a person who lies; nullopt: both are tried
-  int badly_{0};                    ///< consecutive images that the body did not explain
+  Expected expected_;
+  int badly_{0};  ///< consecutive images that the body did not explain
 };
 
 }  // namespace abstand::tracking

@@ -40,7 +40,8 @@ class FacingTrial {
     return ratio() * (away ? 1.0 / kAlike : kAlike) < 1.0;
   }
   bool complete() const { return images_ >= kMaxImages; }
-  /// If there are images enough, sets `facing.ratio`. The direction is decided if facing.decided() then.
+  /// If there are images enough, sets the ratio of `facing`, and whether the person kneels. The direction is
+  /// decided if facing.decided() then.
   void judge(Facing& facing) const;
 
  private:
@@ -56,7 +57,8 @@ class FacingTrial {
     void add(const FacingEvidence& evidence, bool feet_count);
   };
   std::size_t images_{0};
-  std::size_t images_of_feet_{0};  ///< those in which the feet of both bodies are compared
+  std::size_t images_of_feet_{0};   ///< those in which the feet of both bodies are compared
+  std::size_t images_on_knees_{0};  ///< those in which any of the bodies kneels
   Sums camera_, away_;
   double last_t_{kNaN};                ///< s
   Vector3d last_p_{Vector3d::Zero()};  ///< m, middle of both pelves

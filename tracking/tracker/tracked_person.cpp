@@ -192,12 +192,12 @@ void TrackedPerson::follow(double t, std::span<const PersonImage> images) {
   track(t, images);
 }
 
-/// Until a body is found, one that faces the other way is searched for in every second image: the back of a
-/// chair may hide most of a person, and not be explained by one who faces the camera.
+/// Until a body is found, every second search is for one that faces the other way: the back of a chair may
+/// hide most of a person, and not be explained by one who faces the camera.
 void TrackedPerson::tryOtherFacing() {
-  if (first_ || known_ || compared_ || facing_.given || now_.tracker->body().found) return;
+  if (first_ || known_ || compared_ || facing_.given || !now_.tracker->searchedInVain()) return;
   facing_.away = !facing_.away;
-  now_ = followerOf(now_.body, stature_, facing_.away);
+  now_.tracker->expectAway(facing_.away);
 }
 
 /// All bodies; returns the one that faces as assumed.

@@ -103,7 +103,7 @@ std::string facingReason(const Facing& facing) {
   std::snprintf(text, sizeof text,
                 "%s: the residual of facing away is %.2f times that of facing the camera; below %.2f facing "
                 "away is certain, above %.2f facing the camera",
-                facing.decided() ? "" : ", undecided", facing.ratio, 1.0 / facing.sure(), facing.sure());
+                facing.decided() ? "" : ", undecided", facing.ratio, 1.0 / facing.sureAway(), facing.sure());
   return side + text;
 }
 

@@ -21,6 +21,12 @@ TEST(Facing, IsDecidedByRatiosFarFromOne) {
   EXPECT_TRUE(Facing{.given = true}.decided());
 }
 
+TEST(Facing, AwayOfPeopleWhoKneelNeedsMore) {
+  const auto decided = [](double ratio) { return Facing{.kneels = true, .ratio = ratio}.decided(); };
+  for (const double ratio : {0.66, 1.26}) EXPECT_TRUE(decided(ratio)) << ratio;
+  for (const double ratio : {0.68, 0.79, 1.24}) EXPECT_FALSE(decided(ratio)) << ratio;
+}
+
 TEST(Facing, OfPeopleWhoLieIsThatOfTheLessCertain) {
   EXPECT_EQ(lying(2.0, 1.3).ratio, 1.3);
   EXPECT_EQ(lying(1.3, 2.0).ratio, 1.3);

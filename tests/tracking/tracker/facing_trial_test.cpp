@@ -132,6 +132,26 @@ TEST(FacingTrial, IgnoresToesOfWhoFacesAwayOnTheKnees) {
   EXPECT_NEAR(ratio(kImages), 1.0, kTolerance);
 }
 
+TEST(FacingTrial, PersonKneelsIfAnyBodyDoesInMostImages) {
+  const auto kneels = [](std::size_t of_camera, std::size_t of_away) {
+    FacingTrial trial;
+    for (std::size_t i = 0; i < FacingTrial::kMinImages; ++i) {
+      FacingEvidence camera = evidenceOf(1.0), away = evidenceOf(1.0);
+      camera.kneels = i < of_camera;
+      away.kneels = i < of_away;
+      trial.add(kPeriod * static_cast<double>(i), camera, away);
+    }
+    Facing facing;
+    trial.judge(facing);
+    return facing.kneels;
+  };
+  constexpr std::size_t kHalf = FacingTrial::kMinImages / 2;
+  EXPECT_FALSE(kneels(0, 0));
+  EXPECT_FALSE(kneels(kHalf, kHalf));
+  EXPECT_TRUE(kneels(kHalf + 1, 0));
+  EXPECT_TRUE(kneels(0, kHalf + 1));
+}
+
 /// Ratio of a person who moves `step` (m) to +x in each of `images`, `period` (s) apart, whose bodies face
 /// +x (to the camera) and -x.
 double ratioOfWalk(int images, double step, double period) {

@@ -44,5 +44,19 @@ TEST(OtherPlaces, ShowSomebodyBehindTheBackOfAChair) {
   errorsOf(testing::posturesFromAllSides(), "sitting_down_from_225");
 }
 
+// The back of a chair hides all but the head and the shoulders.
+TEST(OtherPlaces, ShowHeadAndShouldersAlone) {
+  const JointErrors errors = errorsOf(testing::posturesFromOtherPlaces(), "seated_low_from_180");
+  EXPECT_GE(errors.tracked.within(), 0.99);
+  EXPECT_GE(errors.inferred.within(), 0.97);
+}
+
+// Of somebody on the knees, far away, coarse images told the wrong front: 0.53 of the joints were covered.
+TEST(OtherPlaces, DoNotTellTheFrontOfSomebodyFarAwayOnTheKnees) {
+  const JointErrors errors = errorsOf(testing::posturesFromOtherPlaces(), "kneeling_far_from_45");
+  EXPECT_GE(errors.tracked.within(), 0.99);
+  EXPECT_GE(errors.inferred.within(), 0.97);
+}
+
 }  // namespace other_places_test
 }  // namespace abstand::tracking

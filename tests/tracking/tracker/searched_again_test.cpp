@@ -1,10 +1,14 @@
 // A body that is followed where the person is not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tests/tracking/tracker/seated_pose.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/tracker/body_tracker.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
 namespace searched_again_test {
@@ -24,6 +28,9 @@ struct SearchedAgain : ::testing::Test {
   }
   const TrackedBody& trackNext() {
     EXPECT_TRUE(clip.stream->next(frame));
+    return track();
+  }
+  const TrackedBody& track() {
     mask.resize(frame.image.z.size());
     for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
     const PersonImage image{&frame.image, &clip.stream->camera(), mask};
@@ -60,6 +67,33 @@ TEST_F(SearchedAgain, ResumedBodyIsPlaced) {
   RigPlacement X_WS;
   place(rig, start, X_WS);
   for (std::size_t s = 0; s < kRigSegments; ++s) EXPECT_TRUE(tracker.body().X_WS[s].isApprox(X_WS[s])) << s;
+}
+
+TEST_F(SearchedAgain, BodyFacesAsExpected) {
+  tracker.expectFacing(kPi);
+  trackNext();
+  ASSERT_TRUE(std::isfinite(tracker.body().misfit.cost)) << "although facing 0 explains the image better";
+  EXPECT_LE(std::cos(yawOf(tracker.body().pose)), 0.0);
+}
+
+// A search takes as long as ten images: a wall that passes for a person must not take all of the time.
+TEST_F(SearchedAgain, WallIsSearchedLessOften) {
+  constexpr int kImages = 30, kEach = 10;
+  ASSERT_TRUE(clip.stream->next(frame));
+  const std::vector<float> person = frame.image.z;
+  std::fill(frame.image.z.begin(), frame.image.z.end(), 2.5f);
+  int searched = 0;
+  for (int i = 0; i < kImages; ++i) {
+    frame.t = i / 30.0;
+    EXPECT_FALSE(track().found) << i;
+    searched += tracker.searchedInVain();
+    if (i < kEach) EXPECT_EQ(searched, i + 1);
+  }
+  EXPECT_GT(searched, kEach);
+  EXPECT_LE(searched, kEach + (kImages - kEach) / 4);
+  frame.image.z = person;
+  frame.t += 0.3;  // s; any wait is over
+  EXPECT_TRUE(track().found);
 }
 
 TEST_F(SearchedAgain, BodyThatExplainsTheImageIsFollowed) {

@@ -23,9 +23,9 @@ constexpr float kLowestOfNew = 1.2f;  // m
 // and of one whose head is that low. Most heads of people have more than 4, but fewer in some images with
 // raised arms; all but one of 554 low ones have at least 19. Backs of chairs have 0 to 4, in some images 8;
 // boxes on a post 3 to 8, and 0.05 to 0.12 m^2. People have 0.08 m^2 and more in the image in which they are
-// found.
+// found; 0.06 if the back of a chair hides all but the head and the shoulders.
 constexpr int kMinShoulders = 3, kMinShouldersOfSmall = 10, kMinShouldersOfLow = 12;
-constexpr double kFewestBody = 0.075, kSmallBody = 0.13;
+constexpr double kFewestBody = 0.055, kSmallBody = 0.13;
 // m^2: a new person this near (kSplitLow) to another has so much of a body of its own; a bucket that is
 // lifted has less. Half of a trunk that faces the camera.
 constexpr double kBodyBeside = 0.15;

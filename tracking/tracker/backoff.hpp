@@ -1,0 +1,41 @@
+// Less frequent attempts while they are in vain.
+#pragma once
+
+#include <algorithm>
+
+#include "core/math/transform.hpp"
+
+namespace abstand::tracking {
+
+/// When to attempt again what takes as long as several images: whenever wanted at first, after `free`
+/// consecutive attempts in vain only after a wait, which grows by each of these. One thread.
+class Backoff {
+ public:
+  struct Waits {
+    int free;        ///< attempts
+    double first;    ///< s
+    double growth;   ///< factor, at least 1
+    double longest;  ///< s
+  };
+  explicit Backoff(const Waits& waits) : waits_{waits}, wait_{waits.first} {}
+
+  /// `t` (s) does not decrease.
+  bool isDue(double t) const { return vain_ < waits_.free || t - last_t_ >= wait_; }
+  /// An attempt at `t` (s).
+  void note(double t, bool succeeded) {
+    last_t_ = t;
+    vain_ = succeeded ? 0 : vain_ + 1;
+    if (succeeded)
+      wait_ = waits_.first;
+    else if (vain_ > waits_.free)
+      wait_ = std::min(waits_.longest, waits_.growth * wait_);
+  }
+
+ private:
+  Waits waits_;
+  double wait_;                ///< s
+  double last_t_{-kInfinity};  ///< s, of the last attempt
+  int vain_{0};                ///< consecutive attempts in vain
+};
+
+}  // namespace abstand::tracking
