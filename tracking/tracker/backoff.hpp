@@ -7,8 +7,8 @@
 
 namespace abstand::tracking {
 
-/// When to attempt again what takes as long as several images: whenever wanted at first, after `free`
-/// consecutive attempts in vain only after a wait, which grows by each of these. One thread.
+/// Exponential backoff of attempts that take as long as several images. Until `free` consecutive ones were in
+/// vain, the next one is due at any time, then after a wait that grows with each further one. One thread.
 class Backoff {
  public:
   struct Waits {
@@ -30,6 +30,8 @@ class Backoff {
     else if (vain_ > waits_.free)
       wait_ = std::min(waits_.longest, waits_.growth * wait_);
   }
+  /// Forgets all attempts.
+  void reset() { *this = Backoff(waits_); }
 
  private:
   Waits waits_;

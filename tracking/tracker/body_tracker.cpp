@@ -143,6 +143,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   last_t_ = t;
   if (seen_.points().count < kFewestPoints) {
     body_.found = false;
+    lost_.reset();
   } else if (body_.found) {
     follow(dt);
     badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;

@@ -39,5 +39,13 @@ TEST(Backoff, SuccessStartsAgain) {
   EXPECT_TRUE(backoff.isDue(3.5));
 }
 
+TEST(Backoff, ResetStartsAgain) {
+  Backoff backoff({1, 0.5, 2.0, 4.0});
+  backoff.note(0.0, false);
+  EXPECT_FALSE(backoff.isDue(0.25));
+  backoff.reset();
+  EXPECT_TRUE(backoff.isDue(0.25));
+}
+
 }  // namespace backoff_test
 }  // namespace abstand::tracking

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tests/tracking/tracker/seated_pose.hpp"
@@ -91,6 +92,15 @@ TEST_F(SearchedAgain, WallIsSearchedLessOften) {
   }
   EXPECT_GT(searched, kEach);
   EXPECT_LE(searched, kEach + (kImages - kEach) / 4);
+  const std::vector<float> wall = std::exchange(frame.image.z, std::vector<float>(person.size(), 0.0f));
+  EXPECT_FALSE(track().found);
+  EXPECT_FALSE(tracker.searchedInVain()) << "nothing to search";
+  frame.image.z = wall;
+  for (int i = 0; i < kEach; ++i) {
+    frame.t += 1.0 / 30.0;
+    track();
+    EXPECT_TRUE(tracker.searchedInVain()) << "in view again, image " << i;
+  }
   frame.image.z = person;
   frame.t += 0.3;  // s; any wait is over
   EXPECT_TRUE(track().found);
