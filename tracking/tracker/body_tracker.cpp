@@ -246,8 +246,7 @@ void BodyTracker::follow(double dt) {
   searchLimbs({100, 0.2, kKept}, {30, 0.12, kKept});
   velocity_ =
       continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
-  place(*rig_, body_.pose, body_.X_WS);
-  body_.misfit = fit_.misfit(seen_, body_.X_WS);
+  placeBody();
   uncrossArms();
   lowerLeg();
   lowerArms();
@@ -381,6 +380,11 @@ void BodyTracker::fitFrom(const RigPose& start) {
     searchLimbs({120, 0.3, 1.0}, {40, 0.2, 1.0});
   }
   fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
+  placeBody();
+}
+
+/// Of its pose.
+void BodyTracker::placeBody() {
   place(*rig_, body_.pose, body_.X_WS);
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
 }
@@ -433,8 +437,7 @@ bool BodyTracker::tryLikelier(const RigPose& start, double limit) {
   body_.pose = start;
   fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
   fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
-  place(*rig_, body_.pose, body_.X_WS);
-  body_.misfit = fit_.misfit(seen_, body_.X_WS);
+  placeBody();
   if (body_.misfit.cost <= limit * before.misfit.cost) return true;
   body_ = before;
   return false;

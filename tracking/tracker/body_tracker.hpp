@@ -91,6 +91,7 @@ class BodyTracker {
   void tryLying(const Vector3d& middle, TrackedBody& best);
   bool mayFace(double yaw) const;
   void fitFrom(const RigPose& start);
+  void placeBody();
   void uncrossLegs();
   void uncrossArms();
   void lowerLeg();
