@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "tracking/tracker/bone.hpp"
+
 namespace abstand::tracking {
 namespace {
 
@@ -15,16 +17,6 @@ constexpr double kLowestHips = 0.30;  // m; those of people who sit on the floor
 double lean(const BodyRig& rig, const RigPlacement& X_WS, RigSegment s) {
   return (X_WS[index(s)].linear() * rig[s].along).z();
 }
-
-struct Bone {
-  Vector3d from, to;
-
-  double distanceTo(const Vector3d& p) const {
-    const Vector3d along = to - from;
-    const double share = std::clamp((p - from).dot(along) / std::max(along.squaredNorm(), 1e-9), 0.0, 1.0);
-    return (p - from - share * along).norm();
-  }
-};
 
 }  // namespace
 

@@ -60,6 +60,15 @@ void StillThings::keepChair() {
     for (Pixel& pixel : view.pixels) pixel.kept = pixel.kept || pixel.chair >= kChairImages;
 }
 
+void StillThings::keep(std::span<const PersonImage> all, std::span<const PersonImage> rest) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    View& view = viewOf(all[k]);
+    for (std::size_t i = 0; i < view.pixels.size(); ++i)
+      if (all[k].is_person[i] != 0 && rest[k].is_person[i] == 0)
+        view.pixels[i] = {.z = all[k].image->z[i], .kept = true};
+  }
+}
+
 void StillThings::forgetChair() {
   for (View& view : views_)
     for (Pixel& pixel : view.pixels) pixel.chair = 0;

@@ -29,6 +29,9 @@ class StillThings {
   /// Makes things of the surfaces that were of the chair in kChairImages images. Only for a person whose
   /// facing direction is known: the other one has its chair elsewhere. forget() does not forget them.
   void keepChair();
+  /// Makes things of the person's pixels of `all` that are not the person's in `rest`, the same images.
+  /// forget() does not forget them.
+  void keep(std::span<const PersonImage> all, std::span<const PersonImage> rest);
   /// The person faces the other way: what was learned of a chair is wrong.
   void forgetChair();
   /// The poses so far were wrong: what was learned with them, too.
@@ -48,7 +51,7 @@ class StillThings {
     std::uint8_t apart{0};         ///< images apart from the body, up to kApartImages
     std::uint8_t past{0};          ///< consecutive images in which the camera looked past it
     std::uint8_t chair{0};         ///< images as a part of a chair, up to kChairImages
-    bool kept{false};              ///< by keepChair()
+    bool kept{false};              ///< by keepChair() or keep()
     std::uint16_t stretch{0};      ///< of stretch_, when `apart` became kApartImages
     std::uint16_t image{0};        ///< of image_, last one counted in `apart`
     std::uint16_t chair_image{0};  ///< likewise in `chair`

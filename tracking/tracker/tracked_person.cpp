@@ -20,7 +20,12 @@ constexpr double kUpright = 0.96;  // share of the stature between sole and vert
 // Share of the points that an upright body explains whose stature is right. A wrong one left up to 0.984.
 constexpr double kWellExplained = 0.99;
 constexpr double kUnderVertex = 0.05;  // m; hands that are higher may be the highest of the person
-constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
+// m^2: the bodies of people who stand cost less, without things that touch them.
+constexpr double kDoubtfulCost = 5e-4;
+// Times the cost of a body found without these things, below which the followed one goes on.
+constexpr double kFollowedCost = 1.3;
+constexpr Backoff::Waits kSeparations{1, 0.5, 2.0, 4.0};
+constexpr double kSteady = 0.04;  // m, largest difference of the heights of images that are measured
 
 /// The mean body of a stature (m).
 humanmodel::HumanOptions usualBody(double height) {
@@ -61,7 +66,7 @@ void encloseOther(BodyFollower& now, const BodyFollower& other) {
 
 }  // namespace
 
-TrackedPerson::TrackedPerson(const Options& options) : options_{options} {
+TrackedPerson::TrackedPerson(const Options& options) : options_{options}, separations_{kSeparations} {
   facing_.away = options.away.value_or(false);
   facing_.given = options.away.has_value();
   if (!options.height) return;
@@ -76,6 +81,7 @@ TrackedPerson::TrackedPerson(const Options& options, std::shared_ptr<const Known
       stature_{known->stature},
       now_{followerOf(known->assumed.body, stature_, facing_.away)},
       things_{known->things},
+      separations_{kSeparations},
       known_{std::move(known)},
       started_{true},
       fitted_{true},
@@ -114,12 +120,18 @@ BodyFollower TrackedPerson::continued(const BodyFollower& last, const humanmodel
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all) {
   if (!started_ && !start(t, all)) {
+    touching_.see(all);
     keepMeasured(t, all);
     return nullptr;
   }
-  const std::span<const PersonImage> images = things_.remove(all);
+  std::span<const PersonImage> images = things_.remove(all);
+  touching_.see(images);
   if (other_ && t - found_t_ > BodyTracker::kTurns) endComparison();
   follow(t, images);
+  if (separateThings(t, images)) {
+    images = things_.remove(all);
+    track(t, images);
+  }
   if (now_.tracker->body().found) found_t_ = t;
   tryOtherFacing();
   compareFacings(t, images);
@@ -198,6 +210,34 @@ void TrackedPerson::tryOtherFacing() {
   if (first_ || known_ || compared_ || facing_.given || !now_.tracker->searchedInVain()) return;
   facing_.away = !facing_.away;
   now_.tracker->expectAway(facing_.away);
+}
+
+/// Things that touch the legs of somebody who stands, and is not found, or badly, for them. Returns whether
+/// there are any; the bodies are then where they explain the images without them.
+bool TrackedPerson::separateThings(double t, std::span<const PersonImage> images) {
+  const TrackedBody& body = now_.tracker->body();
+  if ((body.found && body.misfit.cost < kDoubtfulCost) || !separations_.isDue(t)) return false;
+  BodyFollower trial = followerOf(now_.body, stature_, facing_.away);
+  if (body.found)
+    trial.tracker->expectFacing(yawOf(body.pose));
+  else if (known_)
+    expect(known_->assumed.path, t, false, *trial.tracker);
+  const bool is_separated = touching_.search(t, images, body.found ? body.misfit.cost : kInfinity, trial);
+  if (touching_.searched()) separations_.note(t, is_separated);
+  if (!is_separated) return false;
+  things_.forget();
+  things_.keep(images, touching_.rest());
+  if (!fitting_.valid()) calibration_ = {};
+  trial_ = {};
+  const TrackedBody& found = trial.tracker->body();
+  // Seen from the side, a search may find the mirror image of a followed body of which only a leg is wrong.
+  if (body.found && now_.track(t, touching_.rest()).misfit.cost < kFollowedCost * found.misfit.cost)
+    return true;
+  now_.tracker->resume(found.pose, {}, t);
+  if (!other_) return true;
+  other_ = followerOf(other_.body, stature_, !facing_.away);
+  other_.startTurned(trial);
+  return true;
 }
 
 /// All bodies; returns the one that faces as assumed.

@@ -9,6 +9,7 @@
 #include "tracking/tracker/facing_trial.hpp"
 #include "tracking/tracker/kept_moment.hpp"
 #include "tracking/tracker/still_things.hpp"
+#include "tracking/tracker/touching_things.hpp"
 
 namespace abstand::tracking {
 
@@ -100,6 +101,7 @@ class TrackedPerson {
   void keepMeasured(double t, std::span<const PersonImage> images);
   void follow(double t, std::span<const PersonImage> images);
   void tryOtherFacing();
+  bool separateThings(double t, std::span<const PersonImage> images);
   const TrackedBody& track(double t, std::span<const PersonImage> images);
   void noteFirst(double t);
   void startBefore();
@@ -136,6 +138,8 @@ class TrackedPerson {
   BodyFollower before_, other_before_;  ///< backwards in time
   BySide<BodyCalibration> calibration_;
   StillThings things_;
+  TouchingThings touching_;
+  Backoff separations_;
   std::future<Fit> fitting_;
   ComingIntoView coming_;
   std::shared_ptr<const KnownBody> known_;  ///< until the person is found

@@ -65,4 +65,25 @@ std::vector<CapturedScene> scenesBesideThings() {
   return scenes;
 }
 
+std::vector<PosedScene> scenesCloseToThings() {
+  const struct {
+    const char* name;
+    Thing thing;
+    Eigen::Vector2d at;  // m
+  } things[] = {{"chair", Thing::kChair, {-0.44, 0.0}},
+                {"crate", Thing::kCrate, {0.0, 0.45}},
+                {"cart", Thing::kCart, {0.45, 0.0}}};
+  std::vector<PosedScene> scenes;
+  for (const auto& [name, thing, at] : things)
+    for (const SideView& view : eightSides())
+      scenes.push_back({.name = "close_" + std::string(name) + view.suffix,
+                        .postures = {{.t = 0.0},
+                                     {.t = 1.0},
+                                     {.t = 2.0, .reach = 0.40, .aside = 0.20, .low = 1.05},
+                                     {.t = 3.0, .reach = 0.40, .aside = 0.20, .low = 1.05}},
+                        .eye = view.eye,
+                        .furniture = boxesOf(thing, at)});
+  return scenes;
+}
+
 }  // namespace abstand::testing

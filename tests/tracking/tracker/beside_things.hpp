@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/tracking/tracker/captured_scenes.hpp"
+#include "tests/tracking/tracker/posed_scenes.hpp"
 
 namespace abstand::testing {
 
@@ -20,5 +21,9 @@ std::vector<FurnitureBox> boxesOf(Thing thing, const Eigen::Vector2d& at);
 /// away in eight directions (degrees from the front to the left), without the two in which the hand would
 /// touch it: `beside_chair_at_45`.
 std::vector<CapturedScene> scenesBesideThings();
+
+/// Three seconds of somebody who stands and reaches ahead, 0.1 m from a thing: a chair behind, a crate to the
+/// left, a cart ahead. In the image their surfaces adjoin. Each from eight sides: `close_chair_from_45`.
+std::vector<PosedScene> scenesCloseToThings();
 
 }  // namespace abstand::testing

@@ -1,4 +1,5 @@
 // Prints the table of errors and coverage of docs/tracking.md.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,12 +10,24 @@
 #include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tests/tracking/tracker/certified_clip.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tests/tracking/tracker/work_sessions.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/live_tracker.hpp"
 
 namespace abstand::testing {
 namespace {
 
 tracking::ClipTrackerOptions g_options;
+bool g_live = false;
+
+/// The processor time of the live tracker is not measured: its result has 0 s.
+tracking::ClipTrack trackOf(tracking::DepthStream& stream) {
+  if (!g_live) return tracking::trackClip(stream, g_options);
+  tracking::LiveTracker tracker({&stream.camera(), 1}, true, {.person = g_options.person});
+  tracking::DepthFrame frame;
+  while (stream.next(frame)) tracker.see(frame);
+  return tracker.track();
+}
 
 struct TableClip {
   std::string name;
@@ -43,6 +56,8 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"raised hands", clipsOf(raisedScenes())},
           {"postures from all sides", clipsOf(posturesFromAllSides())},
           {"people beside things", clipsOf(scenesBesideThings())},
+          {"people close to things", clipsOf(scenesCloseToThings())},
+          {"sessions of half a minute", clipsOf(workSessions())},
           {"postures from other places", clipsOf(posturesFromOtherPlaces())}};
 }
 
@@ -54,7 +69,7 @@ struct ClipResult {
 
 ClipResult resultOf(const TableClip& named, double& images_a_second) {
   SimulatedClip clip = named.make();
-  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
+  const tracking::ClipTrack track = trackOf(*clip.stream);
   images_a_second = static_cast<double>(track.images) / track.seconds;
   ClipResult result{{}, 0, clip.truth.size()};
   if (track.people.empty()) return result;
@@ -92,7 +107,7 @@ constexpr double kSlice = 0.5;  // s
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
 void printJoints(const TableClip& named) {
   SimulatedClip clip = named.make();
-  const tracking::ClipTrack track = tracking::trackClip(*clip.stream, g_options);
+  const tracking::ClipTrack track = trackOf(*clip.stream);
   if (track.people.empty()) return;
   const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
   std::printf("%s\n", named.name.c_str());
@@ -143,7 +158,7 @@ int printCertified(const std::vector<std::string>& chosen) {
     for (const TableClip& named : clips) {
       if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
       SimulatedClip clip = named.make();
-      const CertifiedDistances of = certifiedDistances(clip, tracking::trackClip(*clip.stream, g_options));
+      const CertifiedDistances of = certifiedDistances(clip, trackOf(*clip.stream));
       printCertified(named.name, of);
       of_group.add(of);
     }
@@ -178,7 +193,8 @@ int printTable(const std::vector<std::string>& chosen) {
       add(result, of_group);
     }
     printRow("**all " + std::string(group) + "**", of_group);
-    std::fprintf(stderr, "%s: %.0f images a second in the slowest clip\n", group, slowest);
+    if (std::isfinite(slowest))
+      std::fprintf(stderr, "%s: %.0f images a second in the slowest clip\n", group, slowest);
     add(of_group, all);
   }
   printRow("**all**", all);
@@ -189,8 +205,13 @@ int printTable(const std::vector<std::string>& chosen) {
 }  // namespace abstand::testing
 
 /// Arguments: names of clips, none: all of them; or --joints or --certified and names. First of all --seed
-/// and a number, for another random search for limbs.
+/// and a number, for another random search for limbs, and --live, for the results of a live camera.
 int main(int argc, char** argv) {
+  if (argc > 1 && std::strcmp(argv[1], "--live") == 0) {
+    abstand::testing::g_live = true;
+    --argc;
+    ++argv;
+  }
   if (argc > 2 && std::strcmp(argv[1], "--seed") == 0) {
     abstand::testing::g_options.person.seed = std::strtoull(argv[2], nullptr, 10);
     argc -= 2;

@@ -1,0 +1,168 @@
+// Still pixels, and a search without them.
+#include "tracking/tracker/touching_things.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracking/depth/people/learned_background.hpp"
+#include "tracking/tracker/bone.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr float kDepthWeight = 0.1f;        // of the newest depth
+constexpr std::uint8_t kForgetAfter = 3;    // images with another depth
+constexpr std::size_t kFewestPixels = 150;  // of things, for a search; a front leg of a chair has less
+constexpr double kUpright = 0.85;  // share of the stature: lower heads do not belong to people who stand
+constexpr double kTrunkLow = 0.6, kTrunkHigh = 0.8;  // shares of the stature
+constexpr double kBesideTrunk = 0.25;  // m from its middle; hips and feet of who stands are nearer
+// m from the axes of limbs and of the trunk: twice the radius of a thigh, and of the trunk with clothes.
+constexpr double kBesideLimb = 0.15, kBesideBack = 0.25;
+constexpr double kHighestAnkle = 0.30;  // m
+constexpr double kExplained = 0.90;     // share of the points that are left
+// Of the cost with the things: of 1.6e-3 to 1.8e-3 m^2, 2e-4 were left.
+constexpr double kBetter = 0.5;
+
+Vector3d pointAt(const PersonImage& image, std::size_t i) {
+  const DepthCamera& camera = *image.camera;
+  const double z = image.image->z[i];
+  const double u = static_cast<double>(i % static_cast<std::size_t>(camera.width));
+  const double v = static_cast<double>(i / static_cast<std::size_t>(camera.width));
+  return camera.X_WC * Vector3d((u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
+}
+
+template <typename Visit>
+void eachPoint(std::span<const PersonImage> images, const Visit& visit) {
+  for (const PersonImage& image : images)
+    for (std::size_t i = 0; i < image.image->z.size(); ++i)
+      if (image.is_person[i] != 0 && image.image->z[i] > 0.0f) visit(image, i);
+}
+
+/// Middle of the trunk in plan view (m, world) of a person of this stature (m); nullopt unless upright.
+std::optional<Eigen::Vector2d> trunkOf(std::span<const PersonImage> images, double height) {
+  double top = 0.0, count = 0.0;
+  Eigen::Vector2d sum{0.0, 0.0};
+  eachPoint(images, [&](const PersonImage& image, std::size_t i) {
+    const Vector3d p = pointAt(image, i);
+    top = std::max(top, p.z());
+    if (p.z() < kTrunkLow * height || p.z() > kTrunkHigh * height) return;
+    Eigen::Vector2d away = (p - image.camera->X_WC.translation()).head<2>();
+    sum += p.head<2>() + BodyTracker::kHalfBody * away.normalized();
+    count += 1.0;
+  });
+  if (top < kUpright * height || count == 0.0) return std::nullopt;
+  return sum / count;
+}
+
+/// Axes of the trunk, the arms, and the legs that stand: a hidden one may be anywhere, as in the thing.
+class Axes {
+ public:
+  explicit Axes(const humanmodel::SkeletonFrame& frame) : trunk_{frame[kPelvis], frame[kNeck]} {
+    addLimb(frame, {kShoulderLeft, kElbowLeft, kWristLeft, kHandLeft});
+    addLimb(frame, {kShoulderRight, kElbowRight, kWristRight, kHandRight});
+    if (frame[kAnkleLeft].z() < kHighestAnkle) addLimb(frame, {kHipLeft, kKneeLeft, kAnkleLeft, kToeLeft});
+    if (frame[kAnkleRight].z() < kHighestAnkle)
+      addLimb(frame, {kHipRight, kKneeRight, kAnkleRight, kToeRight});
+  }
+  bool areApart(const Vector3d& p) const {
+    return trunk_.distanceTo(p) > kBesideBack &&
+           std::all_of(limbs_.begin(), limbs_.end(),
+                       [&](const Bone& b) { return b.distanceTo(p) > kBesideLimb; });
+  }
+
+ private:
+  using enum humanmodel::Joint;
+  void addLimb(const humanmodel::SkeletonFrame& frame, const std::array<humanmodel::Joint, 4>& joints) {
+    for (std::size_t k = 1; k < joints.size(); ++k)
+      limbs_.push_back({frame[joints[k - 1]], frame[joints[k]]});
+  }
+  Bone trunk_;
+  std::vector<Bone> limbs_;
+};
+
+}  // namespace
+
+bool TouchingThings::isAt(const Pixel& pixel, float z) {
+  return std::abs(z - pixel.z) < 0.5f * depthNoise(z);
+}
+
+TouchingThings::View& TouchingThings::viewOf(const PersonImage& image) {
+  const auto known =
+      std::find_if(views_.begin(), views_.end(), [&](const View& v) { return v.number == image.number; });
+  View& view = known != views_.end() ? *known : views_.emplace_back();
+  view.number = image.number;
+  view.pixels.resize(image.image->z.size());
+  view.is_person.resize(image.image->z.size());
+  return view;
+}
+
+void TouchingThings::see(std::span<const PersonImage> images) {
+  for (const PersonImage& image : images) {
+    View& view = viewOf(image);
+    for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+      Pixel& pixel = view.pixels[i];
+      const float z = image.image->z[i];
+      if (z == 0.0f) continue;
+      if (isAt(pixel, z)) {
+        pixel.z += kDepthWeight * (z - pixel.z);
+        pixel.images = std::min<std::uint8_t>(kStillImages, static_cast<std::uint8_t>(pixel.images + 1));
+        pixel.away = 0;
+      } else if (++pixel.away >= kForgetAfter) {
+        pixel = {z, 1, 0};
+      }
+    }
+  }
+}
+
+bool TouchingThings::isStill(const View& view, std::size_t i, const PersonImage& image) {
+  const float z = image.image->z[i];
+  const auto is_still = [&](std::size_t k) {
+    return view.pixels[k].images >= kStillImages && isAt(view.pixels[k], z);
+  };
+  const auto width = static_cast<std::size_t>(image.image->width);
+  if (is_still(i)) return true;
+  // Edges flicker: beside a thing is more of it.
+  if (i < width || i + width >= view.pixels.size()) return false;
+  return is_still(i - 1) || is_still(i + 1) || is_still(i - width) || is_still(i + width);
+}
+
+/// Sets rest_: the images without still pixels below a height (m) for which `is_thing` holds. Returns their
+/// number.
+std::size_t TouchingThings::setAside(std::span<const PersonImage> images, double below,
+                                     const std::function<bool(const Vector3d&)>& is_thing) {
+  std::size_t count = 0;
+  rest_.clear();
+  for (const PersonImage& image : images) {
+    View& view = viewOf(image);
+    std::copy(image.is_person.begin(), image.is_person.end(), view.is_person.begin());
+    rest_.push_back(image);
+  }
+  eachPoint(images, [&](const PersonImage& image, std::size_t i) {
+    View& view = viewOf(image);
+    if (!isStill(view, i, image)) return;
+    const Vector3d p = pointAt(image, i);
+    if (p.z() >= below || !is_thing(p)) return;
+    view.is_person[i] = 0;
+    ++count;
+  });
+  for (PersonImage& image : rest_) image.is_person = viewOf(image).is_person;
+  return count;
+}
+
+bool TouchingThings::search(double t, std::span<const PersonImage> images, double cost, BodyFollower& trial) {
+  is_searched_ = false;
+  const double height = trial.rig->height, below = kHighest * height;
+  const std::optional<Eigen::Vector2d> trunk = trunkOf(images, height);
+  if (!trunk) return false;
+  const auto is_beside = [&](const Vector3d& p) { return (p.head<2>() - *trunk).norm() > kBesideTrunk; };
+  if (setAside(images, below, is_beside) < kFewestPixels) return false;
+  is_searched_ = true;
+  if (!trial.track(t, rest_).found) return false;
+  const Axes axes(trial.tracker->body().frame);
+  if (setAside(images, below, [&](const Vector3d& p) { return axes.areApart(p); }) < kFewestPixels)
+    return false;
+  const TrackedBody& body = trial.track(t, rest_);
+  return body.found && body.misfit.explained > kExplained && body.misfit.cost < kBetter * cost;
+}
+
+}  // namespace abstand::tracking
