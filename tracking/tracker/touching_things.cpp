@@ -23,33 +23,32 @@ constexpr double kExplained = 0.90;     // share of the points that are left
 // Of the cost with the things: of 1.2e-3 to 1.9e-3 m^2, 2e-4 to 6e-4 were left.
 constexpr double kBetter = 0.5;
 
+/// World.
 Vector3d pointAt(const PersonImage& image, std::size_t i) {
   const DepthCamera& camera = *image.camera;
-  const double z = image.image->z[i];
-  const double u = static_cast<double>(i % static_cast<std::size_t>(camera.width));
-  const double v = static_cast<double>(i / static_cast<std::size_t>(camera.width));
-  return camera.X_WC * Vector3d((u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
+  const auto width = static_cast<std::size_t>(camera.width);
+  return camera.X_WC *
+         camera.at(static_cast<double>(i % width), static_cast<double>(i / width), image.image->z[i]);
 }
 
-template <typename Visit>
-void eachPoint(std::span<const PersonImage> images, const Visit& visit) {
-  for (const PersonImage& image : images)
-    for (std::size_t i = 0; i < image.image->z.size(); ++i)
-      if (image.is_person[i] != 0 && image.image->z[i] > 0.0f) visit(image, i);
+bool isMeasured(const PersonImage& image, std::size_t i) {
+  return image.is_person[i] != 0 && image.image->z[i] > 0.0f;
 }
 
 /// Middle of the trunk in plan view (m, world) of a person of this stature (m); nullopt unless upright.
 std::optional<Eigen::Vector2d> trunkOf(std::span<const PersonImage> images, double height) {
   double top = 0.0, count = 0.0;
   Eigen::Vector2d sum{0.0, 0.0};
-  eachPoint(images, [&](const PersonImage& image, std::size_t i) {
-    const Vector3d p = pointAt(image, i);
-    top = std::max(top, p.z());
-    if (p.z() < kTrunkLow * height || p.z() > kTrunkHigh * height) return;
-    Eigen::Vector2d away = (p - image.camera->X_WC.translation()).head<2>();
-    sum += p.head<2>() + BodyTracker::kHalfBody * away.normalized();
-    count += 1.0;
-  });
+  for (const PersonImage& image : images)
+    for (std::size_t i = 0; i < image.image->z.size(); ++i) {
+      if (!isMeasured(image, i)) continue;
+      const Vector3d p = pointAt(image, i);
+      top = std::max(top, p.z());
+      if (p.z() < kTrunkLow * height || p.z() > kTrunkHigh * height) continue;
+      const Eigen::Vector2d away = (p - image.camera->X_WC.translation()).head<2>();
+      sum += p.head<2>() + BodyTracker::kHalfBody * away.normalized();
+      count += 1.0;
+    }
   if (top < kUpright * height || count == 0.0) return std::nullopt;
   return sum / count;
 }
@@ -92,7 +91,6 @@ TouchingThings::View& TouchingThings::viewOf(const PersonImage& image) {
   View& view = known != views_.end() ? *known : views_.emplace_back();
   view.number = image.number;
   view.pixels.resize(image.image->z.size());
-  view.is_person.resize(image.image->z.size());
   return view;
 }
 
@@ -134,18 +132,17 @@ std::size_t TouchingThings::setAside(std::span<const PersonImage> images, double
   rest_.clear();
   for (const PersonImage& image : images) {
     View& view = viewOf(image);
-    std::copy(image.is_person.begin(), image.is_person.end(), view.is_person.begin());
+    view.is_person.assign(image.is_person.begin(), image.is_person.end());
+    for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+      if (!isMeasured(image, i) || !isStill(view, i, image)) continue;
+      const Vector3d p = pointAt(image, i);
+      if (p.z() >= below || !is_thing(p)) continue;
+      view.is_person[i] = 0;
+      ++count;
+    }
     rest_.push_back(image);
+    rest_.back().is_person = view.is_person;
   }
-  eachPoint(images, [&](const PersonImage& image, std::size_t i) {
-    View& view = viewOf(image);
-    if (!isStill(view, i, image)) return;
-    const Vector3d p = pointAt(image, i);
-    if (p.z() >= below || !is_thing(p)) return;
-    view.is_person[i] = 0;
-    ++count;
-  });
-  for (PersonImage& image : rest_) image.is_person = viewOf(image).is_person;
   return count;
 }
 

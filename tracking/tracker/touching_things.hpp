@@ -16,9 +16,9 @@ namespace abstand::tracking {
 /// searches; does not throw otherwise. One thread.
 class TouchingThings {
  public:
-  /// The person's pixels of the next moment: notes since when each has kept its depth.
+  /// The images of the next moment: notes for how long each pixel has kept its depth.
   void see(std::span<const PersonImage> images);
-  /// Searches the images of the last see() for a person who stands among things. `trial`: has tracked
+  /// Searches the person's pixels of the last see() for one who stands among things. `trial`: has tracked
   /// nothing; its body is the person, if found. `cost` (m^2): of the body that was fitted to all pixels,
   /// infinite without one. Returns whether things were separated. A search takes as long as about twenty
   /// images; there is none without still surfaces beside the trunk.

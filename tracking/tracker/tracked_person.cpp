@@ -119,13 +119,12 @@ BodyFollower TrackedPerson::continued(const BodyFollower& last, const humanmodel
 }
 
 const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all) {
+  touching_.see(all);
   if (!started_ && !start(t, all)) {
-    touching_.see(all);
     keepMeasured(t, all);
     return nullptr;
   }
   std::span<const PersonImage> images = things_.remove(all);
-  touching_.see(images);
   if (other_ && t - found_t_ > BodyTracker::kTurns) endComparison();
   follow(t, images);
   if (separateThings(t, images)) {

@@ -2,6 +2,7 @@
 #include "tests/tracking/tracker/beside_things.hpp"
 
 #include "tests/support/paths.hpp"
+#include "tests/tracking/tracker/postures.hpp"
 
 namespace abstand::testing {
 namespace {
@@ -77,10 +78,7 @@ std::vector<PosedScene> scenesCloseToThings() {
   for (const auto& [name, thing, at] : things)
     for (const SideView& view : eightSides())
       scenes.push_back({.name = "close_" + std::string(name) + view.suffix,
-                        .postures = {{.t = 0.0},
-                                     {.t = 1.0},
-                                     {.t = 2.0, .reach = 0.40, .aside = 0.20, .low = 1.05},
-                                     {.t = 3.0, .reach = 0.40, .aside = 0.20, .low = 1.05}},
+                        .postures = {standing(0.0), standing(1.0), handsAhead(2.0), handsAhead(3.0)},
                         .eye = view.eye,
                         .furniture = boxesOf(thing, at)});
   return scenes;

@@ -3,44 +3,15 @@
 
 #include <cmath>
 
+#include "tests/tracking/tracker/postures.hpp"
+
 namespace abstand::testing {
 namespace {
 
-Posture standing(double t) { return {.t = t}; }
-Posture seated(double t) {
-  return {.t = t,
-          .hips = {0.0, 0.0, 0.50},
-          .back = 0.1,
-          .reach = 0.30,
-          .aside = 0.16,
-          .low = 0.62,
-          .foot = 0.44,
-          .apart = 0.12};
-}
 /// On the feet of seated().
 Posture standingUp(double t) {
   return {.t = t, .hips = {0.42, 0.0, 0.922}, .reach = 0.46, .foot = 0.44, .apart = 0.12};
 }
-Posture kneeling(double t) {
-  return {.t = t,
-          .hips = {0.0, 0.0, 0.48},
-          .reach = 0.10,
-          .low = 0.46,
-          .foot = -0.38,
-          .ankle = 0.09,
-          .toes = -2.8};
-}
-Posture bent(double t) {
-  return {.t = t,
-          .hips = {-0.20, 0.0, 0.70},
-          .loins = 1.0,
-          .back = 1.7,
-          .head = 1.9,
-          .reach = 0.35,
-          .aside = 0.15,
-          .low = 0.20};
-}
-Posture handsAhead(double t) { return {.t = t, .reach = 0.40, .aside = 0.20, .low = 1.05}; }
 
 Posture stooped(double t) {
   return {.t = t,
@@ -52,8 +23,6 @@ Posture stooped(double t) {
           .aside = 0.15,
           .low = 0.12};
 }
-Posture armsAside(double t) { return {.t = t, .reach = 0.05, .aside = 0.75, .low = 1.45}; }
-Posture armsUp(double t) { return {.t = t, .reach = 0.15, .aside = 0.30, .low = 1.95}; }
 
 /// On the back, the head away from +x; `x` (m) of the hips.
 Posture lying(double t, double x) {
@@ -69,17 +38,6 @@ Posture lying(double t, double x) {
           .apart = 0.12,
           .ankle = 0.09,
           .toes = 1.2};
-}
-Posture squatting(double t) {
-  return {.t = t,
-          .hips = {-0.15, 0.0, 0.35},
-          .loins = 0.6,
-          .back = 0.6,
-          .reach = 0.30,
-          .aside = 0.25,
-          .low = 0.45,
-          .foot = 0.10,
-          .apart = 0.14};
 }
 Posture seatedOnTheFloor(double t) {
   return {.t = t,

@@ -2,9 +2,12 @@
 #include "tests/tracking/tracker/work_sessions.hpp"
 
 #include "tests/tracking/tracker/beside_things.hpp"
+#include "tests/tracking/tracker/postures.hpp"
 
 namespace abstand::testing {
 namespace {
+
+constexpr double kChairAt = -0.44;  // m, behind who stands
 
 /// Each is reached `after` seconds and then held for `held` seconds.
 void goOn(std::vector<Posture>& postures, Posture next, double after, double held) {
@@ -16,32 +19,15 @@ void goOn(std::vector<Posture>& postures, Posture next, double after, double hel
 }
 
 std::vector<Posture> work() {
-  const Posture stands{};
-  const Posture reaches{.reach = 0.40, .aside = 0.20, .low = 1.05};
-  const Posture bends{.hips = {-0.20, 0.0, 0.70},
-                      .loins = 1.0,
-                      .back = 1.7,
-                      .head = 1.9,
-                      .reach = 0.35,
-                      .aside = 0.15,
-                      .low = 0.20};
-  Posture kneels{
-      .hips = {0.0, 0.0, 0.48}, .reach = 0.10, .low = 0.46, .foot = -0.38, .ankle = 0.09, .toes = -2.8};
+  const Posture stands = standing(0.0), reaches = handsAhead(0.0), bends = bent(0.0), kneels = kneeling(0.0),
+                raises = armsUp(0.0), squats = squatting(0.0), spreads = armsAside(0.0);
   Posture works = kneels;
   works.reach = 0.35;
   works.low = 0.35;
-  const Posture raises{.reach = 0.15, .aside = 0.30, .low = 1.95};
-  const Posture squats{.hips = {-0.15, 0.0, 0.35},
-                       .loins = 0.6,
-                       .back = 0.6,
-                       .reach = 0.30,
-                       .aside = 0.25,
-                       .low = 0.45,
-                       .foot = 0.10,
-                       .apart = 0.14};
-  const Posture sits{
-      .hips = {-0.44, 0.0, 0.50}, .back = 0.1, .reach = -0.14, .aside = 0.16, .low = 0.62, .apart = 0.12};
-  const Posture spreads{.reach = 0.05, .aside = 0.75, .low = 1.45};
+  Posture sits = seated(0.0);
+  sits.hips.x() = kChairAt;
+  sits.reach = -0.14;
+  sits.foot = 0.0;
   std::vector<Posture> postures{stands};
   goOn(postures, stands, 2.0, 0.0);
   goOn(postures, reaches, 1.0, 2.0);
@@ -71,7 +57,7 @@ std::vector<PosedScene> workSessions() {
     scenes.push_back({.name = "session" + view.suffix,
                       .postures = work(),
                       .eye = view.eye,
-                      .furniture = boxesOf(Thing::kChair, {-0.44, 0.0}),
+                      .furniture = boxesOf(Thing::kChair, {kChairAt, 0.0}),
                       .body_seed = 1});
   return scenes;
 }
