@@ -45,6 +45,11 @@ std::vector<tracking::DepthCamera> camerasOf(const RenderDepthArguments& args, s
   if (args.look.size() != eyes && !(args.look.size() == 1 && eyes > 0))
     throw UsageError(format("found %zu of --eye and %zu of --look, expected as many of both, or one --look",
                             eyes, args.look.size()));
+  if (files > 1 && eyes == 1)
+    throw UsageError(
+        format("found %zu of --camera and one --eye, which would put all cameras in one place, "
+               "expected as many of both",
+               files));
   if (files > 1 && eyes > 1 && files != eyes)
     throw UsageError(format("found %zu of --camera and %zu of --eye, expected as many of both", files, eyes));
   const std::size_t count = std::max({files, eyes, std::size_t{1}});
@@ -99,7 +104,6 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   options.seed = args.seed;
   if (args.format == "freenect") options.format = depth::ClipFormat::kFreenect;
   options.skin = skinOf(args);
-  options.room = args.room;
   options.progress = progressBar(line, "frames");
   options.interrupted = interrupted;
 
@@ -110,6 +114,7 @@ int runRenderDepth(const CommandLine& line, const RenderDepthArguments& args) {
   const auto opened = depth::openSession(sceneOf(args), session_options);
   session::Session& session = *opened;
   const std::vector<tracking::DepthCamera> cameras = camerasOf(args, session);
+  if (args.room) options.room = cameras;
   std::deque<OutputFolder> folders;
   auto written = nlohmann::ordered_json::array();
   std::string text;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/depth/clip_people.hpp"
+#include "app/depth/clip_room.hpp"
 #include "app/depth/scene_things.hpp"
 #include "app/session/times_between.hpp"
 #include "core/base/output_file.hpp"
@@ -16,34 +17,6 @@ namespace abstand::depth {
 namespace {
 
 constexpr double kUsualDistance = 2.8;  // m
-constexpr double kWallBehind = 1.5;     // m
-constexpr double kWallHeight = 3.0, kRoomBreadth = 8.0;
-
-geometry::TriangleMesh rectangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  return {{a, b, c, a + c - b}, {{0, 1, 2}, {0, 2, 3}}};
-}
-
-/// Floor and back wall, in world.
-std::vector<geometry::TriangleMesh> roomFor(const tracking::DepthCamera& camera, const ClipPeople& people,
-                                            std::span<const double> times) {
-  const Vector3d eye = camera.X_WC.translation();
-  Vector3d ahead = camera.X_WC.linear().col(2);
-  ahead.z() = 0.0;
-  if (!(ahead.norm() > 1e-6))
-    throw UsageError("--room: the camera looks straight down, expected one that sees a wall");
-  ahead.normalize();
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < people.size(); ++i)
-    for (const double t : times)
-      for (const Vector3d& p : people.at(i, t).p)
-        if (p.allFinite()) farthest = std::max(farthest, (p - eye).dot(ahead));
-  const Vector3d aside = 0.5 * kRoomBreadth * ahead.cross(Vector3d::UnitZ());
-  Vector3d near = eye - ahead, foot = eye + (farthest + kWallBehind) * ahead;
-  near.z() = foot.z() = 0.0;
-  const Vector3d up = kWallHeight * Vector3d::UnitZ();
-  return {rectangle(near - aside, near + aside, foot + aside),
-          rectangle(foot - aside, foot + aside, foot + aside + up)};
-}
 
 void writeTruth(const ClipPeople& people, std::span<const double> times, OutputFolder& folder) {
   for (std::size_t i = 0; i < people.size(); ++i) {
@@ -119,8 +92,7 @@ DepthClipSummary writeDepthClip(session::Session& session, const DepthClipOption
     if (own.seed != 0) own.seed += i;
     skins.emplace_back(people.stature(i), own);
   }
-  const std::vector<geometry::TriangleMesh> room =
-      options.room ? roomFor(options.camera, people, times) : std::vector<geometry::TriangleMesh>{};
+  const std::vector<geometry::TriangleMesh> room = roomOf(options.room, people, times);
   const Transform X_CW = options.camera.X_WC.inverse();
   DepthClipSummary summary;
   std::size_t measured = 0;

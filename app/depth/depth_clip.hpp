@@ -21,8 +21,8 @@ enum class ClipFormat : std::uint8_t {
 struct DepthClipOptions {
   ClipFormat format{ClipFormat::kPng};
   tracking::DepthCamera camera;
-  std::optional<tracking::SkinOptions> skin;  ///< people have skin bodies; nullopt: their parts in the scene
-  bool room{false};  ///< a floor at z = 0, and a wall 1.5 m behind the person farthest away
+  std::optional<tracking::SkinOptions> skin;   ///< people have skin bodies; nullopt: their parts in the scene
+  std::vector<tracking::DepthCamera> room;     ///< all cameras in it (roomOf); empty: no room
   std::optional<tracking::KinectNoise> noise;  ///< nullopt: an ideal camera
   std::uint64_t seed{1};
   double rate{30.0};                 ///< Hz

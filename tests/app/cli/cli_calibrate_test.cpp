@@ -57,6 +57,22 @@ TEST_F(Cli, CalibrateByRoomSeenByTwoCameras) {
   EXPECT_EQ(run("calibrate " + side + " --room nothing").code, 3);
 }
 
+// The walls of both images are those of one room, so that the pose of a camera follows from the other one.
+TEST_F(Cli, RenderedRoomIsTheSameForAllCameras) {
+  const std::string clip = (folder_.path() / "clip").string();
+  const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
+                             " --room --width 320 --end 0 --out " + clip + " --look 0,0,0.9 ";
+  ASSERT_EQ(run(render + "--eye 2.4,-0.6,1.6 --eye 1.4,-2.2,1.9").code, 0);
+  const json j = runJson("calibrate " + clip + "/camera_2 --room " + clip + "/camera_1");
+  EXPECT_GT(j["agreeing"], 0.9);
+  EXPECT_LT(j["moved"], 0.02) << "m; the pose was right";
+  const std::string camera = clip + "/camera_1/camera.yaml";
+  const Answer same = run("render-depth --recording data/scenes/hug_reach.bvh --out x --eye 2,0,1 --camera " +
+                          camera + "," + camera);
+  EXPECT_EQ(same.code, 2);
+  EXPECT_THAT(same.err, ::testing::HasSubstr("one place"));
+}
+
 TEST_F(Cli, CalibrateByPersonSeenByTwoCameras) {
   constexpr double kPlaced = 0.15;  // m, by a person who stays at one place
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
