@@ -47,42 +47,44 @@ std::optional<Joint> parseJoint(std::string_view name);
 /// missing: no data in this frame. inferred: guessed by the tracker. tracked: measured.
 enum class JointState : std::uint8_t { kMissing, kInferred, kTracked };
 
-/// A matrix for each joint, all zero at first, when it takes no memory of its own: few recordings state any.
-/// Copies are deep. The first write allocates.
-class JointMatrices {
+/// A vector or matrix for each joint, all zero at first, when it takes no memory of its own: few recordings
+/// state any. Copies are deep. The first write allocates.
+template <typename Value>
+class JointValues {
  public:
-  JointMatrices() = default;
-  JointMatrices(const JointMatrices& other)
-      : all_(other.all_ ? std::make_unique<All>(*other.all_) : nullptr) {}
-  JointMatrices(JointMatrices&&) noexcept = default;
-  JointMatrices& operator=(const JointMatrices& other) {
+  JointValues() = default;
+  JointValues(const JointValues& other) : all_(other.all_ ? std::make_unique<All>(*other.all_) : nullptr) {}
+  JointValues(JointValues&&) noexcept = default;
+  JointValues& operator=(const JointValues& other) {
     if (all_ && other.all_)
       *all_ = *other.all_;
     else
       all_ = other.all_ ? std::make_unique<All>(*other.all_) : nullptr;
     return *this;
   }
-  JointMatrices& operator=(JointMatrices&&) noexcept = default;
-  ~JointMatrices() = default;
+  JointValues& operator=(JointValues&&) noexcept = default;
+  ~JointValues() = default;
 
   /// Any was written.
   bool isStated() const { return all_ != nullptr; }
-  const Matrix3d& operator[](std::size_t joint) const {
-    static const Matrix3d kZero = Matrix3d::Zero();
+  const Value& operator[](std::size_t joint) const {
+    static const Value kZero = Value::Zero();
     return all_ ? (*all_)[joint] : kZero;
   }
-  Matrix3d& operator[](std::size_t joint) {
+  Value& operator[](std::size_t joint) {
     if (!all_) {
       all_ = std::make_unique<All>();
-      all_->fill(Matrix3d::Zero());
+      all_->fill(Value::Zero());
     }
     return (*all_)[joint];
   }
 
  private:
-  using All = std::array<Matrix3d, kJointCount>;
+  using All = std::array<Value, kJointCount>;
   std::unique_ptr<All> all_;
 };
+using JointMatrices = JointValues<Matrix3d>;
+using JointDirections = JointValues<Eigen::Vector3f>;
 
 /// Joints of a person at one time: world axes after conversion (z up, metres, right-handed). A missing joint
 /// is NaN and never used as a position.
@@ -93,6 +95,9 @@ struct SkeletonFrame {
   std::array<double, kJointCount> spread;  ///< m, standard deviation along the worst axis; 0: unknown
   /// m^2, of the error, in the axes of `p`; read by covarianceOf(). Zero: the spread in all directions.
   JointMatrices covariance;
+  /// Unit vectors in the axes of `p`: the y axis of the body part that ends at the joint (of a forearm: at
+  /// the wrist), as the orientations of a file state it. Determines the twist of the part. Zero: not stated.
+  JointDirections lateral;
 
   SkeletonFrame() {
     p.fill(Vector3d::Constant(kNaN));

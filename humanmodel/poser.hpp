@@ -42,7 +42,8 @@ struct HumanPose {
 ///
 /// Twist about a bone: arms and legs take it from the bend of the elbow or knee. A straight limb keeps its
 /// last twist relative to the part that carries it, and the joint may pass through straight without a flip.
-/// Hands follow the forearm, the head the torso, feet the calf.
+/// Hands follow the forearm, the head the torso, feet the calf. SkeletonFrame::lateral, where stated,
+/// determines the twist of straight limbs, forearms, hands, the head and feet.
 ///
 /// Missing joints: a hand continues the forearm, a foot points forward of the body, a head continues the
 /// torso. The torso needs hips or pelvis and any of neck, thorax, shoulders, spine; without hips it is placed

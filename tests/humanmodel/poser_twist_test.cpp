@@ -142,5 +142,43 @@ TEST(SegmentFrame, HingeBlendsInWithBend) {
   EXPECT_LT(part, unit::deg(70));
 }
 
+/// y axis that a poser gives a part in its first frame.
+Vector3d yOf(const HumanModel& m, const SkeletonFrame& frame, BodyPart part) {
+  Poser poser(m);
+  HumanPose pose;
+  poser.pose(frame, pose);
+  return pose.X_WP[index(part)].linear().col(1);
+}
+
+TEST(PoserTwist, StatedAxisTurnsAPartAboutItsBone) {
+  const HumanModel m = person();
+  for (const auto& [part, joint] : {std::pair{BodyPart::kBicepsLeft, kElbowLeft},
+                                    {BodyPart::kForearmLeft, kWristLeft},
+                                    {BodyPart::kHandRight, kHandRight},
+                                    {BodyPart::kHead, kHeadTop},
+                                    {BodyPart::kFootRight, kToeRight}}) {
+    SkeletonFrame frame = m.rest;
+    const HumanPart& bone = m.part(part);
+    const Vector3d along = (frame[bone.proximal] - frame[bone.distal]).normalized();
+    const Vector3d y = Eigen::AngleAxisd(unit::deg(50), along) * kY;
+    // A part of it along the bone does not count.
+    frame.lateral[static_cast<std::size_t>(joint)] = (y + 0.3 * along).normalized().cast<float>();
+    EXPECT_LT((yOf(m, frame, part) - y).norm(), 1e-6) << partName(part) << ": a float has seven digits";
+    for (const Vector3d& useless : {along, Vector3d(Vector3d::Constant(kNaN)), Vector3d(Vector3d::Zero())}) {
+      frame.lateral[static_cast<std::size_t>(joint)] = useless.cast<float>();
+      EXPECT_LT((yOf(m, frame, part) - kY).norm(), kRounding) << partName(part);
+    }
+  }
+}
+
+TEST(PoserTwist, BendOfTheElbowPrecedesTheStatedAxisOfTheUpperArm) {
+  const HumanModel m = person();
+  SkeletonFrame frame = m.rest;
+  const Eigen::Vector3f y = (Eigen::AngleAxisd(unit::deg(30), kZ) * kY).cast<float>();
+  frame.lateral[static_cast<std::size_t>(kElbowLeft)] = y;
+  bend(frame, kElbowLeft, -kY, unit::deg(80), {kWristLeft, kHandLeft});
+  EXPECT_LT((yOf(m, frame, BodyPart::kBicepsLeft) - kY).norm(), 1e-6);
+}
+
 }  // namespace poser_twist_test
 }  // namespace abstand::humanmodel

@@ -55,7 +55,8 @@ std::string bvhOf(const SmallHuman& human) {
     return Vector3d(human.units_per_metre * (human.R_FW * p_W));
   };
   std::string text = "HIERARCHY\n";
-  int open = 0, channels = 0;
+  int open = 0;
+  std::string turns;
   for (const Bone& bone : bones()) {
     for (; open > bone.depth; --open) text += "}\n";
     if (bone.name)
@@ -67,16 +68,18 @@ std::string bvhOf(const SmallHuman& human) {
       text += "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n";
     else if (bone.name)
       text += "CHANNELS 3 Zrotation Xrotation Yrotation\n";
-    channels += open == 0 ? 6 : bone.name ? 3 : 0;
+    if (bone.name) {
+      const auto found = human.turned.find(bone.name);
+      const Matrix3d R = found == human.turned.end() ? Matrix3d::Identity() : found->second;
+      const Matrix3d R_W = open == 0 ? Matrix3d(human.R_WB * R) : R;
+      turns += " " + numbers(zxyDegrees(human.R_FW * R_W * human.R_FW.transpose()));
+    }
     ++open;
   }
   for (; open > 0; --open) text += "}\n";
   text += "MOTION\nFrames: " + std::to_string(human.frames) + "\nFrame Time: 0.01\n";
-  const Matrix3d R_FB = human.R_FW * human.R_WB * human.R_FW.transpose();
   for (int i = 0; i < human.frames; ++i) {
-    text += numbers(inFile({0.01 * i, 0.0, human.pelvis_height})) + " " + numbers(zxyDegrees(R_FB));
-    for (int k = 6; k < channels; ++k) text += " 0";
-    text += "\n";
+    text += numbers(inFile({0.01 * i, 0.0, human.pelvis_height})) + turns + "\n";
   }
   return text;
 }

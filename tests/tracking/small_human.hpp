@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "core/math/transform.hpp"
@@ -14,6 +15,7 @@ struct SmallHuman {
   double pelvis_height{0.95};           ///< m above the floor, in the frames
   Matrix3d R_WB{Matrix3d::Identity()};  ///< how the whole body is turned in the frames
   int frames{3};
+  std::map<std::string, Matrix3d> turned{};  ///< in all frames, of what starts at a joint; axes of the body
   std::function<std::string(const std::string&)> rename = [](const std::string& name) { return name; };
 };
 

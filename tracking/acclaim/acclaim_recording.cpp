@@ -63,9 +63,11 @@ AcclaimPoints::AcclaimPoints(std::string_view asf, std::string asf_file, std::st
   if (!amc.empty()) motion_.emplace(amc, std::move(amc_file), skeleton_);
 }
 
-void AcclaimPoints::place(const std::vector<double>& values, std::vector<Vector3d>& p) const {
+/// Positions of the points, and rotations of the bones that start there.
+void AcclaimPoints::place(const std::vector<double>& values, std::vector<Vector3d>& p,
+                          std::vector<Matrix3d>& R) const {
   const auto& bones = skeleton_.bones;
-  std::vector<Matrix3d> R(bones.size());
+  R.resize(names_.size());
   std::vector<Vector3d> end(bones.size());
   p.resize(names_.size());
   std::size_t k = 0;
@@ -85,12 +87,16 @@ void AcclaimPoints::place(const std::vector<double>& values, std::vector<Vector3
     }
     end[i] = p[i] + R[i] * bone.offset;
   }
-  for (std::size_t i = 0; i < leaves_.size(); ++i) p[bones.size() + i] = end[leaves_[i]];
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    p[bones.size() + i] = end[leaves_[i]];
+    R[bones.size() + i] = R[leaves_[i]];
+  }
 }
 
 std::vector<Vector3d> AcclaimPoints::rest() const {
   std::vector<Vector3d> p;
-  place(std::vector<double>(channels_, 0.0), p);
+  std::vector<Matrix3d> R;
+  place(std::vector<double>(channels_, 0.0), p, R);
   return p;
 }
 
@@ -104,7 +110,7 @@ std::vector<int> AcclaimPoints::parents() const {
 bool AcclaimPoints::next(PointFrame& frame) {
   if (motion_ ? !motion_->next(values_) : frames_ > 0) return false;
   if (!motion_) values_.assign(channels_, 0.0);
-  place(values_, frame.p);
+  place(values_, frame.p, frame.turn);
   frame.state.assign(frame.p.size(), humanmodel::JointState::kTracked);
   frame.t = static_cast<double>(frames_++) / kCmuRate;
   return true;

@@ -33,7 +33,7 @@ class AcclaimPoints : public PointReader {
   std::vector<FileWarning> warnings() const override;
 
  private:
-  void place(const std::vector<double>& values, std::vector<Vector3d>& p) const;
+  void place(const std::vector<double>& values, std::vector<Vector3d>& p, std::vector<Matrix3d>& R) const;
 
   AsfSkeleton skeleton_;
   std::optional<AmcReader> motion_;

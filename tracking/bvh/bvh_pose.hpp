@@ -24,6 +24,8 @@ class BvhPose {
 
   /// Joint positions in the order of the hierarchy, axes and units of the file.
   const std::vector<Vector3d>& positions() const { return p_; }
+  /// Rotations since the rest pose, after set(): of the bones that start at each joint, axes of the file.
+  const std::vector<Matrix3d>& rotations() const { return R_; }
 
  private:
   const BvhHierarchy* hierarchy_;

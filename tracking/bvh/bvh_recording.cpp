@@ -53,6 +53,7 @@ bool BvhPoints::next(PointFrame& frame) {
   pose_.set(*values);
   frame.t = static_cast<double>(reader_.framesRead() - 1) * reader_.head().frame_time;
   frame.p = pose_.positions();
+  frame.turn = pose_.rotations();
   frame.state.assign(frame.p.size(), humanmodel::JointState::kTracked);
   return true;
 }

@@ -54,6 +54,7 @@ void fillOne(std::vector<humanmodel::SkeletonFrame>& frames, std::size_t j, std:
     // Uncertainty of the ends, plus the possible motion since.
     const double unseen = std::min(frames[i].t - a.t, b.t - frames[i].t);
     if (frames[i].covariance.isStated()) frames[i].covariance[j].setZero();
+    if (frames[i].lateral.isStated()) frames[i].lateral[j].setZero();
     frames[i].spread[j] =
         std::max(a.spread[j], b.spread[j]) + unseen * humanmodel::kPersonSpeed / humanmodel::kSpreadQuantile;
   }

@@ -70,6 +70,7 @@ humanmodel::SkeletonFrame pickJoints(const PointFrame& from, const JointMatch& m
       frame.set(static_cast<humanmodel::Joint>(j), from.p[i], from.state[i]);
       frame.spread[j] = from.spreadOf(i);
       if (!from.covariance.empty()) frame.covariance[j] = from.covarianceOf(i);
+      if (!from.lateral.empty()) frame.lateral[j] = from.lateral[i];
     }
   }
   return frame;

@@ -85,6 +85,20 @@ UiPrmdReader::UiPrmdReader(std::string_view positions, std::string positions_fil
 
 std::span<const std::string> UiPrmdReader::names() const { return uiPrmdJoints(); }
 
+std::vector<int> UiPrmdReader::parents() const {
+  const auto parents = uiPrmdParents();
+  return {parents.begin(), parents.end()};
+}
+
+std::vector<Vector3d> UiPrmdReader::turnRest() const { return rest_; }
+
+void UiPrmdReader::keepRest() {
+  const auto parents = uiPrmdParents();
+  for (std::size_t i = 0; i < parents.size(); ++i)
+    rest_.push_back(threeOf(p_, i) + (parents[i] < 0 ? Vector3d(Vector3d::Zero())
+                                                     : rest_[static_cast<std::size_t>(parents[i])]));
+}
+
 bool UiPrmdReader::next(PointFrame& frame) {
   const bool has_places = nextRow(positions_, positions_file_, p_),
              has_angles = nextRow(angles_, angles_file_, a_);
@@ -100,6 +114,7 @@ bool UiPrmdReader::next(PointFrame& frame) {
   const auto parents = uiPrmdParents();
   std::array<Matrix3d, kNumbers / 3> R_FJ;
   frame.clear(parents.size());
+  if (frames_ == 0) keepRest();
   for (std::size_t i = 0; i < parents.size(); ++i) {
     R_FJ[i] = rotation(threeOf(a_, i));
     Vector3d p = threeOf(p_, i);
@@ -110,6 +125,7 @@ bool UiPrmdReader::next(PointFrame& frame) {
     }
     frame.set(i, p);
   }
+  frame.turn.assign(R_FJ.begin(), R_FJ.end());
   frame.t = static_cast<double>(frames_++) / kRate;
   return true;
 }

@@ -20,7 +20,8 @@ std::filesystem::path uiPrmdPartner(const std::filesystem::path& file);
 /// Positions: the first joint's is absolute, the others' are in the axes of their parent. Angles: degrees
 /// about x, y, z of R = Rz Rx Ry (rotations about the parent's y, x, z in this order): of 36 possible
 /// conventions this one keeps the feet of the person in m05 fixed within 4 cm; with the next best they slide
-/// by 8 cm. Centimetres; 30 Hz, as documented; no tracking states.
+/// by 8 cm. Without rotations the person stands with the arms to the sides. Centimetres; 30 Hz, as
+/// documented; no tracking states.
 class UiPrmdReader : public PointReader {
  public:
   /// The texts must outlive this object.
@@ -30,12 +31,17 @@ class UiPrmdReader : public PointReader {
   const PointFacts& facts() const override { return facts_; }
   std::span<const std::string> names() const override;
   bool next(PointFrame& frame) override;
+  std::vector<Vector3d> turnRest() const override;
+  std::vector<int> parents() const override;
 
  private:
+  void keepRest();
+
   std::string positions_file_, angles_file_;
   Lines positions_, angles_;
   PointFacts facts_;
   std::size_t frames_{0};
+  std::vector<Vector3d> rest_;  ///< with the bones of the first frame
   std::vector<double> p_, a_;
 };
 

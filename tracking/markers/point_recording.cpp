@@ -151,6 +151,8 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
     choice = chooseJoints({raw.joints, reader.parents(), rest, first}, options, !facts.of_markers);
   raw.match = choice.match;
   raw.rest = pickRest(rest, raw.match);
+  raw.turns.rest = pickRest(reader.turnRest(), raw.match);
+  raw.turns.choosePoints(raw.match, reader.parents());
   raw.unit = facts.unit;
   raw.up = facts.up;
   raw.subject = facts.subject;
@@ -167,6 +169,7 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   BlockList<humanmodel::SkeletonFrame> frames;
   const auto add = [&](const PointFrame& frame) {
     frames.add(pickJoints(frame, raw.match));
+    if (!frame.turn.empty()) raw.turns.add(frame.turn);
     if (markers && markers->hasSet()) markers->add(frame);
   };
   for (const PointFrame& frame : first) add(frame);

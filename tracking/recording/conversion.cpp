@@ -9,6 +9,7 @@
 #include "tracking/recording/derived_joints.hpp"
 #include "tracking/recording/first_pose.hpp"
 #include "tracking/recording/part_joints.hpp"
+#include "tracking/recording/stated_twist.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -26,6 +27,7 @@ void turnAndScale(std::vector<humanmodel::SkeletonFrame>& frames, const Matrix3d
         f.p[j] = scale * (R * f.p[j]);
         f.spread[j] *= scale;
         if (f.covariance.isStated()) f.covariance[j] = scale * scale * R * f.covariance[j] * R.transpose();
+        if (f.lateral.isStated()) f.lateral[j] = (R.cast<float>() * f.lateral[j]).eval();
       }
 }
 
@@ -167,11 +169,23 @@ void swapSides(RawRecording& raw) {
         std::swap(f.state[j], f.state[j + 4]);
         std::swap(f.spread[j], f.spread[j + 4]);
         if (f.covariance.isStated()) std::swap(f.covariance[j], f.covariance[j + 4]);
+        if (f.lateral.isStated()) std::swap(f.lateral[j], f.lateral[j + 4]);
       };
       swap(raw.rest);
+      swap(raw.turns.rest);
       for (auto& f : raw.frames) swap(f);
       std::swap(raw.match.joint[j], raw.match.joint[j + 4]);
     }
+  raw.turns.swapSides();
+}
+
+/// After the frames were turned by `R_WF` from the axes of the file.
+void setTwist(RawRecording& raw, const Matrix3d& R_WF, RecordingReport& report) {
+  std::vector<humanmodel::SkeletonFrame> only{raw.turns.rest};
+  deriveJoints(raw.turns.rest, only, raw.match.head);
+  StatedTwist twist = stateTwist(raw.turns, R_WF, raw.frames);
+  report.twisted = std::move(twist.parts);
+  report.notes.insert(report.notes.end(), twist.notes.begin(), twist.notes.end());
 }
 
 /// Number of rotations of the hip line by more than 90 degrees between two frames: the tracker swapped sides.
@@ -270,6 +284,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   Matrix3d R_WF = rotationToZUp(up.axis);
   if (options.mirror == "axes") R_WF.row(1) *= -1.0;
   turnAndScale(raw.frames, R_WF, unit.scale);
+  if (!raw.turns.frames.empty()) setTwist(raw, R_WF, report);
   if (raw.sensor) stateSensorError(*raw.sensor, raw.frames, report);
   reportParts(raw, raw.frames, report);
   report.gaps = countGaps(raw.frames);

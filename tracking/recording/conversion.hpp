@@ -8,6 +8,7 @@
 #include "tracking/recording/body_size.hpp"
 #include "tracking/recording/file_warning.hpp"
 #include "tracking/recording/joint_map.hpp"
+#include "tracking/recording/part_turns.hpp"
 #include "tracking/recording/recording.hpp"
 #include "tracking/recording/sensor_error.hpp"
 #include "tracking/recording/up_axis.hpp"
@@ -20,6 +21,7 @@ struct RawRecording {
   std::vector<std::string> joints;  ///< names in the file
   JointMatch match;
   humanmodel::SkeletonFrame rest;  ///< the file's rest pose, if it has one
+  StatedTurns turns;               ///< not used if they are not those of all frames
   std::vector<humanmodel::SkeletonFrame>
       frames;        ///< canonical joints in the file's axes and units; at least one
   double rate{0.0};  ///< Hz

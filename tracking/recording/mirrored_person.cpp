@@ -54,6 +54,9 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
   for (SkeletonFrame& frame : frames) {
     for (std::size_t j = 0; frame.covariance.isStated() && j < humanmodel::kJointCount; ++j)
       frame.covariance[j] = (reflection * frame.covariance[j] * reflection).eval();
+    // The reflected y axis of a left part points to the right, as that of no right part does.
+    for (std::size_t j = 0; frame.lateral.isStated() && j < humanmodel::kJointCount; ++j)
+      frame.lateral[j] = (-reflection.cast<float>() * frame.lateral[j]).eval();
     for (std::size_t i = 0; i < humanmodel::kJointCount; ++i)
       if (frame.has(static_cast<Joint>(i)))
         frame.p[i] -= 2.0 * (plane->n.dot(frame.p[i]) - plane->d) * plane->n;
@@ -63,6 +66,7 @@ void mirrorPerson(std::vector<SkeletonFrame>& frames) {
       std::swap(frame.state[l], frame.state[r]);
       std::swap(frame.spread[l], frame.spread[r]);
       if (frame.covariance.isStated()) std::swap(frame.covariance[l], frame.covariance[r]);
+      if (frame.lateral.isStated()) std::swap(frame.lateral[l], frame.lateral[r]);
     }
   }
 }

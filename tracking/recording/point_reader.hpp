@@ -23,6 +23,11 @@ struct PointFrame {
   std::vector<double> spread;  ///< standard deviation along the worst axis; 0 or empty: unknown
   /// As SkeletonFrame::covariance, in the file's axes and units squared; empty: no point has one.
   std::vector<Matrix3d> covariance;
+  /// As SkeletonFrame::lateral, in the file's axes; empty: none is stated.
+  std::vector<Eigen::Vector3f> lateral;
+  /// For each point the rotation, in the file's axes, of what starts at it since turnRest(); empty: the file
+  /// states no orientations.
+  std::vector<Matrix3d> turn;
 
   /// Sets all `points` to missing, t = 0.
   void clear(std::size_t points) {
@@ -31,6 +36,8 @@ struct PointFrame {
     state.assign(points, humanmodel::JointState::kMissing);
     spread.assign(points, 0.0);
     covariance.clear();
+    lateral.clear();
+    turn.clear();
   }
   double spreadOf(std::size_t point) const { return point < spread.size() ? spread[point] : 0.0; }
   Matrix3d covarianceOf(std::size_t point) const {
@@ -72,6 +79,9 @@ class PointReader {
   virtual bool next(PointFrame& frame) = 0;
   /// Positions in the file's rest pose; empty if it has none.
   virtual std::vector<Vector3d> rest() const { return {}; }
+  /// Positions in the pose in which all PointFrame::turn are the identity; complete after the
+  /// first next().
+  virtual std::vector<Vector3d> turnRest() const { return rest(); }
   /// For each name the index of its parent, smaller than the own, or -1; empty if the file has no hierarchy.
   virtual std::vector<int> parents() const { return {}; }
   /// Complete after next() has returned false.

@@ -70,6 +70,7 @@ struct RecordingReport {
   std::vector<std::string> joints;                         ///< names in the file
   std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
+  std::vector<std::string> twisted;        ///< parts whose twist is that of the file's orientations
   std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
   /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};

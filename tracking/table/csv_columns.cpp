@@ -27,6 +27,8 @@ Named splitName(std::string_view cell) {
   for (std::size_t k = 0; k < kCovarianceColumns.size(); ++k)
     if (field == kCovarianceColumns[k].name)
       return {cell.substr(0, dot), kCovarianceField + static_cast<int>(k)};
+  for (std::size_t k = 0; k < kLateralColumns.size(); ++k)
+    if (field == kLateralColumns[k]) return {cell.substr(0, dot), kLateralField + static_cast<int>(k)};
   const int f = field == "x"            ? 0
                 : field == "y"          ? 1
                 : field == "z"          ? 2
@@ -87,7 +89,8 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
     const Named named = splitName(cell);
     if (named.field < 0)
       throw ParseError(cells.pos(), "found the column " + text::inQuotes(cell) +
-                                        ", expected JOINT.x, .y, .z, .confidence, .spread or .cxx to .cyz");
+                                        ", expected JOINT.x, .y, .z, .confidence, .spread, .cxx to .cyz "
+                                        "or .lx to .lz");
     const auto [at, is_new] = index.emplace(std::string(named.joint), out.joints.size());
     if (is_new) {
       out.joints.emplace_back(named.joint);
@@ -112,9 +115,15 @@ CsvColumns parseCsvColumns(std::string_view line, const std::string& file) {
           "found the joint " + text::inQuotes(out.joints[j]) + ", expected one of docs/recordings.md",
           near.empty() ? "" : "did you mean '" + near + "'?");
     }
-    const auto covariances = std::count(seen[j].begin() + kCovarianceField, seen[j].end(), true);
+    const auto covariances =
+        std::count(seen[j].begin() + kCovarianceField, seen[j].begin() + kLateralField, true);
+    const auto laterals = std::count(seen[j].begin() + kLateralField, seen[j].end(), true);
+    out.has_laterals |= laterals != 0;
+    if (laterals != 0 && laterals != kFields - kLateralField)
+      throw ParseError({file, 1}, "found only some columns of the y axis that ends at " + out.joints[j] +
+                                      ", expected .lx, .ly and .lz");
     out.has_covariances |= covariances != 0;
-    if (covariances != 0 && (covariances != kFields - kCovarianceField || !seen[j][kSpreadField]))
+    if (covariances != 0 && (covariances != kLateralField - kCovarianceField || !seen[j][kSpreadField]))
       throw ParseError({file, 1}, "found only some columns of the covariance of " + out.joints[j] +
                                       ", expected .spread, .cxx, .cyy, .czz, .cxy, .cxz and .cyz");
     if (!seen[j][0] || !seen[j][1] || !seen[j][2])

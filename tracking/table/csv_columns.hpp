@@ -9,7 +9,8 @@
 
 namespace abstand::tracking {
 
-inline constexpr int kConfidenceField = 3, kSpreadField = 4, kCovarianceField = 5, kFields = 11;
+inline constexpr int kConfidenceField = 3, kSpreadField = 4, kCovarianceField = 5, kLateralField = 11,
+                     kFields = 14;
 
 /// Columns of a covariance (m^2) from kCovarianceField on, and their row and column in the matrix.
 struct CovarianceColumn {
@@ -19,8 +20,11 @@ struct CovarianceColumn {
 inline constexpr std::array<CovarianceColumn, 6> kCovarianceColumns{
     {{"cxx", 0, 0}, {"cyy", 1, 1}, {"czz", 2, 2}, {"cxy", 0, 1}, {"cxz", 0, 2}, {"cyz", 1, 2}}};
 
-/// Content of a column: a joint's x, y, z (0 to 2), its confidence, its spread or an element of its
-/// covariance; -1: ignored.
+/// Columns of SkeletonFrame::lateral, from kLateralField on.
+inline constexpr std::array<std::string_view, 3> kLateralColumns{"lx", "ly", "lz"};
+
+/// Content of a column: a joint's x, y, z (0 to 2), its confidence, its spread, an element of its covariance
+/// or of the y axis of the part that ends at it; -1: ignored.
 struct CsvColumn {
   std::size_t joint{0};
   int field{0};
@@ -34,14 +38,16 @@ struct CsvColumns {
   std::vector<std::string> joints;  ///< in the order of their x columns
   bool is_canonical{false};         ///< every joint has a canonical name
   bool has_covariances{false};      ///< of any joint
+  bool has_laterals{false};         ///< likewise
 };
 
 /// True if a line may be such a header: `t`, `time`, `timestamp` or `frame`, then a column that ends with x.
 bool looksLikeCsvColumns(std::string_view line);
 
-/// Parses `t,JOINT.x,JOINT.y,JOINT.z[,JOINT.confidence][,JOINT.spread[,JOINT.cxx,...]]...`; `_` for `.` is
-/// accepted, any case, any order. A joint has all columns of a covariance, and its spread, or none. If most
-/// names are canonical, all must be. Throws ParseError with the column.
+/// Parses `t,JOINT.x,JOINT.y,JOINT.z[,JOINT.confidence][,JOINT.spread[,JOINT.cxx,...]][,JOINT.lx,...]...`;
+/// `_` for `.` is accepted, any case, any order. A joint has all columns of a covariance, and its spread, or
+/// none, and all of .lx, .ly and .lz or none. If most names are canonical, all must be. Throws ParseError
+/// with the column.
 CsvColumns parseCsvColumns(std::string_view line, const std::string& file);
 
 }  // namespace abstand::tracking

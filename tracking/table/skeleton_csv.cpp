@@ -53,10 +53,11 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
                       return f.state[j] != humanmodel::JointState::kMissing;
                     }))
       joints.push_back(j);
-  std::array<bool, humanmodel::kJointCount> has_spread{}, has_covariance{};
+  std::array<bool, humanmodel::kJointCount> has_spread{}, has_covariance{}, has_lateral{};
   for (const auto& f : recording.frames)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       has_covariance[j] |= isStated(f.covariance[j]);
+      has_lateral[j] |= !f.lateral[j].isZero(0.0f);
       has_spread[j] |= f.spread[j] > 0.0 || has_covariance[j];
     }
   out << 't';
@@ -67,6 +68,9 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
     for (const CovarianceColumn& column : kCovarianceColumns)
       if (has_covariance[j])
         out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << '.' << column.name;
+    for (const std::string_view column : kLateralColumns)
+      if (has_lateral[j])
+        out << ',' << humanmodel::jointName(static_cast<humanmodel::Joint>(j)) << '.' << column;
   }
   out << '\n';
   for (const auto& f : recording.frames) {
@@ -80,6 +84,9 @@ void writeSkeletonCsv(std::ostream& out, const Recording& recording) {
       for (const CovarianceColumn& at : kCovarianceColumns)
         if (has_covariance[j])
           out << ',' << (has_shape ? formatDouble(f.covariance[j](at.row, at.column)) : "");
+      const bool has_axis = known && !f.lateral[j].isZero(0.0f);
+      for (int k = 0; k < 3 && has_lateral[j]; ++k)
+        out << ',' << (has_axis ? formatDouble(static_cast<double>(f.lateral[j][k])) : "");
     }
     out << '\n';
   }
@@ -142,6 +149,7 @@ bool SkeletonCsvReader::next(PointFrame& frame) {
 void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
   frame.clear(head_.joints.size());
   if (head_.has_covariances) frame.covariance.assign(head_.joints.size(), Matrix3d::Zero());
+  if (head_.has_laterals) frame.lateral.assign(head_.joints.size(), Eigen::Vector3f::Zero());
   confidence_.assign(head_.joints.size(), kTrackedConfidence);
   std::string_view cell;
   const std::string cell_count = std::to_string(head_.columns.size() + 1) + " cells";
@@ -153,6 +161,8 @@ void SkeletonCsvReader::parsePoints(Cells& cells, PointFrame& frame) {
       confidence_[c.joint] = v;
     else if (c.field == kSpreadField)
       frame.spread[c.joint] = spreadOf(cells, v);
+    else if (c.field >= kLateralField)
+      frame.lateral[c.joint][c.field - kLateralField] = static_cast<float>(v);
     else if (c.field >= kCovarianceField)
       setElement(kCovarianceColumns[static_cast<std::size_t>(c.field - kCovarianceField)], v,
                  frame.covariance[c.joint]);

@@ -20,7 +20,8 @@ inline constexpr double kTrackedConfidence = 1.0, kInferredConfidence = 0.5, kMi
 /// each frame, s and metres, z up, numbers with the digits that read back to the same double. A joint missing
 /// in a frame has empty cells and confidence 0. A joint with a known spread in any frame also has a column
 /// JOINT.spread, m, 0 if unknown; one with a covariance in any frame columns JOINT.cxx, .cyy, .czz, .cxy,
-/// .cxz, .cyz, m^2, empty in frames without one: the error then is isotropic.
+/// .cxz, .cyz, m^2, empty in frames without one: the error then is isotropic. SkeletonFrame::lateral of a
+/// joint is in the columns JOINT.lx, .ly, .lz if it is stated in any frame.
 void writeSkeletonCsv(std::ostream& out, const Recording& recording);
 /// The same to a file, completely or not at all. Throws UsageError if it cannot be written.
 void writeSkeletonCsv(const std::filesystem::path& file, const Recording& recording);

@@ -160,6 +160,8 @@ TEST(AcclaimAsBvh, SameCaptureGivesSamePerson) {
   EXPECT_EQ(a.report.up.axis, b.report.up.axis);
   EXPECT_NEAR(a.report.rate, b.report.rate, 1e-3);
   EXPECT_NEAR(a.report.stature, b.report.stature, kWritten);
+  EXPECT_EQ(a.report.twisted, b.report.twisted);
+  EXPECT_FALSE(a.report.twisted.empty());
   ASSERT_EQ(a.frames.size(), b.frames.size());
   for (std::size_t k = 0; k < a.frames.size(); ++k)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
@@ -169,6 +171,8 @@ TEST(AcclaimAsBvh, SameCaptureGivesSamePerson) {
         ASSERT_LT((a.frames[k][joint] - b.frames[k][joint]).norm(), kWritten)
             << humanmodel::jointName(joint) << " of frame " << k;
       }
+      ASSERT_LT((a.frames[k].lateral[j] - b.frames[k].lateral[j]).norm(), kWritten)
+          << humanmodel::jointName(joint) << " of frame " << k;
     }
 }
 

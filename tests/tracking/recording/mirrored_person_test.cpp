@@ -52,6 +52,20 @@ TEST(MirroredPerson, SwapsHands) {
   }
 }
 
+TEST(MirroredPerson, MirrorsStatedTwist) {
+  auto frames = raisedHand();
+  // The person's left is -x here; the right hand is turned by 30 degrees about z.
+  frames[0].lateral[static_cast<std::size_t>(Joint::kHandRight)] =
+      Eigen::Vector3f(-std::sqrt(0.75f), 0.5f, 0.0f);
+  mirrorPerson(frames);
+  EXPECT_LT((frames[0].lateral[static_cast<std::size_t>(Joint::kHandLeft)] -
+             Eigen::Vector3f(-std::sqrt(0.75f), -0.5f, 0.0f))
+                .norm(),
+            1e-6f)
+      << "turned as far to the other side";
+  EXPECT_TRUE(frames[0].lateral[static_cast<std::size_t>(Joint::kHandRight)].isZero());
+}
+
 TEST(MirroredPerson, MirroringTwiceIsIdentity) {
   const auto expected = raisedHand();
   auto frames = expected;

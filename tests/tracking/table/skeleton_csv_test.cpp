@@ -86,6 +86,30 @@ TEST(SkeletonCsv, CovariancesRoundTripAndAreTheSpreadWithoutTheirColumns) {
                   .isApprox(R * stated * R.transpose(), 1e-12));
 }
 
+TEST(SkeletonCsv, KeepsTheTwistOfParts) {
+  const Eigen::Vector3f y = Eigen::Vector3f(0.3f, 0.9f, -0.1f).normalized();
+  constexpr auto kWrist = static_cast<std::size_t>(humanmodel::Joint::kWristLeft);
+  Recording written;
+  for (int i = 0; i < 2; ++i) {
+    humanmodel::SkeletonFrame f;
+    f.t = 0.1 * i;
+    f.set(humanmodel::Joint::kWristLeft, {1, 2, 3});
+    f.set(humanmodel::Joint::kElbowLeft, {1, 2, 3.2});
+    if (i == 0) f.lateral[kWrist] = y;
+    written.frames.push_back(f);
+  }
+  std::ostringstream out;
+  writeSkeletonCsv(out, written);
+  EXPECT_THAT(out.str(), HasSubstr("wrist_left.lx,wrist_left.ly,wrist_left.lz"));
+  EXPECT_EQ(out.str().find("elbow_left.l"), std::string::npos);
+  const Recording read = readSkeletonCsv(out.str(), "t.csv");
+  EXPECT_EQ(read.frames[0].lateral[kWrist], y) << "the same bits";
+  EXPECT_TRUE(read.frames[1].lateral[kWrist].isZero(0.0f));
+  const Recording upright = readSkeletonCsv(out.str(), "t.csv", {.up = "y"});
+  EXPECT_LT((upright.frames[0].lateral[kWrist] - Eigen::Vector3f(y.x(), -y.z(), y.y())).norm(), 1e-6f);
+  EXPECT_THROW(readSkeletonCsv("t,neck.x,neck.y,neck.z,neck.lx\n0,1,2,3,1\n", "t.csv"), ParseError);
+}
+
 TEST(SkeletonCsv, RefusesPartOfACovariance) {
   try {
     readSkeletonCsv("t,neck.x,neck.y,neck.z,neck.spread,neck.cxx\n0,1,2,3,0.1,0.01\n", "t.csv");
