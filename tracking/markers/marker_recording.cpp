@@ -20,6 +20,9 @@ constexpr double kFarthest = 1e4;
 /// Heights of markers above the feet, as shares of stature: on the head, the chest, the pelvis.
 constexpr double kHeadHeight = 0.90, kChestHeight = 0.72, kPelvisHeight = 0.53;
 
+/// m; statures by the heights of markers that cast no doubt on a unit: those of a sitting person are small.
+constexpr StatureRange kByMarkers{0.7, 2.6};
+
 /// Distance of the hip joint centres from the middle: 0.36 of the distance of the iliac spines (about 0.24 m
 /// at 1.75 m) (Bell, Pedersen, Brand 1990, J. Biomech. 23). The model's hips are farther apart, below the
 /// trochanters.
@@ -140,7 +143,8 @@ UpChoice MarkerTrack::chooseUpOf(const RecordingOptions& options) const {
   return chooseUp(options.up, {}, heightsOf());
 }
 
-UnitChoice MarkerTrack::chooseUnitOf(const RecordingOptions& options) const {
+/// Of the heights of markers, in units of the file.
+std::optional<double> MarkerTrack::statureOf() const {
   const auto has = [&](RigSegment s) {
     return std::any_of(match_->markers.begin(), match_->markers.end(),
                        [s](const FoundMarker& m) { return m.segment == s; });
@@ -153,12 +157,16 @@ UnitChoice MarkerTrack::chooseUnitOf(const RecordingOptions& options) const {
   std::optional<double> stature;
   if (!heights.empty()) stature = nearestQuantile(std::move(heights), 0.9);
   if (stature && !(*stature > 0.0)) stature.reset();
-  return chooseUnit(options.units, stature);
+  return stature;
 }
 
 MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& options) const {
   ABSTAND_CHECK(hasSet() && places_.size() == raw.frames.size());
-  const UnitChoice unit = raw.unit && options.units == "auto" ? *raw.unit : chooseUnitOf(options);
+  const bool is_stated = raw.unit && options.units == "auto";
+  const std::optional<double> height = statureOf();
+  UnitChoice unit = is_stated ? *raw.unit : chooseUnit(options.units, height);
+  const std::string doubt = height ? doubtOfUnit(unit, *height, kByMarkers) : std::string();
+  if (is_stated) unit.warning = doubt;
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUpOf(options);
   // Exchanged left and right, by axes or by names, is a mirrored body.
   Matrix3d R_WF = rotationToZUp(up.axis);
@@ -183,7 +191,8 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   if (2 * report.lost > seen || seen == 0) {
     MarkerReport none;
     none.reason = "the set '" + match_->set + "' shows no body in " + std::to_string(report.lost) + " of " +
-                  std::to_string(seen) + " frames with its markers";
+                  std::to_string(seen) + " frames with its markers" + (doubt.empty() ? "" : "; " + doubt);
+    if (is_stated) raw.unit = unit;
     return none;
   }
   for (auto& f : solution.frames)
@@ -195,6 +204,7 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   raw.frames = std::move(solution.frames);
   raw.rest = humanmodel::SkeletonFrame{};
   raw.unit = unit;
+  raw.unit_is_guess = !is_stated;
   raw.up = up;
   raw.is_canonical = true;
   nameMarkers(*match_, raw);

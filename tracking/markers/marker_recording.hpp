@@ -29,13 +29,13 @@ class MarkerTrack {
   void add(const PointFrame& frame);
 
   /// Solves all frames and writes the joint centres to raw.frames, in the axes and units of the file, with
-  /// the selected unit and up axis. If more than half of the frames with markers show no body, `raw` is
-  /// unchanged and the report has no set.
+  /// the selected unit and up axis. If more than half of the frames with markers show no body, `raw` keeps
+  /// its frames and the report has no set. A doubt about a stated unit is the warning of raw.unit.
   MarkerReport solveInto(RawRecording& raw, const RecordingOptions& options) const;
 
  private:
   UpChoice chooseUpOf(const RecordingOptions& options) const;
-  UnitChoice chooseUnitOf(const RecordingOptions& options) const;
+  std::optional<double> statureOf() const;
   std::vector<humanmodel::SkeletonFrame> heightsOf() const;
 
   std::optional<MarkerMatch> match_;

@@ -163,4 +163,17 @@ UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
               text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
 }
 
+std::string doubtOfUnit(const UnitChoice& stated, double stature, const StatureRange& plausible) {
+  const double metres = stature * stated.scale;
+  if (!std::isfinite(metres) || (metres >= plausible.min && metres <= plausible.max)) return {};
+  const std::string doubt = "with the stated unit " + stated.name + " (" + stated.reason +
+                            ") the person is " + text::rounded(metres, 3) + " m tall, not " +
+                            text::rounded(kShortestByBones, 1) + " to " + text::rounded(kTallestByBones, 1) +
+                            " m";
+  if (const Unit* unit = fittingUnit(stature, kShortestByBones, kTallestByBones))
+    return doubt + "; in " + unit->name + " it would be " + text::rounded(stature * unit->metres, 3) +
+           " m: set the units to " + unit->name + " if the file is wrong";
+  return doubt + ", and no usual unit gives that: set the units";
+}
+
 }  // namespace abstand::tracking

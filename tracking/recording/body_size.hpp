@@ -50,4 +50,15 @@ inline constexpr double kAssumedStature = 1.75;
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units,
                       std::optional<BoneStature> by_bones = std::nullopt);
 
+/// m; statures that do not cast doubt on a unit that is stated.
+struct StatureRange {
+  double min{kShortestByBones}, max{kTallestByBones};
+};
+
+/// A sentence on a unit that the file or its format states, if the person measures `stature` of them and is
+/// outside `plausible` with it: the stature, and the usual unit that would give kShortestByBones to
+/// kTallestByBones. Empty: no doubt. Units differ by a factor of two and more, so the range is wider than
+/// that of a guess.
+std::string doubtOfUnit(const UnitChoice& stated, double stature, const StatureRange& plausible = {});
+
 }  // namespace abstand::tracking

@@ -216,6 +216,14 @@ void warnOfPlace(const std::vector<humanmodel::SkeletonFrame>& frames, Recording
                             text::rounded(-lowest, 2) + " m in z");
 }
 
+/// Why the unit that the file states may be wrong; empty: no reason. `stature` in units of the file.
+std::string doubtOf(const RawRecording& raw, std::optional<double> stature) {
+  if (!raw.unit->warning.empty()) return raw.unit->warning;  // of its markers
+  if (stature) return doubtOfUnit(*raw.unit, *stature);
+  const auto bones = statureByBones(raw.frames);
+  return bones ? doubtOfUnit(*raw.unit, bones->stature) : std::string();
+}
+
 /// The stature that the file states, otherwise `measured` along the bones (m; 0: unknown).
 void setStature(double measured, RecordingReport& report) {
   const double stated = report.person.subject.height;
@@ -224,7 +232,8 @@ void setStature(double measured, RecordingReport& report) {
     report.person.stature_reason = "the file states it";
   else if (measured > 0.0)
     report.person.stature_reason = "along the bones";
-  if (stated > 0.0 && measured > 0.0 && std::abs(measured - stated) > kStaturesDiffer * stated)
+  const bool doubted = !report.units.doubt.empty();  // which says it already
+  if (!doubted && stated > 0.0 && measured > 0.0 && std::abs(measured - stated) > kStaturesDiffer * stated)
     report.warnings.push_back("along the bones the person is " + text::rounded(measured, 2) +
                               " m tall, but the file states " + text::rounded(stated, 2) + " m");
 }
@@ -265,11 +274,12 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   if (!raw.is_canonical)
     for (const auto& sentence : deriveJoints(raw.rest, raw.frames, raw.match.head)) add(sentence);
   const auto stature = measureStature(raw.rest, raw.frames);
-  const UnitChoice unit = raw.unit && options.units == "auto"
-                              ? *raw.unit
-                              : chooseUnit(options.units, stature, statureByBones(raw.frames));
+  const bool is_stated = raw.unit && options.units == "auto";
+  const UnitChoice unit =
+      is_stated ? *raw.unit : chooseUnit(options.units, stature, statureByBones(raw.frames));
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
-  add(unit.warning);
+  if (is_stated && !raw.unit_is_guess) report.units.doubt = doubtOf(raw, stature);
+  add(report.units.doubt.empty() ? unit.warning : report.units.doubt);
   add(up.warning);
   report.units.name = unit.name;
   report.units.reason = unit.reason;

@@ -28,6 +28,7 @@ struct RawRecording {
   std::string rate_reason;
   double clock_start{kNaN};        ///< as Recording::clock_start
   std::optional<UnitChoice> unit;  ///< if stated by the file or its format; otherwise it is guessed
+  bool unit_is_guess{false};       ///< `unit` was guessed while markers were solved
   std::optional<UpChoice> up;      ///< likewise
   std::vector<FileWarning> warnings;
   std::vector<std::string> notes;

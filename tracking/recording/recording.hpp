@@ -39,6 +39,7 @@ struct RecordingReport {
     std::string name;  ///< e.g. "cm"; "free" if the person was scaled to an assumed stature
     std::string reason;
     bool guessed{false};  ///< not stated by the file, its format or the user
+    std::string doubt;    ///< why a unit that the file states may be wrong; also in the warnings
   } units;
   double scale{1.0};  ///< metres per unit of the file
   struct UpAxis {

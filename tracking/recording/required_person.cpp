@@ -6,10 +6,12 @@ namespace abstand::tracking {
 
 void requirePerson(const RecordingReport& report, const std::string& file) {
   if (!report.mapped.empty()) return;
-  throw ParseError(
-      {file}, "found no body part with both end joints, expected at least one",
-      "`abstand skeleton FILE --write-map own.map` writes a joint map to fill in; give it as --joint-map, or "
-      "as joint_map of the recording in a scene");
+  const std::string hint =
+      report.units.doubt.empty()
+          ? "`abstand skeleton FILE --write-map own.map` writes a joint map to fill in; give it as "
+            "--joint-map, or as joint_map of the recording in a scene"
+          : report.units.doubt;
+  throw ParseError({file}, "found no body part with both end joints, expected at least one", hint);
 }
 
 }  // namespace abstand::tracking

@@ -9,6 +9,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/tracking/markers/synthetic_markers.hpp"
 #include "tracking/markers/point_recording.hpp"
+#include "tracking/recording/required_person.hpp"
 #include "tracking/registry/open_recording.hpp"
 
 namespace abstand::tracking {
@@ -29,6 +30,9 @@ class MemoryReader : public PointReader {
     facts_.format = "memory";
     facts_.of_markers = true;
     facts_.rate = 50.0;
+  }
+  void stateUnit(const std::string& name, double scale) {
+    facts_.unit = UnitChoice{name, "the file", scale, ""};
   }
   const PointFacts& facts() const override { return facts_; }
   std::span<const std::string> names() const override { return names_; }
@@ -70,6 +74,29 @@ TEST(MarkerRecording, FindsUnitsUpAndJointCentres) {
     for (std::size_t i = 0; i < r.frames.size(); ++i)
       EXPECT_LT((r.frames[i][j] - m.joints[i][j]).norm(), 0.012)
           << humanmodel::jointName(j) << ", frame " << i;
+}
+
+/// No body fits into markers of ten times the size; the reason is the unit.
+TEST(MarkerRecording, WrongStatedUnitIsNamed) {
+  const auto m = testing::makeMarkers(1, 0.5, 50.0, 0.0005, 0.003);
+  MemoryReader right(m), wrong(m);
+  right.stateUnit("mm", 0.001);
+  EXPECT_THAT(readPoints(right, "m", {}).report.units.doubt, IsEmpty());
+  wrong.stateUnit("cm", 0.01);
+  const RecordingReport r = readPoints(wrong, "m", {}).report;
+  EXPECT_THAT(r.markers.set, IsEmpty());
+  EXPECT_THAT(r.markers.reason,
+              HasSubstr("shows no body in 25 of 25 frames with its markers; with the stated unit cm"));
+  EXPECT_THAT(r.units.doubt, HasSubstr("in mm it would be 1."));
+  EXPECT_THAT(r.warnings, ::testing::Contains(r.units.doubt));
+  RecordingReport nobody = r;
+  nobody.mapped.clear();
+  try {
+    requirePerson(nobody, "m.c3d");
+    FAIL();
+  } catch (const ParseError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("hint: " + r.units.doubt));
+  }
 }
 
 TEST(MarkerRecording, MirroredNamesAreCorrected) {

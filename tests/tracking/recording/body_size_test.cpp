@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "humanmodel/human_model.hpp"
+#include "tracking/recording/conversion.hpp"
 
 namespace abstand::tracking {
 namespace body_size_test {
@@ -56,6 +57,48 @@ TEST(BodySize, UnknownBonesDetermineNoUnit) {
   EXPECT_THAT(odd.warning, HasSubstr("scaled to about 1.75 m"));
   EXPECT_EQ(chooseUnit("mm", std::nullopt, BoneStature{7.0, 2}).name, "mm");
   EXPECT_EQ(chooseUnit("auto", 175.0, BoneStature{7.0, 2}).name, "cm") << "a stature is better";
+}
+
+/// All joints of the standing model in mm, with the unit that the file states.
+RawRecording inMillimetres(double height, const UnitChoice& stated) {
+  humanmodel::HumanOptions options;
+  options.height = height;
+  const SkeletonFrame rest = humanmodel::makeHuman(options).rest;
+  RawRecording raw;
+  SkeletonFrame f;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    f.set(static_cast<Joint>(j), 1000.0 * rest[static_cast<Joint>(j)]);
+  raw.frames = {f, f};
+  raw.frames.back().t = 0.01;
+  raw.is_canonical = true;
+  raw.match.joint.fill(-1);
+  raw.unit = stated;
+  return raw;
+}
+
+TEST(BodySize, StatedUnitIsDoubtedIfPersonIsImplausible) {
+  const UnitChoice cm{"cm", "POINT:UNITS of the file", 0.01, ""}, mm{"mm", "the same", 0.001, ""};
+  const RecordingReport wrong = convert(inMillimetres(1.75, cm), {}).report;
+  EXPECT_EQ(wrong.units.name, "cm") << "a stated unit is kept";
+  EXPECT_NEAR(wrong.scale, 0.01, 0.0);
+  EXPECT_THAT(wrong.units.doubt,
+              HasSubstr("with the stated unit cm (POINT:UNITS of the file) the person is 17."));
+  EXPECT_THAT(wrong.units.doubt, HasSubstr("m tall, not 1.2 to 2.4 m; in mm it would be 1.7"));
+  EXPECT_THAT(wrong.warnings, ::testing::Contains(wrong.units.doubt));
+  for (const double height : {1.25, 1.75, 2.2})
+    EXPECT_THAT(convert(inMillimetres(height, mm), {}).report.units.doubt, IsEmpty()) << height;
+  EXPECT_THAT(convert(inMillimetres(1.75, cm), {.units = "mm"}).report.units.doubt, IsEmpty());
+  EXPECT_THAT(convert(inMillimetres(1.75, cm), {.units = "cm"}).report.units.doubt, IsEmpty())
+      << "not stated";
+}
+
+TEST(BodySize, StatedUnitIsDoubtedByAnyBone) {
+  RawRecording raw = inMillimetres(1.75, {"m", "the head", 1.0, ""});
+  for (SkeletonFrame& f : raw.frames) f.state.fill(humanmodel::JointState::kMissing);
+  for (SkeletonFrame& f : raw.frames)
+    for (const Joint j : {Joint::kHipLeft, Joint::kKneeLeft}) f.set(j, f[j]);
+  EXPECT_THAT(convert(raw, {}).report.units.doubt, HasSubstr("in mm it would be 1.6"));
+  EXPECT_THAT(doubtOfUnit({"mm", "", 0.001, ""}, 7.0), HasSubstr("no usual unit gives that"));
 }
 
 }  // namespace body_size_test
