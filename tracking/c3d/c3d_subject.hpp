@@ -8,9 +8,10 @@ namespace abstand::tracking {
 
 /// From SUBJECTS:NAMES or SUBJECT:NAME; HEIGHT and WEIGHT of SUBJECT; HEIGHT, BODYMASS and the joint widths,
 /// leg lengths and offsets of PROCESSING, as Vicon writes them. The file does not state their units: a
-/// stature is taken as mm, cm or m, whichever gives 0.5 to 2.5 m, and PROCESSING's sizes have the unit of its
-/// stature, mm without one. Implausible values (mass beyond 10 to 300 kg, sizes beyond 5 mm to 1.5 m) are not
-/// stated.
-SubjectFacts subjectOf(const C3dParameters& parameters);
+/// stature is taken as m, cm, mm or inches, whichever gives 1.2 to 2.3 m, and each size as mm, cm or m (or in
+/// the unit of the stature), whichever gives that of a person. A stature in inches is noted, one that no unit
+/// makes plausible is ignored with a warning. Other implausible values (mass beyond 10 to 300 kg, sizes) are
+/// not stated.
+StatedSubject subjectOf(const C3dParameters& parameters);
 
 }  // namespace abstand::tracking

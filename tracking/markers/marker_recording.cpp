@@ -164,7 +164,8 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
   ABSTAND_CHECK(hasSet() && places_.size() == raw.frames.size());
   const bool is_stated = raw.unit && options.units == "auto";
   const std::optional<double> height = statureOf();
-  UnitChoice unit = is_stated ? *raw.unit : chooseUnit(options.units, height);
+  UnitChoice unit =
+      is_stated ? *raw.unit : chooseUnit(options.units, height, std::nullopt, raw.subject.height);
   const std::string doubt = height ? doubtOfUnit(unit, *height, kByMarkers) : std::string();
   if (is_stated) unit.warning = doubt;
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUpOf(options);

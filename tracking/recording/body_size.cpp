@@ -13,7 +13,10 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kAnkleHeight = 0.039;  // share of the stature
-constexpr double kStraightest = 0.9;    // quantile; the maximum could be the glitch of one frame
+/// Factor between a stature along the bones, or by markers, and the stated one; at most one unit is within
+/// it.
+constexpr double kStatedFactor = 1.4;
+constexpr double kStraightest = 0.9;  // quantile; the maximum could be the glitch of one frame
 
 struct Unit {
   const char* name;
@@ -86,6 +89,20 @@ UnitChoice unitByBones(const BoneStature& by) {
               text::rounded(kAssumedStature, 2) + " m; give the units if they are known"};
 }
 
+/// `stature` in units of the file, `stated` in m.
+UnitChoice unitByStated(double stature, double stated) {
+  const std::string measured = "along the bones the person is " + text::rounded(stature, 3) + " units tall: ",
+                    said = text::rounded(stated, 3) + " m that the file states";
+  if (const Unit* unit = fittingUnit(stature, stated / kStatedFactor, stated * kStatedFactor))
+    return {
+        unit->name,
+        measured + text::rounded(stature * unit->metres, 3) + " m in " + unit->name + ", near the " + said,
+        unit->metres, ""};
+  return {"free", measured + "in no usual unit near the " + said, stated / stature,
+          measured + "no common unit comes near the " + said +
+              ", to which it is scaled; give the units if they are known"};
+}
+
 UnitChoice wantedUnit(const std::string& wanted) {
   std::string name = text::lowerCase(wanted);
   if (name == "in" || name == "inch") name = "inches";
@@ -135,7 +152,7 @@ std::optional<BoneStature> statureByBones(const std::vector<humanmodel::Skeleton
 }
 
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
-                      std::optional<BoneStature> by_bones) {
+                      std::optional<BoneStature> by_bones, double stated_stature) {
   const std::string range =
       text::rounded(kShortestAdult, 1) + " to " + text::rounded(kTallestAdult, 1) + " m";
   const auto plausible = [](double metres) { return metres >= kShortestAdult && metres <= kTallestAdult; };
@@ -146,6 +163,8 @@ UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature,
                        " m tall, not " + range;
     return choice;
   }
+  if (stated_stature > 0.0 && (stature || by_bones))
+    return unitByStated(stature ? *stature : by_bones->stature, stated_stature);
   if (!stature && by_bones) return unitByBones(*by_bones);
   if (!stature)
     return {"cm", "the file has no bone that determines the stature; centimetres are most common", 0.01,

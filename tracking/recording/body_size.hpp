@@ -46,9 +46,11 @@ inline constexpr double kAssumedStature = 1.75;
 /// Selects the unit of a file: `wanted` is "auto" or the user's choice: m, cm, mm, inches, cmu (the CMU data
 /// base's 1 / 0.45 inch) or metres per unit as a number. Throws UsageError for anything else. With "auto" at
 /// most one usual unit fits: their ratios are larger than that of the tallest to the shortest adult. Without
-/// a stature, one by bones decides, in a wider range.
+/// a stature, one by bones decides, in a wider range. A stature that the file states (m; 0: it does not)
+/// replaces these ranges: the unit is that which comes within 40 % of it, without one the person is scaled to
+/// it.
 UnitChoice chooseUnit(const std::string& wanted, std::optional<double> stature_in_units,
-                      std::optional<BoneStature> by_bones = std::nullopt);
+                      std::optional<BoneStature> by_bones = std::nullopt, double stated_stature = 0.0);
 
 /// m; statures that do not cast doubt on a unit that is stated.
 struct StatureRange {

@@ -276,7 +276,8 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   const auto stature = measureStature(raw.rest, raw.frames);
   const bool is_stated = raw.unit && options.units == "auto";
   const UnitChoice unit =
-      is_stated ? *raw.unit : chooseUnit(options.units, stature, statureByBones(raw.frames));
+      is_stated ? *raw.unit
+                : chooseUnit(options.units, stature, statureByBones(raw.frames), raw.subject.height);
   const UpChoice up = raw.up && options.up == "auto" ? *raw.up : chooseUp(options.up, raw.rest, raw.frames);
   if (is_stated && !raw.unit_is_guess) report.units.doubt = doubtOf(raw, stature);
   add(report.units.doubt.empty() ? unit.warning : report.units.doubt);

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace abstand::tracking {
 
@@ -13,6 +14,12 @@ struct SubjectFacts {
   double mass{0.0};                     ///< kg
   std::map<std::string, double> sizes;  ///< m: "knee_width_left", "leg_length_right", ...
   bool empty() const { return name.empty() && height == 0.0 && mass == 0.0 && sizes.empty(); }
+};
+
+/// A person in a file, with remarks on how the statements were understood.
+struct StatedSubject {
+  SubjectFacts facts;
+  std::vector<std::string> notes, warnings;
 };
 
 }  // namespace abstand::tracking

@@ -112,8 +112,11 @@ TEST(C3d, ReportsSubjectMeasures) {
   };
   for (const Stated& s :
        {Stated{1630.0f, 102.0f, 1.63, 0.102}, Stated{163.0f, 10.2f, 1.63, 0.102},
-        Stated{1.63f, 0.102f, 1.63, 0.102}, Stated{9.0f, 102.0f, 0.0, 0.102},
-        Stated{std::numeric_limits<float>::infinity(), 102.0f, 0.0, 0.102}, Stated{-1.0f, 1e30f, 0.0, 0.0}}) {
+        Stated{163.0f, 102.0f, 1.63, 0.102}, Stated{1.63f, 10.2f, 1.63, 0.102},
+        Stated{64.0f, 4.0f, 1.6256, 0.1016}, Stated{64.0f, 102.0f, 1.6256, 0.102},
+        Stated{0.0f, 102.0f, 0.0, 0.102}, Stated{0.64f, 0.0f, 0.0, 0.0}, Stated{1.63f, 0.102f, 1.63, 0.102},
+        Stated{9.0f, 102.0f, 0.0, 0.102}, Stated{std::numeric_limits<float>::infinity(), 102.0f, 0.0, 0.102},
+        Stated{-1.0f, 1e30f, 0.0, 0.0}}) {
     SmallC3d c = small();
     c.subject = "Jane";
     c.processing = {{"Height", s.height}, {"Bodymass", 74.0f}, {"LKneeWidth", s.knee}};
@@ -129,6 +132,27 @@ TEST(C3d, ReportsSubjectMeasures) {
   }
   const std::string none = c3dOf(small());
   EXPECT_TRUE(C3dReader(none, "t.c3d").facts().subject.empty());
+}
+
+TEST(C3d, SaysHowStatedHeightIsTaken) {
+  const auto read = [](float height) {
+    SmallC3d c = small();
+    c.processing = {{"Height", height}};
+    return c3dOf(c);
+  };
+  const std::string inches = read(64.0f), metric = read(1630.0f), unset = read(0.0f);
+  EXPECT_THAT(C3dReader(inches, "t").facts().notes,
+              Contains("the stated HEIGHT of 64 is taken as inches: 1.626 m"));
+  for (const std::string* bytes : {&inches, &metric, &unset})
+    EXPECT_TRUE(C3dReader(*bytes, "t").warnings().empty());
+  for (const float height : {0.64f, 36.0f, 2400.0f, -1.0f, 1e30f}) {
+    const std::string bytes = read(height);
+    const C3dReader reader(bytes, "t");
+    EXPECT_EQ(reader.facts().subject.height, 0.0) << height;
+    ASSERT_EQ(reader.warnings().size(), 1u) << height;
+    EXPECT_THAT(reader.warnings()[0].text,
+                HasSubstr("is no stature of 1.2 to 2.3 m in m, cm, mm or inches: it is ignored"));
+  }
 }
 
 TEST(C3d, RejectsBadFilesWithByteOffset) {

@@ -101,5 +101,30 @@ TEST(BodySize, StatedUnitIsDoubtedByAnyBone) {
   EXPECT_THAT(doubtOfUnit({"mm", "", 0.001, ""}, 7.0), HasSubstr("no usual unit gives that"));
 }
 
+TEST(BodySize, StatedStatureDecidesUnit) {
+  // Rough statures, as of leg markers: without the stated one no unit would give an adult.
+  for (const double rough : {1250.0, 1350.0, 2200.0}) {
+    EXPECT_EQ(chooseUnit("auto", rough).name, "free") << rough;
+    const UnitChoice choice = chooseUnit("auto", rough, std::nullopt, 1.63);
+    EXPECT_EQ(choice.name, "mm") << rough;
+    EXPECT_THAT(choice.reason, HasSubstr("m in mm, near the 1.630 m that the file states"));
+    EXPECT_THAT(choice.warning, IsEmpty());
+  }
+  EXPECT_EQ(chooseUnit("auto", std::nullopt, BoneStature{135.0, 2}, 1.63).name, "cm");
+  EXPECT_EQ(chooseUnit("m", 135.0, std::nullopt, 1.63).name, "m") << "the user decides";
+  const UnitChoice odd = chooseUnit("auto", 7.0, std::nullopt, 1.61);
+  EXPECT_EQ(odd.name, "free");
+  EXPECT_DOUBLE_EQ(odd.scale, 0.23);
+  EXPECT_THAT(odd.warning,
+              HasSubstr("no common unit comes near the 1.610 m that the file states, to which it is scaled"));
+
+  RawRecording raw = inMillimetres(1.38, {});
+  raw.unit.reset();
+  raw.subject.height = 1.4;
+  const RecordingReport report = convert(raw, {}).report;
+  EXPECT_EQ(report.units.name, "mm");
+  EXPECT_THAT(report.warnings, IsEmpty());
+}
+
 }  // namespace body_size_test
 }  // namespace abstand::tracking
