@@ -164,10 +164,7 @@ void C3dReader::describe() {
   if (up == "x" || up == "y" || up == "z" || up == "-x" || up == "-y" || up == "-z")
     facts_.up = UpChoice{up, "POINT:Y_SCREEN of the file", ""};
 
-  StatedSubject subject = subjectOf(parameters_);
-  facts_.subject = std::move(subject.facts);
-  facts_.notes = std::move(subject.notes);
-  for (std::string& warning : subject.warnings) warnings_.push_back({0, std::move(warning)});
+  facts_.subjects = subjectsOf(parameters_);
   std::size_t at_origin = 0;
   for (std::size_t f = 0; f < frames_; ++f)
     for (std::size_t i = 0; i < points_; ++i) {

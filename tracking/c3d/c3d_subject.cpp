@@ -1,5 +1,6 @@
 #include "tracking/c3d/c3d_subject.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,12 +34,31 @@ constexpr SizeName kSizes[]{{"LEGLENGTH", "leg_length", 0.5, 1.3},
                             {"HANDTHICKNESS", "hand_thickness", 0.01, 0.08},
                             {"SHOULDEROFFSET", "shoulder_offset", 0.012, 0.1}};
 
-/// The first of the parameters that has a number; 0: none.
-double firstNumber(const C3dParameters& parameters, std::initializer_list<const char*> names) {
-  for (const char* name : names)
-    if (const auto it = parameters.find(name); it != parameters.end() && !it->second.numbers.empty())
-      return it->second.numbers.front();
-  return 0.0;
+/// The numbers of subject `i`.
+class SubjectNumbers {
+ public:
+  SubjectNumbers(const C3dParameters& parameters, std::size_t i) : parameters_{parameters}, i_{i} {}
+
+  /// That of the first parameter that has one for the subject; 0: none.
+  double first(std::initializer_list<const char*> names) const {
+    for (const char* name : names)
+      if (const auto it = parameters_.find(name); it != parameters_.end() && i_ < it->second.numbers.size())
+        return it->second.numbers[i_];
+    return 0.0;
+  }
+
+ private:
+  const C3dParameters& parameters_;
+  std::size_t i_;
+};
+
+/// Texts without empty ones at the end.
+std::vector<std::string> textsOf(const C3dParameters& parameters, const char* name) {
+  const auto it = parameters.find(name);
+  if (it == parameters.end()) return {};
+  std::vector<std::string> texts = it->second.texts;
+  while (!texts.empty() && texts.back().empty()) texts.pop_back();
+  return texts;
 }
 
 /// The unit that makes it a stature; nullptr: none does.
@@ -61,10 +81,10 @@ std::string shown(double value) {
 }
 
 /// Sets the stature from the first parameter that has one; returns its unit, nullptr: none.
-const HeightUnit* takeHeight(const C3dParameters& parameters, StatedSubject& subject) {
+const HeightUnit* takeHeight(const SubjectNumbers& numbers, StatedSubject& subject) {
   double stated = 0.0;
-  for (const char* name : {"PROCESSING:HEIGHT", "SUBJECT:HEIGHT"}) {
-    const double height = firstNumber(parameters, {name});
+  for (const char* name : {"PROCESSING:HEIGHT", "SUBJECT:HEIGHT", "SUBJECTS:HEIGHT"}) {
+    const double height = numbers.first({name});
     if (stated == 0.0) stated = height;
     const HeightUnit* unit = unitOfHeight(height);
     if (!unit) continue;
@@ -81,25 +101,36 @@ const HeightUnit* takeHeight(const C3dParameters& parameters, StatedSubject& sub
   return nullptr;
 }
 
-}  // namespace
-
-StatedSubject subjectOf(const C3dParameters& parameters) {
-  StatedSubject subject;
+void takeFacts(const SubjectNumbers& numbers, StatedSubject& subject) {
   SubjectFacts& facts = subject.facts;
-  for (const char* name : {"SUBJECTS:NAMES", "SUBJECT:NAME"})
-    if (const auto it = parameters.find(name);
-        facts.name.empty() && it != parameters.end() && !it->second.texts.empty())
-      facts.name = it->second.texts.front();
-  const HeightUnit* unit = takeHeight(parameters, subject);
-  const double mass = firstNumber(parameters, {"PROCESSING:BODYMASS", "SUBJECT:WEIGHT", "SUBJECT:MASS"});
+  const HeightUnit* unit = takeHeight(numbers, subject);
+  const double mass = numbers.first(
+      {"PROCESSING:BODYMASS", "SUBJECT:WEIGHT", "SUBJECT:MASS", "SUBJECTS:WEIGHT", "SUBJECTS:MASS"});
   if (mass >= kLightest && mass <= kHeaviest) facts.mass = mass;
   for (const SizeName& kind : kSizes)
     for (const auto& [letter, side] : {std::pair("L", "_left"), std::pair("R", "_right")}) {
-      const double size = metresOf(
-          firstNumber(parameters, {(std::string("PROCESSING:") + letter + kind.key).c_str()}), kind, unit);
+      const double size =
+          metresOf(numbers.first({(std::string("PROCESSING:") + letter + kind.key).c_str()}), kind, unit);
       if (size > 0.0) facts.sizes[std::string(kind.name) + side] = size;
     }
-  return subject;
+}
+
+}  // namespace
+
+std::vector<StatedSubject> subjectsOf(const C3dParameters& parameters) {
+  std::vector<std::string> names = textsOf(parameters, "SUBJECTS:NAMES");
+  if (names.empty()) names = textsOf(parameters, "SUBJECT:NAME");
+  const std::vector<std::string> prefixes = textsOf(parameters, "SUBJECTS:LABEL_PREFIXES");
+  std::vector<StatedSubject> subjects;
+  for (std::size_t i = 0; i < std::max<std::size_t>(names.size(), 1); ++i) {
+    StatedSubject& subject = subjects.emplace_back();
+    if (i < names.size()) subject.facts.name = names[i];
+    if (i < prefixes.size()) subject.label_prefix = prefixes[i];
+    takeFacts(SubjectNumbers(parameters, i), subject);
+  }
+  const StatedSubject& only = subjects.front();
+  if (subjects.size() == 1 && only.facts.empty() && only.warnings.empty()) subjects.clear();
+  return subjects;
 }
 
 }  // namespace abstand::tracking

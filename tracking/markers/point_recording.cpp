@@ -11,6 +11,7 @@
 #include "humanmodel/part_uncertainty.hpp"
 #include "tracking/joint_guess/joint_choice.hpp"
 #include "tracking/markers/marker_recording.hpp"
+#include "tracking/markers/subject_choice.hpp"
 #include "tracking/recording/conversion.hpp"
 
 namespace abstand::tracking {
@@ -144,24 +145,27 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.is_canonical = facts.is_canonical;
   const std::vector<Vector3d> rest = reader.rest();
   const std::vector<PointFrame> first = readFirst(reader);
+  SubjectChoice who{{}, raw.joints, {}};
+  if (facts.of_markers) who = chooseSubject(raw.joints, options);
   JointChoice choice;
   if (facts.is_canonical)
     choice.match = canonicalNames(raw.joints);
   else
-    choice = chooseJoints({raw.joints, reader.parents(), rest, first}, options, !facts.of_markers);
+    choice = chooseJoints({who.names, reader.parents(), rest, first}, options, !facts.of_markers);
   raw.match = choice.match;
   raw.rest = pickRest(rest, raw.match);
   raw.turns.rest = pickRest(reader.turnRest(), raw.match);
   raw.turns.choosePoints(raw.match, reader.parents());
   raw.unit = facts.unit;
   raw.up = facts.up;
-  raw.subject = facts.subject;
+  StatedSubject stated = statedOf(who, facts.subjects);
+  raw.subject = std::move(stated.facts);
   raw.sensor = facts.sensor;
 
   std::optional<MarkerTrack> markers;
   const bool may_be_markers = facts.of_markers || raw.match.of_markers;
   if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
-    markers.emplace(raw.joints, options, file);
+    markers.emplace(who.names, options, file);
   // C3D and TRC may contain joint centres too: then a joint map fits better than any marker set.
   if (markers && options.marker_set == "auto" && !raw.match.of_markers &&
       raw.match.mapped >= markers->found())
@@ -185,7 +189,10 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
     if (start >= kEarliestClock) raw.clock_start = start;
   }
   raw.warnings = reader.warnings();
-  raw.notes = facts.notes;
+  if (!who.warning.empty()) raw.warnings.push_back({0, who.warning});
+  for (std::string& warning : stated.warnings) raw.warnings.push_back({0, std::move(warning)});
+  raw.notes = std::move(stated.notes);
+  raw.notes.insert(raw.notes.end(), facts.notes.begin(), facts.notes.end());
   // In a file of canonical joints inferred ones may have been derived earlier: they are not a tracker's
   // guesses.
   if (!facts.is_canonical && !facts.sensor) markGuesses(raw.frames);

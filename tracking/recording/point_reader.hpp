@@ -60,7 +60,7 @@ struct PointFacts {
   bool is_canonical{false};      ///< names are canonical joints; m, z up
   std::optional<UnitChoice> unit;
   std::optional<UpChoice> up;
-  SubjectFacts subject;
+  std::vector<StatedSubject> subjects;
   std::optional<SensorError> sensor;  ///< of joints for which the file states no spread
   std::vector<std::string> notes;     ///< further remarks for the user
 };

@@ -18,6 +18,7 @@ struct SubjectFacts {
 
 /// A person in a file, with remarks on how the statements were understood.
 struct StatedSubject {
+  std::string label_prefix;  ///< of the person's markers; empty: not stated
   SubjectFacts facts;
   std::vector<std::string> notes, warnings;
 };

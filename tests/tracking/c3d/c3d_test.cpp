@@ -121,7 +121,7 @@ TEST(C3d, ReportsSubjectMeasures) {
     c.subject = "Jane";
     c.processing = {{"Height", s.height}, {"Bodymass", 74.0f}, {"LKneeWidth", s.knee}};
     const std::string bytes = c3dOf(c);
-    const SubjectFacts facts = C3dReader(bytes, "t.c3d").facts().subject;
+    const SubjectFacts facts = C3dReader(bytes, "t.c3d").facts().subjects.at(0).facts;
     EXPECT_EQ(facts.name, "Jane");
     EXPECT_EQ(facts.mass, 74.0);
     EXPECT_NEAR(facts.height, s.metres, kFloatPerValue) << s.height;
@@ -131,7 +131,7 @@ TEST(C3d, ReportsSubjectMeasures) {
     }
   }
   const std::string none = c3dOf(small());
-  EXPECT_TRUE(C3dReader(none, "t.c3d").facts().subject.empty());
+  EXPECT_TRUE(C3dReader(none, "t.c3d").facts().subjects.empty());
 }
 
 TEST(C3d, SaysHowStatedHeightIsTaken) {
@@ -141,18 +141,33 @@ TEST(C3d, SaysHowStatedHeightIsTaken) {
     return c3dOf(c);
   };
   const std::string inches = read(64.0f), metric = read(1630.0f), unset = read(0.0f);
-  EXPECT_THAT(C3dReader(inches, "t").facts().notes,
-              Contains("the stated HEIGHT of 64 is taken as inches: 1.626 m"));
+  const auto said = [](const std::string& bytes) { return C3dReader(bytes, "t").facts().subjects; };
+  EXPECT_THAT(said(inches).at(0).notes, Contains("the stated HEIGHT of 64 is taken as inches: 1.626 m"));
   for (const std::string* bytes : {&inches, &metric, &unset})
-    EXPECT_TRUE(C3dReader(*bytes, "t").warnings().empty());
+    for (const StatedSubject& subject : said(*bytes)) EXPECT_TRUE(subject.warnings.empty());
   for (const float height : {0.64f, 36.0f, 2400.0f, -1.0f, 1e30f}) {
     const std::string bytes = read(height);
-    const C3dReader reader(bytes, "t");
-    EXPECT_EQ(reader.facts().subject.height, 0.0) << height;
-    ASSERT_EQ(reader.warnings().size(), 1u) << height;
-    EXPECT_THAT(reader.warnings()[0].text,
+    ASSERT_EQ(said(bytes).size(), 1u) << height;
+    EXPECT_EQ(said(bytes)[0].facts.height, 0.0) << height;
+    EXPECT_THAT(said(bytes)[0].warnings, ::testing::SizeIs(1)) << height;
+    EXPECT_THAT(said(bytes)[0].warnings.at(0),
                 HasSubstr("is no stature of 1.2 to 2.3 m in m, cm, mm or inches: it is ignored"));
   }
+}
+
+TEST(C3d, ReadsSubjectsOneByOne) {
+  SmallC3d c = small();
+  c.subjects = {"Ann", "Bob"};
+  c.heights = {1630.0f, 1.85f};
+  c.processing = {{"Bodymass", 60.0f}};
+  const std::string bytes = c3dOf(c);
+  const auto subjects = C3dReader(bytes, "t").facts().subjects;
+  ASSERT_EQ(subjects.size(), 2u);
+  EXPECT_EQ(subjects[1].facts.name, "Bob");
+  EXPECT_NEAR(subjects[0].facts.height, 1.63, kFloatPerValue);
+  EXPECT_NEAR(subjects[1].facts.height, 1.85, kFloatPerValue);
+  EXPECT_EQ(subjects[0].facts.mass, 60.0);
+  EXPECT_EQ(subjects[1].facts.mass, 0.0) << "the mass of the first is not that of the second";
 }
 
 TEST(C3d, RejectsBadFilesWithByteOffset) {

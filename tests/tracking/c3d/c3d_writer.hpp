@@ -1,6 +1,7 @@
 // Makes C3D files for tests, in every encoding.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <string>
 #include <utility>
@@ -24,6 +25,8 @@ struct SmallC3d {
   int parameter_block{2};
   std::vector<std::pair<std::string, float>> processing;  ///< numbers in PROCESSING
   std::string subject;                                    ///< SUBJECTS:NAMES; empty: none
+  std::vector<std::string> subjects;                      ///< the same as an array
+  std::vector<float> heights;                             ///< SUBJECTS:HEIGHT, of each
 };
 
 /// Blocks: header, nothing up to the parameters, two of parameters, then the data.
@@ -57,16 +60,27 @@ inline std::string c3dOf(const SmallC3d& c) {
   const auto text = [](const std::string& s) {
     return std::string{'\xff', '\x01', static_cast<char>(s.size())} + s + '\0';
   };
-  std::string labels{'\xff', '\x02', '\x05', static_cast<char>(c.labels.size())};
-  for (const auto& l : c.labels) labels += (l + "     ").substr(0, 5);
-  labels += '\0';
+  const auto texts = [](const std::vector<std::string>& list) {
+    std::size_t width = 5;
+    for (const auto& s : list) width = std::max(width, s.size());
+    std::string all{'\xff', '\x02', static_cast<char>(width), static_cast<char>(list.size())};
+    for (const auto& s : list) all += s + std::string(width - s.size(), ' ');
+    return all + '\0';
+  };
   std::string parameters{'\x01', '\x50', '\x02', static_cast<char>(c.processor)};
   if (!c.subject.empty())
     parameters += record(-2, "SUBJECTS", std::string(1, '\0')) + record(2, "NAMES", text(c.subject));
+  if (!c.subjects.empty())
+    parameters += record(-2, "SUBJECTS", std::string(1, '\0')) + record(2, "NAMES", texts(c.subjects));
+  if (!c.heights.empty()) {
+    std::string heights{'\x04', '\x01', static_cast<char>(c.heights.size())};
+    for (const float height : c.heights) heights += f32(height);
+    parameters += record(2, "HEIGHT", heights + '\0');
+  }
   if (!c.processing.empty()) parameters += record(-3, "PROCESSING", std::string(1, '\0'));
   for (const auto& [name, number] : c.processing)
     parameters += record(3, name, std::string{'\x04', '\0'} + f32(number) + '\0');
-  parameters += record(-1, "POINT", std::string(1, '\0')) + record(1, "LABELS", labels) +
+  parameters += record(-1, "POINT", std::string(1, '\0')) + record(1, "LABELS", texts(c.labels)) +
                 record(1, "UNITS", text("mm")) + record(1, "Y_SCREEN", text("+Z"), true);
 
   std::string data;

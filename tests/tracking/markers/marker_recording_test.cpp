@@ -7,8 +7,10 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
+#include "tests/tracking/c3d/c3d_writer.hpp"
 #include "tests/tracking/markers/synthetic_markers.hpp"
 #include "tracking/markers/point_recording.hpp"
+#include "tracking/markers/subject_choice.hpp"
 #include "tracking/recording/required_person.hpp"
 #include "tracking/registry/open_recording.hpp"
 
@@ -141,6 +143,83 @@ TEST(MarkerRecording, UnmatchedSetIsErrorOnlyIfNamed) {
                  "m.c3d: error: found 0 of the 39 markers of the set 'Motek', expected at least six on three "
                  "segments");
   }
+}
+
+/// A C3D file of labelled people; each stands `apart` m beside the former and has `share` of the markers.
+struct LabelledPeople {
+  std::vector<std::string> prefixes;
+  std::vector<double> shares;
+  double apart{2.0};
+};
+
+testing::SmallC3d c3dOfPeople(const testing::SyntheticMarkers& m, const LabelledPeople& people) {
+  testing::SmallC3d c;
+  c.labels.clear();
+  c.frames.assign(m.moments.size(), {});
+  for (std::size_t person = 0; person < people.prefixes.size(); ++person) {
+    const auto count = static_cast<std::size_t>(people.shares[person] * static_cast<double>(m.found.size()));
+    for (std::size_t k = 0; k < count; ++k) {
+      c.labels.push_back(people.prefixes[person] + m.found[k].label);
+      for (std::size_t i = 0; i < m.moments.size(); ++i)
+        c.frames[i].push_back(
+            1000.0 * (m.moments[i][k] + Vector3d(0.0, people.apart * static_cast<double>(person), 0.0)));
+    }
+  }
+  return c;
+}
+
+/// y of the left hip in the first frame, m.
+double sideOf(const Recording& r) { return r.frames.front()[humanmodel::Joint::kHipLeft].y(); }
+
+TEST(MarkerRecording, SubjectsAreNotMixed) {
+  const auto m = testing::makeMarkers(1, 0.5, 50.0, 0.0005, 0.003);
+  const testing::ScratchFolder scratch;
+  const auto read = [&](const LabelledPeople& people, std::vector<std::string> names = {},
+                        std::vector<float> heights = {}) {
+    testing::SmallC3d c = c3dOfPeople(m, people);
+    c.subjects = std::move(names);
+    c.heights = std::move(heights);
+    return openRecording(scratch.write("people.c3d", testing::c3dOf(c)));
+  };
+  const Recording alone = read({{""}, {1.0}});
+  ASSERT_EQ(alone.report.markers.set, "Plug-in-Gait");
+  // Of two with the same markers the first, with the height that is its own.
+  const Recording first = read({{"A:", "B:"}, {1.0, 1.0}}, {"A", "B"}, {1700.0f, 1500.0f});
+  EXPECT_NEAR(sideOf(first), sideOf(alone), 0.02);
+  EXPECT_EQ(first.report.markers.used.size(), alone.report.markers.used.size());
+  EXPECT_EQ(first.report.person.subject.name, "A");
+  EXPECT_NEAR(first.report.stature, 1.7, 1e-6);
+  EXPECT_THAT(first.report.warnings, ::testing::Contains(::testing::AllOf(HasSubstr("those of 'A' ("),
+                                                                          HasSubstr("those of 'B' ("))));
+  // Otherwise the one with more; what it lacks is not taken from the other.
+  const Recording second = read({{"A:", "B:"}, {0.7, 0.9}}, {"A", "B"}, {1500.0f, 1700.0f});
+  EXPECT_NEAR(sideOf(second), sideOf(alone) + 2.0, 0.02);
+  EXPECT_EQ(second.report.person.subject.name, "B");
+  EXPECT_NEAR(second.report.stature, 1.7, 1e-6);
+  for (const MarkerUse& used : second.report.markers.used)
+    EXPECT_THAT(used.label, ::testing::StartsWith("B:"));
+  const Recording more = read({{"A:", "B:"}, {0.9, 0.7}});
+  EXPECT_NEAR(sideOf(more), sideOf(alone), 0.02);
+  for (const MarkerUse& used : more.report.markers.used) EXPECT_THAT(used.label, ::testing::StartsWith("A:"));
+  // One person, with or without a prefix, is no matter of doubt.
+  EXPECT_THAT(alone.report.warnings, ::testing::Not(::testing::Contains(HasSubstr("subjects"))));
+  EXPECT_THAT(read({{"A:"}, {1.0}}, {"A"}).report.warnings,
+              ::testing::Not(::testing::Contains(HasSubstr("subjects"))));
+  EXPECT_THAT(read({{""}, {1.0}}, {"A", "B"}).report.warnings,
+              ::testing::Contains(HasSubstr("names 2 subjects, but its labels do not say whose they are")));
+}
+
+TEST(MarkerRecording, UnlabelledPointsAreNoSubject) {
+  std::vector<std::string> names{"Jane:LASI", "Jane:RASI", "Box:1", "Box:2", "Box:3"};
+  for (int i = 0; i < 20; ++i) names.push_back("*" + std::to_string(i));
+  const SubjectChoice choice = chooseSubject(names, {});
+  EXPECT_EQ(choice.prefix, "Jane");
+  EXPECT_EQ(choice.names[0], "Jane:LASI");
+  EXPECT_EQ(choice.names[2], "");
+  EXPECT_THAT(choice.warning,
+              HasSubstr("those of 'Jane' (2 markers) are used; those of 'Box' (3 markers) are"));
+  names.erase(names.begin() + 2, names.begin() + 5);
+  EXPECT_THAT(chooseSubject(names, {}).warning, IsEmpty());
 }
 
 constexpr double kStatureTolerance = 0.1;  // m
