@@ -307,10 +307,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   warnOfPlace(raw.frames, report);
   report.person.proportions = proportionsOf(raw.frames);
   add(oddProportions(report.person.proportions));
-  if (const auto turn = leadingTPose(raw.frames))
-    report.notes.push_back(
-        "the first frame is a T-pose; an arm turns by " + text::rounded(*turn * 180.0 / kPi, 0) +
-        " degrees to the second frame: it was added by a converter and is not part of the motion");
+  if (const auto pose = leadingTPose(raw.frames)) add(warningOf(*pose));
   out.frames = std::move(raw.frames);
   return out;
 }
