@@ -129,6 +129,19 @@ void addSteps(const std::string& file, const tracking::Recording& recording, std
                      {}});
 }
 
+/// Bones that the reader put in are a guess, as units are.
+void addRepairs(const std::string& file, const tracking::RecordingReport& report,
+                std::vector<Reservation>& out) {
+  for (const std::string& repair : report.repairs)
+    out.push_back({"repair_guess",
+                   file + ": " + repair + "; `repair: false` in the scene leaves the file as it is",
+                   {},
+                   {},
+                   {},
+                   scene::Severity::kStrict,
+                   {}});
+}
+
 void addRecording(const scene_file::HumanDescription& d, const session::HumanDriver& driver,
                   const scene::Scene& scene, std::vector<Reservation>& out) {
   const tracking::Recording& recording = *driver.recording();
@@ -186,6 +199,7 @@ void addRecording(const scene_file::HumanDescription& d, const session::HumanDri
          {},
          scene::Severity::kStrict,
          {}});
+  addRepairs(file, r, out);
   const double foot = r.lowest_foot + d.recording.place_xyz.z();
   if (std::abs(foot) > kFloorDistance)
     out.push_back({"floor",

@@ -13,9 +13,9 @@ namespace abstand::run {
 /// One reason to doubt a verdict.
 struct Reservation {
   /// One of: refused_pose, stale_pose, inferred_pose, no_person, outside_recording, interrupted (of the
-  /// frames that were run); frames_missing, gaps, unmapped_part, units_guess, up_guess, floor, recording (of
-  /// recordings); no_body, missing_body, bodiless, link_center, mesh, no_limits, joint_limit (of robots and
-  /// bodies); no_pairs.
+  /// frames that were run); frames_missing, gaps, unmapped_part, units_guess, up_guess, repair_guess, floor,
+  /// recording (of recordings); no_body, missing_body, bodiless, link_center, mesh, no_limits, joint_limit
+  /// (of robots and bodies); no_pairs.
   std::string kind;
   std::string text;              ///< one line
   std::optional<double> t0, t1;  ///< s, if it applies to a time range only

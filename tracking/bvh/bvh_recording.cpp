@@ -7,6 +7,13 @@ namespace abstand::tracking {
 
 namespace {
 
+/// Lost bones of the hierarchy; with `repair` they are put in.
+std::vector<LostBone> findLostBones(BvhHierarchy& hierarchy, bool repair) {
+  if (repair) return repairLostBones(hierarchy);
+  BvhHierarchy as_in_file = hierarchy;
+  return repairLostBones(as_in_file);
+}
+
 void describeRepairs(const std::vector<LostBone>& repairs, RecordingReport& report) {
   for (const LostBone& bone : repairs) {
     const std::string length = text::rounded(1000.0 * report.scale * bone.length, 1) + " mm";
@@ -17,6 +24,18 @@ void describeRepairs(const std::vector<LostBone>& repairs, RecordingReport& repo
                                        ", which puts neck and arms too low: " + length +
                                        ", the length of the adjacent spine bones, are inserted");
     report.notes.push_back(report.repairs.back() + " (--no-repair leaves the file as it is)");
+  }
+}
+
+/// Warns of bones that are missing and stay so.
+void warnOfLostBones(const std::vector<LostBone>& lost, RecordingReport& report) {
+  for (const LostBone& bone : lost) {
+    const std::string length = text::rounded(1000.0 * report.scale * bone.length, 0) + " mm";
+    report.warnings.push_back("not repaired: the file lacks " +
+                              (bone.is_hand ? "the wrist bone after " + text::inQuotes(bone.joint) +
+                                                  ": this hand is some " + length + " too near to the elbow"
+                                            : "a bone after " + text::inQuotes(bone.joint) +
+                                                  ": neck, head and arms are some " + length + " too low"));
   }
 }
 
@@ -31,7 +50,7 @@ bool looksLikeBvh(std::string_view text) {
 BvhPoints::BvhPoints(std::string text, std::string file, bool repair)
     : reader_(std::move(text), std::move(file)),
       hierarchy_(reader_.hierarchy()),
-      repairs_(repair ? repairLostBones(hierarchy_) : std::vector<LostBone>()),
+      lost_(findLostBones(hierarchy_, repair)),
       pose_(hierarchy_) {
   facts_.format = "bvh";
   facts_.rate = 1.0 / reader_.head().frame_time;
@@ -61,7 +80,10 @@ bool BvhPoints::next(PointFrame& frame) {
 Recording readBvhRecording(std::string text, const std::string& file, const RecordingOptions& options) {
   BvhPoints points(std::move(text), file, options.repair);
   Recording recording = readPoints(points, file, options);
-  describeRepairs(points.repairs(), recording.report);
+  if (options.repair)
+    describeRepairs(points.lost(), recording.report);
+  else
+    warnOfLostBones(points.lost(), recording.report);
   return recording;
 }
 

@@ -26,13 +26,14 @@ class BvhPoints : public PointReader {
   std::vector<Vector3d> rest() const override;
   std::vector<int> parents() const override;
   bool next(PointFrame& frame) override;
-  const std::vector<LostBone>& repairs() const { return repairs_; }
+  /// Bones that the file has lost, whether they were put in or not.
+  const std::vector<LostBone>& lost() const { return lost_; }
   std::vector<FileWarning> warnings() const override { return reader_.warnings(); }
 
  private:
   BvhReader reader_;
-  BvhHierarchy hierarchy_;  ///< that of the reader, repaired
-  std::vector<LostBone> repairs_;
+  BvhHierarchy hierarchy_;  ///< that of the reader, repaired if wanted
+  std::vector<LostBone> lost_;
   BvhPose pose_;
   PointFacts facts_;
   std::vector<std::string> names_;

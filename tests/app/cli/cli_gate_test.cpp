@@ -390,6 +390,47 @@ TEST_F(CheckCommand, StrictFailsOnGuessesAndOpenMeshes) {
   EXPECT_EQ(run(command + " --strict").code, 1);
 }
 
+/// A recording of ten times the size, one with an artificial pose, and one with a lost bone: check says so.
+TEST_F(CheckCommand, DoubtfulRecordingsRaiseReservations) {
+  const auto check = [&](const std::string& recording, const std::string& kind, const std::string& text) {
+    const std::string command =
+        "check " +
+        scene("humans:\n  - {name: p, height: 1.75, recording: {" + recording + "}}\n" + kThings + kBetween) +
+        " --no-cache --min-distance 0.001 --json";
+    const json document = json::parse(run(command).out);
+    EXPECT_TRUE(document["passed"].get<bool>()) << recording;
+    bool is_said = false;
+    for (const auto& r : document["reservations"])
+      if (r["kind"] == kind && r["text"].get<std::string>().find(text) != std::string::npos) {
+        is_said = true;
+        EXPECT_EQ(r["fails"], "strict");
+      }
+    EXPECT_TRUE(is_said) << document["reservations"];
+    EXPECT_EQ(run(command + " --strict").code, 1) << recording;
+  };
+  person([](auto& frames) {
+    for (auto& f : frames)
+      for (Vector3d& p : f.p) p *= 10.0;
+  });
+  check("file: p.csv", "recording", "set the units to");
+  person([](auto& frames) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const double side : {1.0, -1.0}) {
+        using J = humanmodel::Joint;
+        auto& f = frames[i];
+        const int to_right = side > 0.0 ? 0 : 4;
+        const auto on = [&](J left) { return static_cast<J>(static_cast<int>(left) + to_right); };
+        f.set(on(J::kElbowLeft), f[on(J::kShoulderLeft)] + Vector3d(0.0, side * 0.3, 0.0));
+        f.set(on(J::kWristLeft), f[on(J::kElbowLeft)] + Vector3d(0.0, side * 0.25, 0.0));
+      }
+  });
+  check("file: p.csv", "recording", "frames 1 to 3 are a T-pose");
+  const auto cmu = debianBvh("01_01.bvh");
+  if (!std::filesystem::exists(cmu)) GTEST_SKIP() << cmu;
+  check("file: " + cmu.string(), "repair_guess", "the file lacks a bone after 'Spine1'");
+  check("file: " + cmu.string() + ", repair: false", "recording", "not repaired: the file lacks a bone");
+}
+
 TEST_F(CheckCommand, StrictFailuresAppearInJUnitWithReason) {
   // 0.11 m apart, known to a millimetre or so.
   const std::string text =

@@ -43,6 +43,12 @@ TEST(LostBones, CmuCapturesRegainThoraxAndWrists) {
     const Recording before = readBvhRecording(text, c.file, {.repair = false});
     const Recording after = readBvhRecording(text, c.file, {});
     EXPECT_THAT(before.report.repairs, IsEmpty());
+    EXPECT_THAT(before.report.warnings,
+                Contains(::testing::MatchesRegex("not repaired: the file lacks a bone after '" +
+                                                 std::string(c.chest) +
+                                                 "': neck, head and arms are some 1[0-9]+ mm too low")));
+    EXPECT_THAT(before.report.warnings, Contains(HasSubstr("mm too near to the elbow"))) << c.file;
+    EXPECT_THAT(after.report.warnings, ::testing::Not(Contains(HasSubstr("not repaired"))));
     EXPECT_NEAR(before.report.stature, c.before, kStature) << c.file;
     EXPECT_NEAR(after.report.stature, c.after, kStature) << c.file;
     ASSERT_EQ(after.report.repairs.size(), 3u) << c.file;
@@ -50,8 +56,8 @@ TEST(LostBones, CmuCapturesRegainThoraxAndWrists) {
     EXPECT_THAT(after.report.repairs[1], HasSubstr("the wrist"));
     EXPECT_THAT(after.report.notes, Contains(HasSubstr("--no-repair")));
     BvhPoints points(text, c.file, true);
-    ASSERT_EQ(points.repairs().size(), 3u);
-    EXPECT_NEAR(points.repairs()[0].length * after.report.scale, c.thorax, kBone) << c.file;
+    ASSERT_EQ(points.lost().size(), 3u);
+    EXPECT_NEAR(points.lost()[0].length * after.report.scale, c.thorax, kBone) << c.file;
     // Legs stay; shoulders and neck rise by the bone.
     for (const auto j : {humanmodel::Joint::kHipLeft, humanmodel::Joint::kAnkleRight})
       EXPECT_EQ((after.frames[0][j] - before.frames[0][j]).norm(), 0.0);
@@ -88,11 +94,15 @@ TEST(LostBones, OnlyShortSpineIsRepaired) {
   const Recording repaired = readBvhRecording(shortened(0.25), "t.bvh", {});
   ASSERT_THAT(repaired.report.repairs, ::testing::SizeIs(1));
   const Recording plain = readBvhRecording(shortened(0.25), "t.bvh", {.repair = false});
+  EXPECT_THAT(plain.report.repairs, IsEmpty());
+  EXPECT_THAT(plain.report.warnings, Contains(HasSubstr("neck, head and arms are some 250 mm too low")));
   EXPECT_NEAR(
       (repaired.frames[0][humanmodel::Joint::kNeck] - plain.frames[0][humanmodel::Joint::kNeck]).norm(), 0.25,
       kExact)
       << "as long as the other bone of the spine";
   EXPECT_THAT(readBvhRecording(shortened(0.50), "t.bvh", {}).report.repairs, IsEmpty());
+  EXPECT_THAT(readBvhRecording(shortened(0.50), "t.bvh", {.repair = false}).report.warnings,
+              ::testing::Not(Contains(HasSubstr("repaired"))));
   EXPECT_THAT(readBvhRecording(testing::bvhOf({}), "t.bvh", {}).report.repairs, IsEmpty());
 }
 
