@@ -57,7 +57,39 @@ std::vector<std::size_t> pointsOf(const JointMatch& match, humanmodel::Joint j, 
   return {mean.begin(), mean.end()};
 }
 
-/// Sets `mapped`, `not_mapped` and `missing_parts`.
+bool isLimb(const PartJoints& part) {
+  const bool is_long = part.part.starts_with("biceps") || part.part.starts_with("forearm");
+  return is_long || part.part.starts_with("thigh") || part.part.starts_with("calf");
+}
+
+/// True if both ends of a part are known together and always coincide: such a bone has no direction.
+bool hasNoLength(const PartJoints& part, const std::vector<humanmodel::SkeletonFrame>& frames) {
+  constexpr double kNoLength = 1e-6;  // m
+  bool is_known = false;
+  for (const auto& f : frames) {
+    if (!f.has(part.joints.front()) || !f.has(part.joints.back())) continue;
+    is_known = true;
+    if ((f[part.joints.front()] - f[part.joints.back()]).norm() > kNoLength) return false;
+  }
+  return is_known;
+}
+
+/// Sets `no_body` if no bone of a limb that is known has a length.
+void findNoBody(const std::vector<humanmodel::SkeletonFrame>& frames, RecordingReport& report) {
+  std::size_t known = 0, without_length = 0;
+  for (const auto& part : partJoints()) {
+    if (!isLimb(part)) continue;
+    without_length += hasNoLength(part, frames) ? 1 : 0;
+    known += std::any_of(frames.begin(), frames.end(), [&](const humanmodel::SkeletonFrame& f) {
+      return f.has(part.joints.front()) && f.has(part.joints.back());
+    });
+  }
+  if (known > 0 && known == without_length)
+    report.no_body = "the ends of all " + std::to_string(known) +
+                     " bones of arms and legs coincide in every frame (in a BVH file: OFFSETs of 0)";
+}
+
+/// Sets `mapped`, `not_mapped`, `missing_parts` and `no_body`.
 void reportParts(const RawRecording& raw, const std::vector<humanmodel::SkeletonFrame>& frames,
                  RecordingReport& report) {
   const auto known = [&](humanmodel::Joint j) {
@@ -70,6 +102,7 @@ void reportParts(const RawRecording& raw, const std::vector<humanmodel::Skeleton
              return f.state[static_cast<std::size_t>(j)] == humanmodel::JointState::kTracked;
            });
   };
+  findNoBody(frames, report);
   std::vector<bool> used(raw.joints.size(), false);
   std::string sentence;
   for (const auto& part : partJoints()) {
@@ -85,6 +118,8 @@ void reportParts(const RawRecording& raw, const std::vector<humanmodel::Skeleton
     std::string missing;
     for (const humanmodel::Joint j : {part.joints.front(), part.joints.back()})
       if (!known(j)) missing += (missing.empty() ? "" : " and ") + std::string(humanmodel::jointName(j));
+    if (missing.empty() && (!report.no_body.empty() || (isLimb(part) && hasNoLength(part, frames))))
+      missing = "length";
     if (missing.empty()) {
       report.mapped[std::string(part.part)] = std::move(names);
     } else {

@@ -73,6 +73,7 @@ struct RecordingReport {
   std::vector<std::string> not_mapped;
   std::vector<std::string> twisted;        ///< parts whose twist is that of the file's orientations
   std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
+  std::string no_body;  ///< why known joints move no part; empty: they do, or none is known
   /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};
   double lowest_foot{kNaN};           ///< m, smallest z over all frames; NaN: no foot is known

@@ -8,6 +8,7 @@
 #include "tests/support/paths.hpp"
 #include "tests/tracking/small_human.hpp"
 #include "tracking/bvh/bvh_recording.hpp"
+#include "tracking/recording/required_person.hpp"
 #include "tracking/recording/up_axis.hpp"
 #include "tracking/registry/open_recording.hpp"
 
@@ -185,6 +186,39 @@ TEST(Recording, RejectsBadFiles) {
       EXPECT_THAT(e.what(), HasSubstr(file.filename().string()));
     }
   }
+}
+
+std::string withoutOffsets(std::string bvh) {
+  for (auto at = bvh.find("OFFSET"); at != std::string::npos; at = bvh.find("OFFSET", at + 1))
+    bvh.replace(at, bvh.find('\n', at) - at, "OFFSET 0 0 0");
+  return bvh;
+}
+
+TEST(Recording, BonesWithoutLengthAreNoBody) {
+  const Recording r = readBvhRecording(withoutOffsets(bvhOf({})), "t.bvh", {});
+  EXPECT_TRUE(r.report.mapped.empty());
+  EXPECT_EQ(r.report.missing_parts.size(), 14u);
+  EXPECT_THAT(r.report.no_body,
+              HasSubstr("the ends of all 8 bones of arms and legs coincide in every frame"));
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("torso (no length), head (no length)")));
+  try {
+    requirePerson(r.report, "t.bvh");
+    FAIL();
+  } catch (const ParseError& e) {
+    EXPECT_THAT(e.what(),
+                HasSubstr("t.bvh: error: found a skeleton without a body, expected bones with a length"));
+    EXPECT_THAT(e.what(), HasSubstr("hint: the ends of all 8 bones"));
+  }
+  // One bone that is lost is one part that is not moved.
+  const std::string whole = bvhOf({});
+  std::string elbow = whole;
+  const auto at = elbow.find("OFFSET", elbow.find("JOINT LeftElbow"));
+  elbow.replace(at, elbow.find('\n', at) - at, "OFFSET 0 0 0");
+  const Recording one = readBvhRecording(elbow, "t.bvh", {});
+  EXPECT_THAT(one.report.missing_parts, ::testing::ElementsAre("biceps_left"));
+  EXPECT_THAT(one.report.warnings, Contains(HasSubstr("biceps_left (no length)")));
+  EXPECT_TRUE(one.report.no_body.empty());
+  EXPECT_TRUE(readBvhRecording(whole, "t.bvh", {}).report.no_body.empty());
 }
 
 }  // namespace recording_test
