@@ -50,7 +50,7 @@ nlohmann::ordered_json markersJson(const tracking::MarkerReport& m) {
 nlohmann::ordered_json proportionsJson(const std::vector<tracking::BoneProportion>& bones) {
   nlohmann::ordered_json all = nlohmann::json::array();
   for (const auto& bone : bones)
-    all.push_back({{"part", humanmodel::partName(bone.part)},
+    all.push_back({{"part", bone.part},
                    {"length", bone.length},
                    {"usual", bone.usual},
                    {"off", bone.off()},
