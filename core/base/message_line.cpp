@@ -9,16 +9,6 @@ namespace {
 
 constexpr std::string_view kLeftOut = " [...] ";
 
-/// True for a UTF-8 character of `length` bytes that is a C1 control (U+0080 to U+009F), a line separator
-/// (U+2028, U+2029) or a bidirectional mark (U+202A to U+202E, U+2066 to U+2069).
-bool isHiddenControl(std::string_view c) {
-  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(c[i]); };
-  if (c.size() == 2) return at(0) == 0xc2 && at(1) < 0xa0;
-  if (c.size() != 3 || at(0) != 0xe2) return false;
-  return (at(1) == 0x80 && at(2) >= 0xa8 && at(2) <= 0xae) ||
-         (at(1) == 0x81 && at(2) >= 0xa6 && at(2) <= 0xa9);
-}
-
 void addEscaped(std::string& out, std::string_view bytes) {
   constexpr char kDigits[] = "0123456789abcdef";
   for (const char c : bytes) {

@@ -20,6 +20,14 @@ std::size_t characterLength(std::string_view text) {
   return overlong || beyond ? 0 : length;
 }
 
+bool isHiddenControl(std::string_view character) {
+  const auto at = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 2) return at(0) == 0xc2 && at(1) < 0xa0;
+  if (character.size() != 3 || at(0) != 0xe2) return false;
+  return (at(1) == 0x80 && at(2) >= 0xa8 && at(2) <= 0xae) ||
+         (at(1) == 0x81 && at(2) >= 0xa6 && at(2) <= 0xa9);
+}
+
 bool isPlainText(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = characterLength(text);

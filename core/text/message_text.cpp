@@ -1,16 +1,27 @@
 #include "core/text/message_text.hpp"
 
+#include <algorithm>
 #include <charconv>
+
+#include "core/base/utf8.hpp"
 
 namespace abstand::text {
 namespace {
 
-constexpr std::size_t kLongestQuote = 40;
+constexpr std::size_t kLongestQuote = 40;  // characters
 
 std::string quoted(std::string_view found, char quote) {
   std::string s(1, quote);
-  for (const char c : found.substr(0, kLongestQuote)) s += c >= ' ' && c <= '~' ? c : '?';
-  if (found.size() > kLongestQuote) s += "...";
+  for (std::size_t i = 0; i < kLongestQuote && !found.empty(); ++i) {
+    const std::size_t length = characterLength(found);
+    const std::string_view character = found.substr(0, std::max<std::size_t>(length, 1));
+    if (length == 0 || isHiddenControl(character))
+      s += '?';
+    else
+      s += character;
+    found.remove_prefix(character.size());
+  }
+  if (!found.empty()) s += "...";
   return s + quote;
 }
 

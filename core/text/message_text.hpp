@@ -14,7 +14,8 @@ std::string_view trimmed(std::string_view text, std::string_view blank = " \t");
 /// The text without characters of `leading` at its start and of `trailing` at its end.
 std::string_view trimmed(std::string_view text, std::string_view leading, std::string_view trailing);
 
-/// Quotes text of an input for an error message: single quotes, at most 40 characters, nothing unprintable.
+/// Quotes text of an input for an error message: single quotes, at most 40 characters of UTF-8. Control
+/// characters and bytes that are not UTF-8 become '?'.
 std::string inQuotes(std::string_view found);
 /// The same in double quotes, as in messages about mesh and robot files; `nothing` for an empty text.
 std::string inDoubleQuotes(std::string_view found);
