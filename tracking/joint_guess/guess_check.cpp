@@ -15,6 +15,7 @@ using humanmodel::Joint;
 constexpr double kSidesDiffer = 0.15;
 constexpr double kShortestUpper = 0.6, kLongestThigh = 1.8, kLongestUpperArm = 2.2;  // of the lower bone
 constexpr double kShortestLeg = 0.9, kLongestLeg = 2.5;                              // of the arm
+constexpr double kFarthestPelvis = 0.6;                                              // of the thigh
 
 struct CheckedLimb {
   const char* name;
@@ -89,6 +90,19 @@ std::vector<std::string> removeImplausible(JointMatch& match,
     remove(match, kCheckedArms);
   }
   return said;
+}
+
+void removeDistantPelvis(JointMatch& match, std::span<const humanmodel::SkeletonFrame> frames) {
+  const auto pelvis = static_cast<std::size_t>(Joint::kPelvis);
+  if (match.joint[pelvis] < 0) return;
+  std::vector<double> distances;
+  for (const auto& f : frames)
+    if (f.has(Joint::kPelvis) && f.has(Joint::kHipLeft) && f.has(Joint::kHipRight))
+      distances.push_back((f[Joint::kPelvis] - 0.5 * (f[Joint::kHipLeft] + f[Joint::kHipRight])).norm());
+  const double thigh = lengthOf(frames, Joint::kHipLeft, Joint::kKneeLeft);
+  if (!(nearestQuantile(std::move(distances), 0.5) > kFarthestPelvis * thigh)) return;
+  match.joint[pelvis] = -1;
+  --match.mapped;
 }
 
 }  // namespace abstand::tracking

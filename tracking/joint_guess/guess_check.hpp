@@ -16,4 +16,8 @@ namespace abstand::tracking {
 std::vector<std::string> removeImplausible(JointMatch& match,
                                            std::span<const humanmodel::SkeletonFrame> frames);
 
+/// Removes the pelvis from `match` if it is farther than 0.6 of a thigh from the middle of the hips: a root
+/// on the floor, or an origin. It stays if hips or thighs are not known.
+void removeDistantPelvis(JointMatch& match, std::span<const humanmodel::SkeletonFrame> frames);
+
 }  // namespace abstand::tracking

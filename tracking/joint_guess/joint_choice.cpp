@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/data_folder.hpp"
+#include "core/text/message_text.hpp"
 #include "tracking/joint_guess/guess_check.hpp"
+#include "tracking/joint_guess/guess_fill.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
 
 namespace abstand::tracking {
@@ -56,6 +58,46 @@ JointChoice choiceByShape(const SkeletonSample& skeleton) {
   return choice;
 }
 
+/// Takes the guess instead of the choice, or fills the choice from it.
+void useGuess(const SkeletonSample& skeleton, JointChoice guess, const char* how, JointChoice& best) {
+  if (limbJoints(best.match) < kEnoughLimbJoints && limbJoints(guess.match) > limbJoints(best.match)) {
+    best = std::move(guess);
+    return;
+  }
+  if (limbJoints(best.match) == 0) return;
+  const bool had_pelvis = best.match.joint[static_cast<std::size_t>(humanmodel::Joint::kPelvis)] >= 0;
+  auto added = fillFrom(best.match, guess.match);
+  if (!had_pelvis) {
+    removeDistantPelvis(best.match, pickAll(skeleton, best.match));
+    std::erase_if(added,
+                  [&](humanmodel::Joint j) { return best.match.joint[static_cast<std::size_t>(j)] < 0; });
+  }
+  if (added.empty()) return;
+  std::string joints;
+  for (const humanmodel::Joint j : added)
+    joints += (joints.empty() ? "" : ", ") + std::string(humanmodel::jointName(j)) + " " +
+              text::inQuotes(
+                  skeleton.names[static_cast<std::size_t>(best.match.joint[static_cast<std::size_t>(j)])]);
+  best.filled += (best.filled.empty() ? "" : "; ") + joints + " " + how;
+}
+
+/// By the names, then by the shape, as far as joints are missing.
+void guessMissing(const SkeletonSample& skeleton, JointChoice& best) {
+  if (!isIncomplete(best.match)) return;
+  std::vector<std::string> notes;
+  JointChoice by_names = choiceByNames(skeleton);
+  if (limbJoints(best.match) < kEnoughLimbJoints) notes = by_names.notes;
+  useGuess(skeleton, std::move(by_names), "by the names", best);
+  if (limbJoints(best.match) < kLimbJointCount) {
+    JointChoice by_shape = choiceByShape(skeleton);
+    const std::string reason = by_shape.reason;
+    useGuess(skeleton, std::move(by_shape), "by the shape", best);
+    if (limbJoints(best.match) == 0)
+      notes.push_back("the joints cannot be guessed from the shape of the skeleton: " + reason);
+  }
+  best.notes = std::move(notes);
+}
+
 }  // namespace
 
 humanmodel::SkeletonFrame pickJoints(const PointFrame& from, const JointMatch& match) {
@@ -84,19 +126,7 @@ JointChoice chooseJoints(const SkeletonSample& skeleton, const RecordingOptions&
   best.match = chooseJointMap(maps, skeleton.names);
   best.reason = is_user ? "given by the user"
                         : "it finds " + std::to_string(best.match.mapped) + " joints, the most of all maps";
-  if (!is_user && may_guess && limbJoints(best.match) < kEnoughLimbJoints) {
-    JointChoice by_names = choiceByNames(skeleton);
-    std::vector<std::string> notes = by_names.notes;
-    if (limbJoints(by_names.match) > limbJoints(best.match)) best = std::move(by_names);
-    if (limbJoints(best.match) < kEnoughLimbJoints) {
-      JointChoice by_shape = choiceByShape(skeleton);
-      if (limbJoints(by_shape.match) > limbJoints(best.match))
-        best = std::move(by_shape);
-      else if (limbJoints(best.match) == 0)
-        notes.push_back("the joints cannot be guessed from the shape of the skeleton: " + by_shape.reason);
-    }
-    best.notes = std::move(notes);
-  }
+  if (!is_user && may_guess) guessMissing(skeleton, best);
   if (best.match.mapped == 0) {
     best.match.map.clear();
     best.is_guess = false;

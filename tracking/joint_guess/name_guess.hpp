@@ -10,6 +10,7 @@ namespace abstand::tracking {
 
 /// Number of joints of a match among hips, knees, ankles, shoulders, elbows and wrists: 0 to 12.
 int limbJoints(const JointMatch& match);
+inline constexpr int kLimbJointCount = 12;
 
 /// Joints by readJointName(). Words with several meanings are decided by the other names of their side:
 /// a shoulder is the collar bone if there is an upper arm too, a leg is the shin if there is a thigh, a hand

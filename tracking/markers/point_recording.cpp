@@ -115,7 +115,8 @@ void describeSolved(RecordingReport& report) {
 /// Says which joints were used and whether they are guesses.
 void describeChoice(const JointChoice& choice, RecordingReport& report) {
   report.map_use.reason = choice.reason;
-  report.map_use.is_guess = choice.is_guess;
+  if (!choice.filled.empty()) report.map_use.reason += "; guessed: " + choice.filled;
+  report.map_use.is_guess = choice.is_guess || !choice.filled.empty();
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     const int i = choice.match.joint[j];
     if (i < 0) continue;
@@ -129,10 +130,12 @@ void describeChoice(const JointChoice& choice, RecordingReport& report) {
   report.map_use.of_markers = choice.match.of_markers;
   report.map_use.head_is_middle = choice.match.head == HeadPoint::kMiddle;
   report.notes.insert(report.notes.end(), choice.notes.begin(), choice.notes.end());
+  const std::string advice =
+      "; check the parts, and give a joint map if one is wrong (--write-map writes the one that was used)";
   if (choice.is_guess)
-    report.warnings.push_back("the joint assignment is guessed: " + choice.reason +
-                              "; check the parts, and give a joint map if one is wrong (--write-map writes "
-                              "the one that was used)");
+    report.warnings.push_back("the joint assignment is guessed: " + report.map_use.reason + advice);
+  else if (!choice.filled.empty())
+    report.warnings.push_back("joints that the map lacks are guessed: " + choice.filled + advice);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ struct RecordingReport {
   std::string joint_map;  ///< name of the selected map
   struct MapUse {
     std::string reason;    ///< for this map, or for none
-    bool is_guess{false};  ///< no map knew the names
+    bool is_guess{false};  ///< no map knew all names
     /// Points of the file for each canonical joint: none, one, or several of which it is the mean. Empty if
     /// markers were solved.
     std::array<std::vector<std::string>, humanmodel::kJointCount> names;

@@ -136,7 +136,9 @@ TEST(Recording, DerivesMissingJoints) {
 }
 
 TEST(Recording, ReportsPartsItCannotMove) {
-  const Recording r = read({.rename = [](const std::string& n) { return n == "LeftElbow" ? "Spare" : n; }});
+  // By a map that the user gives, as the joint would be guessed otherwise.
+  const Recording r = read({.rename = [](const std::string& n) { return n == "LeftElbow" ? "Spare" : n; }},
+                           {.joint_map = testing::projectFile("data/joint_maps/biovision.map")});
   EXPECT_THAT(r.report.missing_parts, ::testing::ElementsAre("biceps_left", "forearm_left"));
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("biceps_left (no elbow_left)")));
   EXPECT_THAT(r.report.not_mapped, Contains("Spare"));
