@@ -30,9 +30,8 @@ double oddness(double value, double usual, double deviation) {
 
 std::optional<LimbChoice> chooseLimb(const BranchPair& pair, LimbKind kind) {
   const LimbShares& usual = kind == LimbKind::kLeg ? kLegShares : kArmShares;
-  const std::size_t n = std::min(pair.a.nodes.size(), pair.b.nodes.size());
+  const std::size_t n = pair.common;
   const auto along = [&](std::size_t i) { return 0.5 * (pair.a.along[i] + pair.b.along[i]); };
-  const double length = 0.5 * (pair.a.length + pair.b.length);
   std::optional<LimbChoice> best;
   for (std::size_t i = 0; i + 2 < n; ++i)
     for (std::size_t j = i + 1; j + 1 < n; ++j)
@@ -40,7 +39,7 @@ std::optional<LimbChoice> chooseLimb(const BranchPair& pair, LimbKind kind) {
         LimbChoice c{i, j, k, along(j) - along(i), along(k) - along(j), 0.0};
         c.cost = oddness(c.upper / c.lower, usual.upper_per_lower, usual.upper_deviation) +
                  oddness(along(i) / c.upper, usual.start_per_upper, usual.start_deviation);
-        const double end = (length - along(k)) / c.lower;
+        const double end = (pair.length - along(k)) / c.lower;
         c.cost += kSkipped * static_cast<double>(k - i - 2);
         c.cost += end > 0.05 ? oddness(end, usual.end_per_lower, usual.end_deviation) : usual.no_end;
         if (!best || c.cost < best->cost) best = c;

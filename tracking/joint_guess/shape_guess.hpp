@@ -24,9 +24,11 @@ struct ShapeGuess {
 
 /// Two pairs of symmetric branches are legs and arms if their proportions are those of a person (shares of
 /// Drillis and Contini 1966, in Winter 2009, fig. 4.1), the legs point away from the arms' joint, and a third
-/// branch goes on there to the head. Left and right follow from the names where all of them say a side, and
-/// otherwise from where toes or bent knees point. None if two readings are equally good, or if left and right
-/// do not show.
+/// branch goes on there to the head. If no branches are symmetric in full, hip to ankle and shoulder to wrist
+/// suffice: hands and feet may differ. If no pair has the proportions of arms, and no other one is long, a
+/// pair of legs with toes below a trunk suffices; arms are missing then. Left and right follow from the names
+/// where all of them say a side, and otherwise from where toes or bent knees point. None if two readings are
+/// equally good, or if left and right do not show.
 ShapeGuess guessByShape(const SkeletonSample& skeleton);
 
 }  // namespace abstand::tracking

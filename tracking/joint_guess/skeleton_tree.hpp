@@ -20,6 +20,9 @@ struct TreeBranch {
 /// Two branches of one joint with the same lengths: legs, arms, eyes, ...
 struct BranchPair {
   TreeBranch a, b;
+  std::size_t common{0};  ///< number of first nodes that correspond
+  double length{0.0};     ///< of both paths, as far as both go
+  bool is_whole{true};    ///< false: the branches differ behind the common nodes, such as by a prop in a hand
 };
 
 /// Joints with their parents and rest positions, in the units of the file. Work and memory are linear in the
@@ -31,6 +34,8 @@ class SkeletonTree {
 
   /// Pairs of symmetric branches, of at most kMaxBranches branches at a joint.
   std::vector<BranchPair> symmetricPairs() const;
+  /// Pairs of branches that are not symmetric, but begin with at least three bones that are.
+  std::vector<BranchPair> partlySymmetricPairs() const;
   /// The branch that begins with the joint `child`.
   TreeBranch branch(int child) const;
   const std::vector<int>& children(int joint) const { return children_[static_cast<std::size_t>(joint)]; }
@@ -41,6 +46,21 @@ class SkeletonTree {
   std::vector<int> between(int a, int b) const;
 
  private:
+  /// A joint below another one, and the length of the way to it.
+  struct Step {
+    int joint{-1};
+    double length{0.0};
+  };
+  /// Calls use(a, b) for all pairs of the longest branches of each joint.
+  template <typename Use>
+  void forPairs(const Use& use) const;
+  double pathOf(int child) const {
+    return own_[static_cast<std::size_t>(child)] + below_[static_cast<std::size_t>(child)];
+  }
+  std::vector<Step> steps(const std::vector<int>& children, double shortest) const;
+  BranchPair commonPart(int a, int b) const;
+  void goOn(TreeBranch& branch, double shortest) const;
+
   std::span<const int> parents_;
   std::span<const Vector3d> p_;
   std::vector<std::vector<int>> children_;
@@ -48,6 +68,7 @@ class SkeletonTree {
   std::vector<int> longest_;         ///< child with the longest path, -1: none
 };
 
+inline constexpr std::size_t kMinPairNodes = 3;      // of both branches of a pair
 inline constexpr std::size_t kMaxBranches = 10;      // of one joint
 inline constexpr std::size_t kMaxBranchNodes = 24;   // of one branch
 inline constexpr std::size_t kMaxBranchPairs = 200;  // of one skeleton
