@@ -183,7 +183,17 @@ std::string reportText(const tracking::Recording& recording, const std::string& 
   return text;
 }
 
+/// Refuses options that would have no effect.
+void checkOptions(const SkeletonArguments& args) {
+  if (!args.filter.empty() && args.out.empty() && args.compact.empty())
+    throw UsageError("filter: found neither --out nor --write, expected one of these files to smooth");
+  const std::string& set = args.options.marker_set;
+  if (!args.options.joint_map.empty() && set != "auto" && set != "none")
+    throw UsageError("joint-map: found a marker set too, expected only one of them");
+}
+
 int runSkeleton(const CommandLine& line, const SkeletonArguments& args) {
+  checkOptions(args);
   tracking::Recording recording = tracking::openRecording(args.file, args.options);
   auto json = reportJson(recording);
   std::string text = reportText(recording, args.file);
@@ -239,7 +249,8 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
       ->check(CLI::Range(1e-3, 1e6));
   command->add_option("--mirror", args->options.mirror,
                       "none, axes (of the file are left-handed) or sides (names are exchanged)");
-  command->add_option("--joint-map", args->options.joint_map, "joint map file");
+  command->add_option("--joint-map", args->options.joint_map,
+                      "joint map file; markers that it maps are used as joints and are not solved");
   command->add_option("--marker-set", args->options.marker_set,
                       "auto, none (joints are marker midpoints) or a marker set file");
   command->add_option("--skeleton", args->options.skeleton, "the ASF file of an AMC file");
@@ -253,14 +264,17 @@ void addSkeleton(CLI::App& root, CommandLine& line) {
       "do not restore bones that a conversion to BVH has dropped");
   command->add_flag("--doctor", args->doctor,
                     "reports bone lengths, gaps, jitter, jumps and swaps, and the effect of filters");
-  command->add_flag("--predict", args->predict,
-                    "reports how far ahead joints can be predicted, and whether speed bounds hold");
+  auto* predict =
+      command->add_flag("--predict", args->predict,
+                        "reports how far ahead joints can be predicted, and whether speed bounds hold");
   command->add_option("--person-speed", args->bounds.speed, "m/s, the bound that --predict tries (2)")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(CLI::Range(0.0, 100.0))
+      ->needs(predict);
   command
       ->add_option("--person-acceleration", args->bounds.acceleration,
                    "acceleration bound in m/s^2 that --predict tries (default: none)")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(predict);
   command->add_flag("--fit-lengths", args->fit_lengths,
                     "compares stature and bone lengths with those of the model");
   command->add_option("--fill", args->fill, "fills gaps of up to this length in s in the output")

@@ -7,6 +7,7 @@
 #include "tracking/joint_guess/guess_check.hpp"
 #include "tracking/joint_guess/guess_fill.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/recording/map_misses.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -126,6 +127,7 @@ JointChoice chooseJoints(const SkeletonSample& skeleton, const RecordingOptions&
   best.match = chooseJointMap(maps, skeleton.names);
   best.reason = is_user ? "given by the user"
                         : "it finds " + std::to_string(best.match.mapped) + " joints, the most of all maps";
+  if (is_user) best.misses = missesOf(maps.front(), best.match, skeleton.names);
   if (!is_user && may_guess) guessMissing(skeleton, best);
   if (best.match.mapped == 0) {
     best.match.map.clear();

@@ -12,6 +12,7 @@ struct JointChoice {
   std::string reason;              ///< for the map or the guess, the rest of a sentence
   std::string filled;              ///< joints that the map lacks and that are guessed; empty: none
   std::vector<std::string> notes;  ///< limbs that were left out of a guess
+  std::string misses;              ///< entries of the user's map that the file lacks; empty: none
 };
 
 /// The user's map always wins. Otherwise the included map that finds most joints, unless it finds fewer than

@@ -130,6 +130,7 @@ void describeChoice(const JointChoice& choice, RecordingReport& report) {
   report.map_use.of_markers = choice.match.of_markers;
   report.map_use.head_is_middle = choice.match.head == HeadPoint::kMiddle;
   report.notes.insert(report.notes.end(), choice.notes.begin(), choice.notes.end());
+  if (!choice.misses.empty()) report.warnings.push_back(choice.misses);
   const std::string advice =
       "; check the parts, and give a joint map if one is wrong (--write-map writes the one that was used)";
   if (choice.is_guess)
@@ -166,7 +167,9 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.sensor = facts.sensor;
 
   std::optional<MarkerTrack> markers;
-  const bool may_be_markers = facts.of_markers || raw.match.of_markers;
+  // A map that the user gives says where the joints are, unless it means another file.
+  const bool is_by_map = !options.joint_map.empty() && raw.match.mapped > 0;
+  const bool may_be_markers = (facts.of_markers || raw.match.of_markers) && !is_by_map;
   if (options.marker_set != "none" && (may_be_markers || options.marker_set != "auto"))
     markers.emplace(who.names, options, file);
   // C3D and TRC may contain joint centres too: then a joint map fits better than any marker set.
@@ -210,6 +213,11 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   spreadGuesses(recording.frames);
   describeChoice(choice, recording.report);
   recording.report.markers = std::move(solved);
+  if (!options.joint_map.empty() && (facts.is_canonical || !recording.report.markers.set.empty()))
+    recording.report.warnings.push_back(
+        facts.is_canonical ? "the joint map has no effect: the file has Abstand's names of the joints"
+        : is_by_map        ? "the joint map has no effect: the markers are solved by the given marker set"
+                           : "the joint map has no effect: it matches no point, so that markers are solved");
   if (!recording.report.markers.set.empty())
     describeSolved(recording.report);
   else if (facts.of_markers || by_marker_map)

@@ -56,16 +56,23 @@ int NameIndex::find(std::string_view name) const {
 
 std::vector<int> NameIndex::points(std::string_view sum) const {
   std::vector<int> points;
-  while (true) {
-    const auto plus = sum.find(kPlus);
-    const int point = find(sum.substr(0, plus));
-    if (point < 0) return {};
-    points.push_back(point);
-    if (plus == std::string_view::npos) return points;
-    sum.remove_prefix(plus + kPlus.size());
+  for (const std::string& name : namesOfSum(sum)) {
+    points.push_back(find(name));
+    if (points.back() < 0) return {};
   }
+  return points;
 }
 
 bool isSum(std::string_view name) { return name.find(kPlus) != std::string_view::npos; }
+
+std::vector<std::string> namesOfSum(std::string_view sum) {
+  std::vector<std::string> names;
+  while (true) {
+    const auto plus = sum.find(kPlus);
+    names.emplace_back(sum.substr(0, plus));
+    if (plus == std::string_view::npos) return names;
+    sum.remove_prefix(plus + kPlus.size());
+  }
+}
 
 }  // namespace abstand::tracking

@@ -40,5 +40,7 @@ class NameIndex {
 
 /// True for a sum of names, "A + B".
 bool isSum(std::string_view name);
+/// The names of a sum.
+std::vector<std::string> namesOfSum(std::string_view sum);
 
 }  // namespace abstand::tracking

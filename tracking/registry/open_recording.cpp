@@ -29,7 +29,15 @@ Recording openRecording(const std::filesystem::path& file, const RecordingOption
   if (!chosen)
     throw ParseError({file.string(), 1, 1},
                      "found no recording of a known format, expected one of: " + signs);
-  return chosen->read(std::move(bytes), file, options);
+  const std::string_view name = chosen->name;
+  if (!options.skeleton.empty() && name != "amc")
+    throw UsageError("skeleton: found a recording of the format " + std::string(name) +
+                     ", expected amc, the only one with a separate file of bones");
+  Recording recording = chosen->read(std::move(bytes), file, options);
+  if (!options.repair && name != "bvh")
+    recording.report.notes.push_back(
+        "--no-repair (repair: false) has no effect: only bvh files are repaired");
+  return recording;
 }
 
 }  // namespace abstand::tracking

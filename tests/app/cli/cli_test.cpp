@@ -85,6 +85,25 @@ TEST_F(Cli, RecordingWithoutPersonExitsWith3AndReport) {
       3);
 }
 
+TEST_F(Cli, SkeletonOptionsWithoutEffectExitWith2) {
+  const std::string file = write("p.csv",
+                                 "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n"
+                                 "0,0,0,1,0,0,1.5\n0.01,0,0,1,0,0,1.5\n0.02,0,0,1,0,0,1.5\n");
+  const std::string out = (folder_.path() / "out.csv").string(), map = write("own.map", "name: own\n");
+  for (const auto& [options, said] : std::initializer_list<std::pair<std::string, std::string>>{
+           {" --filter one-euro", "filter: found neither --out nor --write"},
+           {" --person-speed 3", "--person-speed requires --predict"},
+           {" --person-acceleration 3", "--person-acceleration requires --predict"},
+           {" --skeleton none.asf", "skeleton: found a recording of the format csv"},
+           {" --joint-map " + map + " --marker-set " + map, "joint-map: found a marker set too"}}) {
+    const Answer a = run("skeleton " + file + options);
+    EXPECT_EQ(a.code, 2) << options;
+    EXPECT_NE(a.err.find(said), std::string::npos) << a.err;
+  }
+  EXPECT_EQ(run("skeleton " + file + " --filter one-euro --out " + out).code, 0);
+  EXPECT_EQ(run("skeleton " + file + " --predict --person-speed 3").code, 0);
+}
+
 TEST_F(Cli, SceneTypoSuggestsNearestKey) {
   const Answer a = run("run " + write("a.yaml", "abstand: 1\nobjekts: []\n"));
   EXPECT_NE(a.err.find("a.yaml:2:1: error:"), std::string::npos) << a.err;

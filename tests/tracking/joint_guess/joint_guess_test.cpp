@@ -98,6 +98,15 @@ TEST(JointGuess, UserMapTakesPrecedence) {
   EXPECT_THROW(requirePerson(r.report, "t.bvh"), ParseError);
 }
 
+TEST(JointGuess, MisspeltNamesOfUserMapAreReported) {
+  const testing::ScratchFolder folder;
+  const Recording r = read(
+      bvhOf({}), {.joint_map = folder.write("own.map", "name: Own\npelvis: Hips\nelbow_left: LeftElbov\n")});
+  EXPECT_THAT(r.report.warnings,
+              Contains("the joint map names joints that the file does not have: elbow_left "
+                       "'LeftElbov' (nearest: 'LeftElbow')"));
+}
+
 /// A tree of joints without the lengths of a person.
 std::string comb(int teeth) {
   std::string text = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n";

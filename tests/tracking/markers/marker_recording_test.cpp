@@ -317,6 +317,27 @@ TEST(MarkerRecording, ShouldersLieBelowAcromionMarkers) {
   }
 }
 
+/// A map that the user gives takes joints from the markers that it names; one for other files is ignored.
+TEST(MarkerRecording, UserMapTakesPrecedenceOverMarkerSet) {
+  using ::testing::Contains;
+  const auto file = testing::sharedData("mocap/trc/motek/T.trc");
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+  const testing::ScratchFolder scratch;
+  RecordingOptions options;
+  options.joint_map =
+      scratch.write("acromia.map", "name: acromia\nshoulder_left: LSHO\nshoulder_right: RSHO\n");
+  const Recording by_map = openRecording(file, options);
+  EXPECT_THAT(by_map.report.map_use.names[static_cast<std::size_t>(humanmodel::Joint::kShoulderLeft)],
+              ::testing::ElementsAre("LSHO"));
+  EXPECT_EQ(by_map.report.markers.set, "");
+  options.joint_map = scratch.write("other.map", "name: other\nshoulder_left: none\n");
+  const Recording solved = openRecording(file, options);
+  EXPECT_NE(solved.report.markers.set, "");
+  EXPECT_THAT(solved.report.warnings,
+              Contains(HasSubstr("the joint map has no effect: it matches no point")));
+  EXPECT_THAT(solved.report.warnings, Contains(HasSubstr("does not have: shoulder_left 'none'")));
+}
+
 /// The trial holds Vicon's own joint centres too: knee and ankle by its marker widths, hips by its
 /// regression.
 TEST(MarkerRecording, PlugInGaitCentresMatchVicon) {

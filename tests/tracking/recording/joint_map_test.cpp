@@ -9,6 +9,7 @@
 #include "core/base/data_folder.hpp"
 #include "core/base/error.hpp"
 #include "tests/support/paths.hpp"
+#include "tracking/recording/map_misses.hpp"
 
 namespace abstand::tracking {
 namespace joint_map_test {
@@ -147,6 +148,23 @@ TEST(DataFolder, EnvironmentTakesPrecedence) {
   ::setenv("ABSTAND_DATA", "/elsewhere", 1);
   EXPECT_EQ(dataFolder(), "/elsewhere");
   before ? ::setenv("ABSTAND_DATA", kept.c_str(), 1) : ::unsetenv("ABSTAND_DATA");
+}
+
+TEST(JointMap, NamesEntriesThatAFileLacks) {
+  const std::vector<std::string> names{"rig:LeftForeArm", "LWRA", "Hips"};
+  const auto misses = [&](const std::string& lines) {
+    const JointMap map = parseJointMap("name: a\n" + lines, "m.map");
+    return missesOf(map, matchJoints(map, names), names);
+  };
+  EXPECT_EQ(misses("elbow_left: None | LeftForeArm\npelvis: Hips\n"), "") << "one of the alternatives";
+  EXPECT_EQ(
+      misses(
+          "elbow_left: LeftForeArmX\nhead: Schaedel\nwrist_left: LWRA + LWRC\npelvis: Hips\nspine: Hips\n"),
+      "the joint map names joints that the file does not have: spine 'Hips' (used for another joint), "
+      "head 'Schaedel', elbow_left 'LeftForeArmX' (nearest: 'rig:LeftForeArm'), wrist_left 'LWRC' (nearest: "
+      "'LWRA')");
+  EXPECT_EQ(misses("requires: Hip\npelvis: Hips\n"),
+            "the joint map requires 'Hip' (nearest: 'Hips'), which the file does not have: it maps nothing");
 }
 
 }  // namespace joint_map_test

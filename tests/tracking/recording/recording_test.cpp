@@ -223,5 +223,23 @@ TEST(Recording, BonesWithoutLengthAreNoBody) {
   EXPECT_TRUE(readBvhRecording(whole, "t.bvh", {}).report.no_body.empty());
 }
 
+TEST(Recording, OptionsWithoutEffectAreReportedOrRefused) {
+  const testing::ScratchFolder folder;
+  const auto bvh = folder.write("a.bvh", bvhOf({}));
+  const auto csv =
+      folder.write("a.csv", "t,pelvis.x,pelvis.y,pelvis.z,neck.x,neck.y,neck.z\n0,0,0,1,0,0,1.5\n");
+  const auto map = folder.write("own.map", "name: own\npelvis: Hips\n");
+  try {
+    openRecording(bvh, {.skeleton = folder.path() / "none.asf"});
+    FAIL();
+  } catch (const UsageError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("skeleton: found a recording of the format bvh, expected amc"));
+  }
+  const Recording r = openRecording(csv, {.joint_map = map, .repair = false});
+  EXPECT_THAT(r.report.warnings, Contains(HasSubstr("the joint map has no effect: the file has")));
+  EXPECT_THAT(r.report.notes, Contains(HasSubstr("--no-repair (repair: false) has no effect")));
+  EXPECT_THAT(openRecording(bvh, {.repair = false}).report.notes, Not(Contains(HasSubstr("no effect"))));
+}
+
 }  // namespace recording_test
 }  // namespace abstand::tracking
