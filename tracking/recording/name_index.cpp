@@ -7,6 +7,17 @@ namespace {
 
 constexpr std::string_view kPlus = " + ";
 
+/// Place of the quote that ends the name in quotes at the start of a list: the first that a bar or the end
+/// follows, as names may contain quotes. npos: none.
+std::size_t closingQuote(std::string_view list) {
+  if (!list.starts_with('"')) return list.npos;
+  for (auto quote = list.find('"', 1); quote != list.npos; quote = list.find('"', quote + 1)) {
+    const auto next = list.find_first_not_of(" \t", quote + 1);
+    if (next == list.npos || list[next] == '|') return quote;
+  }
+  return list.npos;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view s) { return text::trimmed(s, " \t", " \t\r"); }
@@ -15,11 +26,9 @@ std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos
   std::vector<std::string> out;
   while (true) {
     list = trimmed(list);
-    const bool is_quoted = list.starts_with('"') && list.find('"', 1) != std::string_view::npos;
-    const auto bar = list.find('|', is_quoted ? list.find('"', 1) : 0);
-    auto name = trimmed(list.substr(0, bar));
-    if (is_quoted && name.size() >= 2 && name.find('"', 1) + 1 == name.size())
-      name = name.substr(1, name.size() - 2);
+    const std::size_t closing = closingQuote(list);
+    const auto bar = list.find('|', closing == list.npos ? 0 : closing);
+    const auto name = closing == list.npos ? trimmed(list.substr(0, bar)) : list.substr(1, closing - 1);
     if (name.empty()) throw ParseError(pos, "found an empty name, expected 'name | name ...'");
     out.emplace_back(name);
     if (bar == std::string_view::npos) return out;

@@ -15,8 +15,8 @@ namespace abstand::tracking {
 ///  at the end.
 std::string_view trimmed(std::string_view text);
 
-/// Splits "A | B | C"; a name with a bar stands in double quotes. Throws ParseError at `pos` for an empty
-/// name.
+/// Splits "A | B | C"; a name with a bar, or with quotes of its own around it, stands in double quotes.
+/// Throws ParseError at `pos` for an empty name.
 std::vector<std::string> namesBetweenBars(std::string_view list, const SourcePos& pos);
 
 /// Normal form for comparison: lower case; '_', '.' and '-' are blanks.

@@ -374,6 +374,41 @@ TEST(JointMapWriter, WritesTemplateToFillIn) {
   EXPECT_NO_THROW(read(comb(2), {.joint_map = folder.write("own.map", text)})) << "all of it is comments";
 }
 
+TEST(JointMapWriter, NamesMayHaveQuotes) {
+  const testing::ScratchFolder folder;
+  for (const char* form : {"\"@\"", "\"@", "@\"", "\"a|\"@", "say \"@\" twice", "\"@\" | \"b\""}) {
+    const std::string bvh = bvhOf({.rename = [&](const std::string& n) {
+      const std::string name(form);
+      const auto at = name.find('@');
+      return name.substr(0, at) + n + name.substr(at + 1);
+    }});
+    const Recording r = read(bvh);
+    ASSERT_THAT(r.report.mapped, Not(IsEmpty())) << form;
+    if (std::string_view(form).find("\" | \"") != std::string_view::npos) {
+      try {
+        jointMapText(r.report);
+        FAIL();
+      } catch (const UsageError& e) {
+        EXPECT_THAT(e.what(), HasSubstr("', which a joint map cannot state, expected names that"));
+      }
+      continue;
+    }
+    const Recording again = read(bvh, {.joint_map = folder.write("own.map", jointMapText(r.report))});
+    EXPECT_EQ(again.report.map_use.names, r.report.map_use.names) << form;
+  }
+}
+
+TEST(JointMapWriter, TemplateHasJointsThatWereFound) {
+  const testing::ScratchFolder folder;
+  const std::string bvh = renamed(bvhOf({}), [](int i) { return "bone" + std::to_string(i); });
+  const Recording r = read(bvh, {.joint_map = folder.write("own.map", "name: Own\nhip_left: bone11\n")});
+  ASSERT_THAT(r.report.mapped, IsEmpty());
+  const std::string text = jointMapText(r.report);
+  EXPECT_THAT(text, HasSubstr("\nhip_left: bone11\n# knee_left:\n"));
+  const Recording again = read(bvh, {.joint_map = folder.write("filled.map", text)});
+  EXPECT_EQ(again.report.map_use.names, r.report.map_use.names);
+}
+
 // m; a file whose units are not known is scaled by its stature, which depends on the top of the head.
 constexpr double kOtherScale = 0.03;
 
