@@ -23,18 +23,21 @@ std::span<const GirthPlace> placesOf(PartKind kind) {
 
 /// Distribution of girth / stature for one place and sex.
 struct GirthLaw {
-  double mean, deviation;
+  GirthPlace place;
+  Sex sex;
+  double mean;  ///< over all statures
   /// Share of people of a stature (m) whose girth is below `girth` (m).
   double below(double girth, double stature) const {
-    return normalShare((girth / stature - mean) / deviation);
+    return normalShare((girth / stature - mean - girthShift(place, stature, sex)) /
+                       girthDeviation(place, sex, false));
   }
 };
 
 /// below() averaged over all statures of a sex: Simpson's rule over the score of stature.
-double belowAtAllStatures(const GirthLaw& law, double girth, Sex sex) {
-  constexpr int kSteps = 400;
+double belowAtAllStatures(const GirthLaw& law, double girth) {
+  constexpr int kSteps = 320;   // the kinks of the law, at scores of -3 and 3, are ends of a pair of steps
   constexpr double kEnd = 8.0;  // standard deviations; 1e-15 of the people are outside
-  const StatureSpread statures = statureSpread(sex);
+  const StatureSpread statures = statureSpread(law.sex);
   const double step = 2.0 * kEnd / kSteps;
   double sum = 0.0;
   for (int i = 0; i <= kSteps; ++i) {
@@ -58,10 +61,10 @@ EnclosedShare enclosedBy(const HumanPart& part, GirthPlace place, double stature
   EnclosedShare sum;
   for (const CountedSex& p : people) {
     const Section& mean = p.mean[place];
-    const GirthLaw law{mean.girth, girthDeviation(place, p.sex, false)};
+    const GirthLaw law{place, p.sex, mean.girth};
     const double girth = largestGirthInside({part.breadth, part.depth, part.contour}, mean);
     sum.at_stature += p.share_at_stature * law.below(girth, stature);
-    sum.all_statures += p.share * belowAtAllStatures(law, girth, p.sex);
+    sum.all_statures += p.share * belowAtAllStatures(law, girth);
   }
   return sum;
 }

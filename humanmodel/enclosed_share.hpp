@@ -15,10 +15,11 @@ struct EnclosedShare {
 /// centre and axes, judged by the largest cross-section.
 ///
 /// G is the largest girth of a section with the proportions of the mean person of that sex whose breadth and
-/// depth are within the part's. Girth / stature is normally distributed with mean m and standard deviation s
-/// of ANSUR II (2012), independent of stature. With the normal distribution function F
+/// depth are within the part's. Girth / stature is normally distributed among people of a stature H, with
+/// mean m(H) = m + girthShift and standard deviation s = girthDeviation (girth_spread.hpp; ANSUR II 2012).
+/// With the normal distribution function F
 ///
-///     at_stature = F((G / h - m) / s),    all_statures = integral of F((G / H - m) / s) f(H) dH,
+///     at_stature = F((G / h - m(h)) / s),    all_statures = integral of F((G / H - m(H)) / s) f(H) dH,
 ///
 /// h is the model's stature and f the normal density of statures. For the torso, chest, waist and buttock are
 /// judged separately and the smallest share is used; the share that fits at all three is smaller, but the

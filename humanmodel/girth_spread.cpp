@@ -1,6 +1,7 @@
-// Standard deviations of ANSUR II, and sections that enclose a share of the people.
+// Standard deviations and correlations of ANSUR II, and sections that enclose a share of the people.
 #include "humanmodel/girth_spread.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "humanmodel/normal_distribution.hpp"
@@ -27,6 +28,14 @@ constexpr std::array<Spread, kGirthPlaceCount> kDeviations{{{.049, .050},
                                                             {.033, .033},
                                                             {.017, .017},
                                                             {.007, .007}}};
+
+// Of girth / stature with stature, mean of men and women, in the order of GirthPlace; derived as
+// girthCorrelation says.
+constexpr std::array<double, kGirthPlaceCount> kCorrelations{-.266, -.185, -.201, -.722, -.420, -.244,
+                                                             -.243, -.380, -.165, -.264, -.393};
+
+// 99.7 % of the people.
+constexpr double kLargestScore = 3.0;
 
 /// r^2 of girth / stature with the body mass index (ANSUR II); 0: unknown.
 Spread explainedByMass(GirthPlace place) {
@@ -63,9 +72,22 @@ double scaleFor(const std::array<Half, 2>& halves, double share) {
 
 }  // namespace
 
+double girthCorrelation(GirthPlace place) { return kCorrelations[static_cast<std::size_t>(place)]; }
+
+double girthStatureScore(double height, Sex sex) {
+  const StatureSpread spread = statureSpread(sex);
+  return std::clamp((height - spread.mean) / spread.deviation, -kLargestScore, kLargestScore);
+}
+
+double girthShift(GirthPlace place, double height, Sex sex) {
+  return girthCorrelation(place) * kDeviations[static_cast<std::size_t>(place)].of(sex) *
+         girthStatureScore(height, sex);
+}
+
 double girthDeviation(GirthPlace place, Sex sex, bool mass_known) {
-  const double whole = kDeviations[static_cast<std::size_t>(place)].of(sex);
-  return mass_known ? whole * std::sqrt(1.0 - explainedByMass(place).of(sex)) : whole;
+  const double rho = girthCorrelation(place);
+  const double by_mass = mass_known ? explainedByMass(place).of(sex) : 0.0;
+  return kDeviations[static_cast<std::size_t>(place)].of(sex) * std::sqrt(1.0 - by_mass - rho * rho);
 }
 
 BodySections sectionsOfPercentile(double percentile, double height, std::optional<double> mass,
@@ -80,12 +102,16 @@ BodySections sectionsOfPercentile(double percentile, double height, std::optiona
     const auto half = [&](Sex s) {
       const Section& mean = s == Sex::kFemale ? women[place] : men[place];
       const double inside = largestGirthInside(section, mean);
-      return Half{shareOfSexAt(height, s), mean.girth / inside,
+      return Half{shareOfSexAt(height, s), (mean.girth + height * girthShift(place, height, s)) / inside,
                   height * girthDeviation(place, s, mass.has_value()) / inside};
     };
-    const double scale =
-        sex ? 1.0 + score * height * girthDeviation(place, *sex, mass.has_value()) / section.girth
-            : scaleFor({half(Sex::kFemale), half(Sex::kMale)}, 0.01 * percentile);
+    double scale = 0.0;
+    if (sex) {
+      const Half people = half(*sex);
+      scale = people.mean_scale + score * people.deviation_scale;
+    } else {
+      scale = scaleFor({half(Sex::kFemale), half(Sex::kMale)}, 0.01 * percentile);
+    }
     section = {scale * section.breadth, scale * section.depth, scale * section.girth};
   }
   return made;

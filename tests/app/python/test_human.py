@@ -36,7 +36,7 @@ class Model(unittest.TestCase):
             self.assertAlmostEqual(human.rest[JOINT["head_top"], 2], 1.7, delta=0.01)
 
     def test_of_a_percentile(self):
-        large, usual = abstand.Human(percentile=95, sex="m"), abstand.Human(1.87, sex="m")
+        large, usual = abstand.Human(percentile=95, sex="m"), abstand.Human(1.87, percentile=50, sex="m")
         self.assertAlmostEqual(large.stature, 1.87, delta=ROUNDING)
         self.assertAlmostEqual(large.mass, 110.7, delta=1e-9)
         thigh = PART["thigh_left"]
