@@ -34,13 +34,20 @@ double statureOf(const HumanOptions& options) {
   return height;
 }
 
+/// kg, if none is given. The body mass index is taken as independent of stature, mass is not: a percentile
+/// keeps its body mass index at another stature.
+double usualMass(const HumanOptions& options, double height) {
+  if (!options.percentile) return meanBodyMassIndex(options.sex) * (height * height);
+  const double share = height / statureOfPercentile(*options.percentile, options.sex);
+  return massOfPercentile(*options.percentile, options.sex) * (share * share);
+}
+
 double bodyMass(const HumanOptions& options, double height) {
-  const double square = height * height;
-  if (!options.mass && !options.percentile) return meanBodyMassIndex(options.sex) * square;
-  const double mass = options.mass ? *options.mass : massOfPercentile(*options.percentile, options.sex);
+  if (!options.mass) return usualMass(options, height);
+  const double mass = *options.mass;
   checkRange(mass, 10.0, 300.0, "the person's mass", "kg");
   // Includes the leanest and heaviest people on record.
-  checkRange(mass / square, 8.0, 100.0,
+  checkRange(mass / (height * height), 8.0, 100.0,
              "the body mass index of " + formatDouble(mass) + " kg at " + formatDouble(height) + " m",
              "kg/m^2");
   return mass;

@@ -30,8 +30,8 @@ inline constexpr double kUsualStature = 1.75;  ///< m, default stature
 struct HumanOptions {
   std::optional<double> height;  ///< stature, m, 0.5 to 2.5; without: that of the percentile, otherwise
                                  ///< kUsualStature
-  std::optional<double> mass;    ///< kg, 10 to 300; without: that of the percentile, otherwise from stature
-                                 ///< and sex
+  std::optional<double> mass;    ///< kg, 10 to 300; without: from the body mass index (that of the
+                                 ///< percentile's stature and mass, otherwise the mean of the sex)
   std::optional<Sex> sex;        ///< without: mean of both; percentiles of both together
   /// Per cent, 1 to 99 (ANSUR II 2012), only with kAnthropometric: girths, breadths and depths enclose those
   /// of this percentage of the people of that stature (and mass, if given), as sectionsOfPercentile. Lengths

@@ -118,8 +118,9 @@ void addHuman(CLI::App& root, CommandLine& line) {
       "abstand human --height 1.8 --mass 80 --sex m --set hand_left.contour=0.25 --out parts");
   auto args = std::make_shared<HumanArguments>();
   command->add_option("--height", args->height, "stature in m (0.5 to 2.5); default: that of --percentile");
-  command->add_option("--mass", args->mass,
-                      "body mass in kg; default: from --percentile, else from --height");
+  command->add_option(
+      "--mass", args->mass,
+      "body mass in kg; default: body mass index of --percentile, else of the mean person, at --height");
   command->add_option("--percentile", args->percentile,
                       "1 to 99: stature and mass of that percentile, and girths not exceeded by "
                       "that percentage of people of that stature (ANSUR II)");

@@ -220,9 +220,9 @@ constexpr const char* kHumanDoc = R"doc(A person of fourteen rigid parts, from t
 Human(stature=None, preset='anthropometric', sex=None, mass=None, percentile=None)
 
 stature: m, 0.5 to 2.5; None: that of the percentile, else 1.75. preset: 'anthropometric' or 'thesis'. sex: 'f', 'm' or None, the mean
-of both. mass: kg; None: that of the percentile, else from the stature. percentile: per cent, 1 to 99, of ANSUR II (2012), of that sex or
-of both together: girths, breadths and depths that enclose those of so many people of that stature, and of that mass where it is given;
-lengths stay means; only with 'anthropometric'. UsageError for what is out of range. Constant.)doc";
+of both. mass: kg; None: the body mass index of the percentile, else of the mean person, at that stature. percentile: per cent, 1 to 99, of
+ANSUR II (2012), of that sex or of both together: girths, breadths and depths that enclose those of so many people of that stature, and of
+that mass where it is given; lengths stay means; only with 'anthropometric'. UsageError for what is out of range. Constant.)doc";
 
 }  // namespace
 

@@ -154,7 +154,7 @@ TEST(Percentile, FiftyFollowsStature) {
 TEST(Percentile, StatureAndMassOverridePercentile) {
   const HumanModel m = of(95.0, Sex::kMale, 1.7);
   EXPECT_EQ(m.height, 1.7);
-  EXPECT_NEAR(m.mass, 110.7, 1e-9);
+  EXPECT_NEAR(m.mass, 110.7 * std::pow(1.7 / 1.870, 2), 1e-9);
   const double thigh = meanOf(1.7, Sex::kMale).part(BodyPart::kThighLeft).contour / 1.7;
   EXPECT_NEAR(m.part(BodyPart::kThighLeft).contour,
               1.7 * ratio(thigh, .033, -.165, (1.7 - 1.7562) / .0686, normalScore(.95)), kRounding);
@@ -164,6 +164,20 @@ TEST(Percentile, StatureAndMassOverridePercentile) {
   EXPECT_LT(lean.part(BodyPart::kThighLeft).contour, of(95.0, Sex::kMale).part(BodyPart::kThighLeft).contour);
   EXPECT_GT(lean.part(BodyPart::kThighLeft).contour,
             meanOf(1.870, Sex::kMale, 70.0).part(BodyPart::kThighLeft).contour);
+}
+
+TEST(Percentile, MassKeepsBodyMassIndexAtGivenStature) {
+  for (const std::optional<Sex> sex : kSexes)
+    for (const double percentile : {1.0, 5.0, 50.0, 95.0, 99.0}) {
+      const HumanModel own = of(percentile, sex);
+      EXPECT_EQ(own.mass, massOfPercentile(percentile, sex));
+      const double bmi = own.mass / (own.height * own.height);
+      for (const double height : {0.6, 1.5, 1.95, 2.4})
+        EXPECT_NEAR(of(percentile, sex, height).mass, bmi * height * height, 1e-9) << percentile;
+      EXPECT_NEAR(of(percentile, sex, own.height).mass, own.mass, 1e-9);
+    }
+  EXPECT_NEAR(of(95.0, Sex::kMale, 1.6).mass, 81.04, 0.005);
+  EXPECT_NEAR(of(5.0, Sex::kFemale, 1.95).mass, 83.88, 0.005);
 }
 
 TEST(Percentile, ExtremesStandFromFloorToStature) {
@@ -184,7 +198,8 @@ TEST(Percentile, ExtremesStandFromFloorToStature) {
 TEST(Percentile, RejectsOutOfRangeValues) {
   for (const double p : {0.0, 0.99, 99.01, 100.0, -5.0, kNaN, kInfinity})
     EXPECT_THROW(of(p, Sex::kMale), UsageError) << p;
-  EXPECT_THROW(of(95.0, Sex::kMale, 0.9), UsageError) << "110.7 kg at 0.9 m";
+  EXPECT_THROW(of(95.0, Sex::kMale, 0.4), UsageError) << "0.4 m";
+  EXPECT_THROW(of(95.0, Sex::kMale, 0.9, 110.7), UsageError) << "110.7 kg at 0.9 m";
   EXPECT_THROW(of(95.0, Sex::kMale, {}, 20.0), UsageError) << "20 kg at 1.87 m";
   HumanOptions thesis;
   thesis.percentile = 50.0;

@@ -1,6 +1,7 @@
 // The contract of the command line: exit codes, one line of error, JSON keys.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -14,7 +15,7 @@ TEST_F(Cli, WrongUsageExitsWith2) {
   for (const char* bad :
        {"", "nothing", "fk", "human --height 0", "human --height nan", "human", "human --percentile 0",
         "human --percentile 100", "human --percentile 95 --preset thesis",
-        "human --percentile 95 --height 0.6", "build sphere:0.05 --voxel -1", "build sphere:-1",
+        "human --percentile 95 --height 0.4", "build sphere:0.05 --voxel -1", "build sphere:-1",
         "run --mode sideways x.yaml", "bench nosuch", "run --rest some x.yaml"}) {
     const Answer a = run(bad);
     EXPECT_EQ(a.code, 2) << bad << ": " << a.err;
@@ -32,6 +33,9 @@ TEST_F(Cli, HumanAcceptsPercentile) {
     EXPECT_GE(part["enclosed_share_all_statures"].get<double>(), 0.95) << part["name"];
   }
   EXPECT_EQ(runJson("human --percentile 95 --height 1.8")["height"], 1.8);
+  // The body mass index of the percentile, 31.7 kg/m^2, at the given stature.
+  EXPECT_NEAR(runJson("human --percentile 95 --height 1.6 --sex m")["mass"].get<double>(),
+              110.7 * std::pow(1.6 / 1.87, 2), 1e-6);
   const json usual = runJson("human --height 1.6285 --sex f");  // the mean woman
   EXPECT_TRUE(usual["percentile"].is_null());
   for (const json& part : usual["parts"])

@@ -205,7 +205,7 @@ TEST(SceneErrors, RejectsBadHumans) {
           {"  - {name: p, percentile: most}\n", 3, 27, "finite number"},
           {"  - {name: p, preset: thesis, percentile: 95}\n", 3, 43, "preset anthropometric"},
           {"  - {name: p, mass: 20, percentile: 95}\n", 3, 37, "body mass index"},
-          {"  - {name: p, height: 0.6, percentile: 95}\n", 3, 40, "body mass index"},
+          {"  - {name: p, height: 0.4, percentile: 95}\n", 3, 23, "from 0.5 to 2.5 m"},
           {"  - {name: p, preset: thesys}\n", 3, 23, "did you mean `thesis`?"},
           {"  - {name: p, lengths: yes}\n", 3, 24, "model, recording"},
           {"  - {name: p, clamped: [hand_left, paw]}\n", 3, 36, "found `paw` in `clamped`"},
