@@ -7,6 +7,7 @@
 #include "tracking/joint_guess/guess_check.hpp"
 #include "tracking/joint_guess/guess_fill.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/joint_guess/point_tree.hpp"
 #include "tracking/recording/map_misses.hpp"
 
 namespace abstand::tracking {
@@ -50,7 +51,8 @@ JointChoice choiceByNames(const SkeletonSample& skeleton) {
 }
 
 JointChoice choiceByShape(const SkeletonSample& skeleton) {
-  ShapeGuess guess = guessByShape(skeleton);
+  ShapeGuess guess =
+      skeleton.parents.empty() ? guessByMotion(skeleton.names, skeleton.frames) : guessByShape(skeleton);
   JointChoice choice;
   choice.match = std::move(guess.match);
   choice.match.map = kByShape;

@@ -20,6 +20,7 @@ constexpr double kUpperBodyPerLeg = 0.470 / 0.491, kUpperBodyPerLegDeviation = 0
 constexpr double kNeckPerUpperBody = 0.288 / 0.470;
 constexpr double kOtherLimbs = 0.5;  // length of further pairs of branches, share of the legs
 constexpr double kAway = 0.3;        // cosine between the legs and the direction away from the arms' joint
+constexpr std::size_t kMaxNearChest = 2;  // joints between those that arms and head leave
 constexpr std::size_t kMaxAncestors = 8;  // from the hips to the joint that the trunk leaves
 
 class ShapeSearch {
@@ -217,22 +218,36 @@ class ShapeSearch {
     return 2 * away > all;
   }
 
-  /// The third branch at the arms' joint that goes farthest away from the legs.
+  /// The third branch at the arms' joint that goes farthest away from the legs; in a guessed tree also at a
+  /// joint of the trunk near it.
   std::optional<TreeBranch> headOf(const ShapeReading& r) const {
-    const int hips = r.hips(), chest = r.chest;
+    auto head = headAt(r, r.chest, -1);
+    int joint = r.chest;
+    for (std::size_t i = 0; s_.is_tree_guessed && !head && i < kMaxNearChest; ++i) {
+      const int above = s_.parents[static_cast<std::size_t>(joint)];
+      if (above < 0 || above == r.hips()) break;
+      head = headAt(r, above, joint);
+      joint = above;
+    }
+    return head;
+  }
+
+  /// `chest_child`: child of `joint` that leads to the arms; -1: it is their joint.
+  std::optional<TreeBranch> headAt(const ShapeReading& r, int joint, int chest_child) const {
+    const int hips = r.hips();
     const Vector3d up = upOf(r, rest());
     std::optional<TreeBranch> best;
     double highest = 0.0;
-    const auto& children = tree_.children(chest);
+    const auto& children = tree_.children(joint);
     for (std::size_t i = 0; i < std::min<std::size_t>(children.size(), 4 * kMaxBranches); ++i) {
-      if (tree_.isBelow(hips, children[i])) continue;
+      if (children[i] == chest_child || tree_.isBelow(hips, children[i])) continue;
       TreeBranch b = tree_.branch(children[i]);
       if (b.nodes.empty() || b.from < 0) continue;
       const auto shares = [&](const TreeBranch& arm) {
         return tree_.isBelow(arm.nodes.front(), children[i]);
       };
       if (shares(r.arms->pair.a) || shares(r.arms->pair.b)) continue;
-      const double height = (at(rest(), b.nodes.back()) - at(rest(), chest)).dot(up);
+      const double height = (at(rest(), b.nodes.back()) - at(rest(), r.chest)).dot(up);
       if (height <= highest) continue;
       highest = height;
       best = std::move(b);

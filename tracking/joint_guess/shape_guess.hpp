@@ -15,6 +15,7 @@ struct SkeletonSample {
   std::span<const int> parents;
   std::span<const Vector3d> rest;
   std::span<const PointFrame> frames;
+  bool is_tree_guessed{false};  ///< the head may leave the trunk beside the joint that the arms leave
 };
 
 struct ShapeGuess {

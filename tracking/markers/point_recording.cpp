@@ -26,12 +26,12 @@ JointMatch canonicalNames(std::span<const std::string> names) {
   return match;
 }
 
-/// Frames from which joints may be guessed.
+/// Frames from which joints may be guessed; more of them if the hierarchy must be guessed as well.
 std::vector<PointFrame> readFirst(PointReader& reader) {
-  constexpr std::size_t kFirstFrames = 64;
+  const std::size_t most = reader.parents().empty() ? 600 : 64;
   std::vector<PointFrame> first;
   PointFrame frame;
-  while (first.size() < kFirstFrames && reader.next(frame)) first.push_back(frame);
+  while (first.size() < most && reader.next(frame)) first.push_back(frame);
   return first;
 }
 
