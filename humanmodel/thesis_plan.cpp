@@ -48,7 +48,9 @@ BodyPlan thesisPlan(double height) {
     s.breadth = row.shape == kCuboid ? 0.5 * contour / (1.0 + row.depth_to_breadth) : contour / kPi;
     s.depth = s.breadth * row.depth_to_breadth;
   }
-  // The table's legs extend from the ankle to 0.509 h, its torso and head from the top down to 0.5 h.
+  // The table's legs extend from the ankle to 0.509 h, its torso and head from the top down to 0.5 h. The
+  // thigh ends in a point at the hip, which leaves a gap; a joint where the thigh has 0.8 of its girth would
+  // be at 0.459 h, below the trunk, and the knee of a seated person 0.05 h too near.
   const double torso = plan[PartKind::kTorso].length,
                torso_bottom = height - plan[PartKind::kHead].length - torso;
   plan.ankle_height = height * kAnkleHeight;

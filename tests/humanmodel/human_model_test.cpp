@@ -233,10 +233,25 @@ TEST(HumanModel, FlexedHipIsClosedInAnthropometricPreset) {
     for (const double flexion : {0.0, 45.0, 90.0, 120.0}) {
       EXPECT_LT(gapAtHip(human(height, HumanPreset::kAnthropometric), unit::deg(flexion)), kClosed)
           << height << " " << flexion;
-      // The ellipsoid of the thesis's table ends in a point at the hip.
+      // The ellipsoid of the thesis's table ends in a point at the hip: TableLeavesGapAtHip.
       if (flexion < 90.0) continue;
       EXPECT_GT(gapAtHip(human(height, HumanPreset::kThesis), unit::deg(flexion)), 0.04) << height;
     }
+}
+
+TEST(HumanModel, TableLeavesGapAtHip) {
+  // Wherever the hip joint is: lengths of the table let thigh and trunk overlap by 0.009 of the stature, and
+  // an ellipsoid of the thigh's length has 0.8 of its girth only 0.05 below its end.
+  for (const double height : {1.55, 1.75, 1.95}) {
+    const HumanModel m = human(height, HumanPreset::kThesis);
+    const HumanPart &torso = m.part(BodyPart::kTorso), &thigh = m.part(BodyPart::kThighLeft);
+    const double trunk_end = restOrigin(m, torso).z() - halfExtents(torso.shape).z();
+    const double half = halfExtents(thigh.shape).z(), thigh_end = restOrigin(m, thigh).z() + half;
+    EXPECT_NEAR(thigh_end - trunk_end, .009 * height, kTable);
+    EXPECT_NEAR(half * (1.0 - std::sqrt(1.0 - .8 * .8)), .05 * height, kTable);
+    EXPECT_LT(gapAtHip(m, 0.0), 0.025) << height;
+    EXPECT_LT(gapAtHip(m, unit::deg(120.0)), 0.076) << height;
+  }
 }
 
 TEST(HumanModel, LeftAndRightAreMirrorImages) {
