@@ -390,7 +390,8 @@ TEST_F(CheckCommand, StrictFailsOnGuessesAndOpenMeshes) {
   EXPECT_EQ(run(command + " --strict").code, 1);
 }
 
-/// A recording of ten times the size, one with an artificial pose, and one with a lost bone: check says so.
+/// A recording in centimetres that states metres, one with an artificial pose, and one with a lost bone:
+/// check says so.
 TEST_F(CheckCommand, DoubtfulRecordingsRaiseReservations) {
   const auto check = [&](const std::string& recording, const std::string& kind, const std::string& text) {
     const std::string command =
@@ -410,9 +411,9 @@ TEST_F(CheckCommand, DoubtfulRecordingsRaiseReservations) {
   };
   person([](auto& frames) {
     for (auto& f : frames)
-      for (Vector3d& p : f.p) p *= 10.0;
+      for (Vector3d& p : f.p) p *= 100.0;
   });
-  check("file: p.csv", "recording", "set the units to");
+  check("file: p.csv", "recording", "in cm it would be 1.748 m: set the units to cm");
   person([](auto& frames) {
     for (std::size_t i = 0; i < 3; ++i)
       for (const double side : {1.0, -1.0}) {
