@@ -37,10 +37,10 @@ std::vector<humanmodel::SkeletonFrame> measuredJoints(std::span<const humanmodel
 /// Those of a person of that stature, m.
 std::array<UsualDistance, 4> usualDistances(double stature) {
   using J = humanmodel::Joint;
-  constexpr double height = 1.75;  // m; all measures are shares of it
-  const double mass = humanmodel::meanBodyMassIndex(std::nullopt) * height * height;
-  const humanmodel::BodyMeasures body = humanmodel::measuresOf(height, mass, std::nullopt);
-  const double scale = stature / height, foot = scale * body.foot_length;
+  constexpr double kHeight = 1.75;  // m; all measures are shares of it
+  const double mass = humanmodel::meanBodyMassIndex(std::nullopt) * kHeight * kHeight;
+  const humanmodel::BodyMeasures body = humanmodel::measuresOf(kHeight, mass, std::nullopt);
+  const double scale = stature / kHeight, foot = scale * body.foot_length;
   return {
       {{"shoulder_breadth", J::kShoulderLeft, J::kShoulderRight, scale * body.biacromial_breadth, -0.4, 0.5},
        {"hip_breadth", J::kHipLeft, J::kHipRight, scale * body.hip_breadth, -0.7, -0.05},
