@@ -85,8 +85,8 @@ void findNoBody(const std::vector<humanmodel::SkeletonFrame>& frames, RecordingR
     });
   }
   if (known > 0 && known == without_length)
-    report.no_body = "the ends of all " + std::to_string(known) +
-                     " bones of arms and legs coincide in every frame (in a BVH file: OFFSETs of 0)";
+    report.person.no_body = "the ends of all " + std::to_string(known) +
+                            " bones of arms and legs coincide in every frame (in a BVH file: OFFSETs of 0)";
 }
 
 /// Sets `mapped`, `not_mapped`, `missing_parts` and `no_body`.
@@ -118,7 +118,7 @@ void reportParts(const RawRecording& raw, const std::vector<humanmodel::Skeleton
     std::string missing;
     for (const humanmodel::Joint j : {part.joints.front(), part.joints.back()})
       if (!known(j)) missing += (missing.empty() ? "" : " and ") + std::string(humanmodel::jointName(j));
-    if (missing.empty() && (!report.no_body.empty() || (isLimb(part) && hasNoLength(part, frames))))
+    if (missing.empty() && (!report.person.no_body.empty() || (isLimb(part) && hasNoLength(part, frames))))
       missing = "length";
     if (missing.empty()) {
       report.mapped[std::string(part.part)] = std::move(names);

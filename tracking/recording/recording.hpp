@@ -57,6 +57,7 @@ struct RecordingReport {
     std::string stature_reason;               ///< source of the stature; empty if unknown
     SubjectFacts subject;                     ///< what the file says of the person
     std::vector<BoneProportion> proportions;  ///< empty: too few bones are known
+    std::string no_body;  ///< why known joints move no part; empty: they do, or none is known
   } person;
   std::string joint_map;  ///< name of the selected map
   struct MapUse {
@@ -73,7 +74,6 @@ struct RecordingReport {
   std::vector<std::string> not_mapped;
   std::vector<std::string> twisted;        ///< parts whose twist is that of the file's orientations
   std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
-  std::string no_body;  ///< why known joints move no part; empty: they do, or none is known
   /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};
   double lowest_foot{kNaN};           ///< m, smallest z over all frames; NaN: no foot is known

@@ -6,8 +6,9 @@ namespace abstand::tracking {
 
 void requirePerson(const RecordingReport& report, const std::string& file) {
   if (!report.mapped.empty()) return;
-  if (!report.no_body.empty())
-    throw ParseError({file}, "found a skeleton without a body, expected bones with a length", report.no_body);
+  if (!report.person.no_body.empty())
+    throw ParseError({file}, "found a skeleton without a body, expected bones with a length",
+                     report.person.no_body);
   const std::string hint =
       report.units.doubt.empty()
           ? "`abstand skeleton FILE --write-map own.map` writes a joint map to fill in; give it as "

@@ -200,7 +200,7 @@ TEST(Recording, BonesWithoutLengthAreNoBody) {
   const Recording r = readBvhRecording(withoutOffsets(bvhOf({})), "t.bvh", {});
   EXPECT_TRUE(r.report.mapped.empty());
   EXPECT_EQ(r.report.missing_parts.size(), 14u);
-  EXPECT_THAT(r.report.no_body,
+  EXPECT_THAT(r.report.person.no_body,
               HasSubstr("the ends of all 8 bones of arms and legs coincide in every frame"));
   EXPECT_THAT(r.report.warnings, Contains(HasSubstr("torso (no length), head (no length)")));
   try {
@@ -219,8 +219,8 @@ TEST(Recording, BonesWithoutLengthAreNoBody) {
   const Recording one = readBvhRecording(elbow, "t.bvh", {});
   EXPECT_THAT(one.report.missing_parts, ::testing::ElementsAre("biceps_left"));
   EXPECT_THAT(one.report.warnings, Contains(HasSubstr("biceps_left (no length)")));
-  EXPECT_TRUE(one.report.no_body.empty());
-  EXPECT_TRUE(readBvhRecording(whole, "t.bvh", {}).report.no_body.empty());
+  EXPECT_TRUE(one.report.person.no_body.empty());
+  EXPECT_TRUE(readBvhRecording(whole, "t.bvh", {}).report.person.no_body.empty());
 }
 
 TEST(Recording, OptionsWithoutEffectAreReportedOrRefused) {
