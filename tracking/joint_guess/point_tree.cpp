@@ -13,9 +13,9 @@ namespace {
 /// Standard deviation of a rigid distance, share of the extent: exact poses first, then measured ones.
 constexpr double kRigid[]{1e-6, 1e-5, 1e-4, 0.0005, 0.002};
 constexpr double kSamePlace = 0.003;
-constexpr double kPresent = 0.8;        // share of the frames that a point of the tree has
-constexpr std::size_t kMostPoses = 64;  // for the guess by shape
-constexpr std::size_t kBranching = 3;   // joints of a body from which they branch off its middle
+constexpr double kPresent = 0.8;       // share of the frames that a point of the tree has
+constexpr std::size_t kMaxPoses = 64;  // for the guess by shape
+constexpr std::size_t kBranching = 3;  // joints of a body from which they branch off its middle
 
 struct TreeEdge {
   int a, b;
@@ -172,7 +172,7 @@ ShapeGuess guessInTree(const PointTree& tree, std::span<const std::string> names
     node_names.push_back(names[static_cast<std::size_t>(points[static_cast<std::size_t>(member)])]);
   }
   std::vector<PointFrame> poses;
-  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMostPoses);
+  const std::size_t step = std::max<std::size_t>(1, frames.size() / kMaxPoses);
   for (std::size_t k = 0; k < frames.size(); k += step) {
     const auto at = [&](int i) {
       return frames[k].p[static_cast<std::size_t>(points[static_cast<std::size_t>(i)])];

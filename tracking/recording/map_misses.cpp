@@ -9,7 +9,7 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr std::size_t kMostMisses = 8;  // in one sentence
+constexpr std::size_t kMaxMisses = 8;  // in one sentence
 
 /// True if more than half of two names is the same at their beginnings and ends: short names with a small
 /// distance may share nothing.
@@ -54,12 +54,12 @@ std::string missesOf(const JointMap& map, const JointMatch& match, std::span<con
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
     if (map.names[j].empty() || match.joint[j] >= 0) continue;
     ++count;
-    if (count > kMostMisses) continue;
+    if (count > kMaxMisses) continue;
     misses += (misses.empty() ? "" : ", ") +
               std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + " " +
               missOf(map.names[j].front(), index, names);
   }
-  if (count > kMostMisses) misses += ", and " + std::to_string(count - kMostMisses) + " more";
+  if (count > kMaxMisses) misses += ", and " + std::to_string(count - kMaxMisses) + " more";
   return misses.empty() ? misses : "the joint map names joints that the file does not have: " + misses;
 }
 
