@@ -101,7 +101,7 @@ nlohmann::ordered_json reportJson(const tracking::Recording& recording) {
           {"mapped", r.mapped},
           {"not_mapped", r.not_mapped},
           {"missing_parts", r.missing_parts},
-          {"twist_from_orientations", r.twisted},
+          {"twist_from_orientations", r.person.twisted},
           {"gaps", r.gaps},
           {"swaps", r.swaps},
           {"proportions", proportionsJson(r.person.proportions)},
@@ -175,7 +175,8 @@ std::string reportText(const tracking::Recording& recording, const std::string& 
   text += markersText(r.markers);
   for (const auto& [part, joints] : r.mapped) text += "  " + part + ": " + join(joints) + "\n";
   if (!r.not_mapped.empty()) text += "not mapped: " + join(r.not_mapped) + "\n";
-  if (!r.twisted.empty()) text += "twist from the orientations of the file: " + join(r.twisted) + "\n";
+  if (!r.person.twisted.empty())
+    text += "twist from the orientations of the file: " + join(r.person.twisted) + "\n";
   if (!r.missing_parts.empty()) text += "parts without motion: " + join(r.missing_parts) + "\n";
   if (r.gaps > 0) text += format("frames with gaps: %zu\n", r.gaps);
   for (const auto& n : r.notes) text += "note: " + n + "\n";

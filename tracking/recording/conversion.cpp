@@ -219,7 +219,7 @@ void setTwist(RawRecording& raw, const Matrix3d& R_WF, RecordingReport& report) 
   std::vector<humanmodel::SkeletonFrame> only{raw.turns.rest};
   deriveJoints(raw.turns.rest, only, raw.match.head);
   StatedTwist twist = stateTwist(raw.turns, R_WF, raw.frames);
-  report.twisted = std::move(twist.parts);
+  report.person.twisted = std::move(twist.parts);
   report.notes.insert(report.notes.end(), twist.notes.begin(), twist.notes.end());
 }
 

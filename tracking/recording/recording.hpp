@@ -57,7 +57,8 @@ struct RecordingReport {
     std::string stature_reason;               ///< source of the stature; empty if unknown
     SubjectFacts subject;                     ///< what the file says of the person
     std::vector<BoneProportion> proportions;  ///< empty: too few bones are known
-    std::string no_body;  ///< why known joints move no part; empty: they do, or none is known
+    std::string no_body;               ///< why known joints move no part; empty: they do, or none is known
+    std::vector<std::string> twisted;  ///< body parts whose twist is that of the file's orientations
   } person;
   std::string joint_map;  ///< name of the selected map
   struct MapUse {
@@ -72,7 +73,6 @@ struct RecordingReport {
   std::vector<std::string> joints;                         ///< names in the file
   std::map<std::string, std::vector<std::string>> mapped;  ///< body part -> joints of the file
   std::vector<std::string> not_mapped;
-  std::vector<std::string> twisted;        ///< parts whose twist is that of the file's orientations
   std::vector<std::string> missing_parts;  ///< parts that this recording cannot move
   /// Frames stated or begun in the file but not complete: it was truncated. Lower limit.
   std::size_t frames_missing{0};

@@ -160,8 +160,8 @@ TEST(AcclaimAsBvh, SameCaptureGivesSamePerson) {
   EXPECT_EQ(a.report.up.axis, b.report.up.axis);
   EXPECT_NEAR(a.report.rate, b.report.rate, 1e-3);
   EXPECT_NEAR(a.report.stature, b.report.stature, kWritten);
-  EXPECT_EQ(a.report.twisted, b.report.twisted);
-  EXPECT_FALSE(a.report.twisted.empty());
+  EXPECT_EQ(a.report.person.twisted, b.report.person.twisted);
+  EXPECT_FALSE(a.report.person.twisted.empty());
   ASSERT_EQ(a.frames.size(), b.frames.size());
   for (std::size_t k = 0; k < a.frames.size(); ++k)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {

@@ -53,7 +53,7 @@ TEST(StatedTwist, OrientationsOfABvhTurnParts) {
     const Recording r = readBvhRecording(testing::bvhOf(human), "t.bvh", {});
     // z is up; the person may face another way than x.
     const Matrix3d R = rotationToZUp(r.report.up.axis) * R_FW * R_WB;
-    EXPECT_THAT(r.report.twisted,
+    EXPECT_THAT(r.report.person.twisted,
                 ElementsAre("biceps_left", "forearm_left", "hand_left", "foot_left", "biceps_right",
                             "forearm_right", "hand_right", "foot_right", "head"));
     for (const auto& f : r.frames) {
@@ -161,7 +161,7 @@ TEST(StatedTwist, RealRecordingsAgreeWithTheirPositions) {
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
     const Recording r = openRecording(path);
     for (const char* part : {"forearm_left", "forearm_right", "hand_left", "hand_right", "foot_left", "head"})
-      EXPECT_THAT(r.report.twisted, Contains(part)) << file;
+      EXPECT_THAT(r.report.person.twisted, Contains(part)) << file;
     EXPECT_THAT(r.report.notes, Not(Contains(HasSubstr("contradict")))) << file;
   }
 }
