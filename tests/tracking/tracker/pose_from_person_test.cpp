@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/base/error.hpp"
 #include "tests/tracking/tracker/posed_person.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
@@ -85,6 +87,30 @@ TEST(PoseFromPerson, RejectsDifferentPeopleAndNoCommonTime) {
   EXPECT_THROW(fitPoseToPerson(world, other, Transform::Identity()), UsageError);
   EXPECT_THROW(fitPoseToPerson(world, seenFrom(somewhere(), world, 60.0), Transform::Identity()), UsageError);
   EXPECT_THROW(fitPoseToPerson(world, {}, Transform::Identity()), UsageError);
+}
+
+/// The message about frames whose joints are `rms` (m) beside those of `world`; empty: accepted.
+std::string refusalAt(double rms, const std::vector<SkeletonFrame>& world) {
+  std::vector<SkeletonFrame> own = world;
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal(0.0, rms / std::sqrt(3.0));
+  for (SkeletonFrame& frame : own)
+    for (Vector3d& p : frame.p) p += Vector3d(normal(random), normal(random), normal(random));
+  try {
+    fitPoseToPerson(world, own, Transform::Identity());
+    return {};
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+}
+
+// Two motions of an audit had 131 mm, and gave a camera 2.1 m off.
+TEST(PoseFromPerson, RefusesTwoMotionsThatAreAlike) {
+  EXPECT_EQ(refusalAt(0.06, walking()), "");
+  EXPECT_NE(refusalAt(0.12, walking()).find("expected one person"), std::string::npos);
+  const auto still = testing::posedFrames(std::vector<testing::Posture>{{.t = 0.0}, {.t = 5.0}});
+  EXPECT_EQ(refusalAt(0.05, still), "");
+  EXPECT_NE(refusalAt(0.08, still).find("clock offset"), std::string::npos);
 }
 
 TEST(PoseFromPerson, PlacesSecondCameraFromTracks) {
