@@ -96,7 +96,6 @@ nlohmann::ordered_json LiveCameras::json(const tracking::ClipTrack& track) const
       return known ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     };
     nlohmann::ordered_json& one = all.emplace_back(cameraJson(names_[c], camera.facts(), share));
-    one["hung_at"] = orNull(std::isfinite(share.hung_at), share.hung_at);
     one["dropped"] = camera.dropped();
     one["ended"] = orNull(!ended.empty(), ended);
   }

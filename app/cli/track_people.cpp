@@ -44,6 +44,10 @@ nlohmann::ordered_json heldJson(const tracking::ClipPerson& person) {
 
 }  // namespace
 
+nlohmann::ordered_json timeJson(double t) {
+  return std::isfinite(t) ? nlohmann::ordered_json(t) : nlohmann::ordered_json();
+}
+
 nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track) {
   auto people = nlohmann::ordered_json::array();
   for (const tracking::ClipPerson& p : track.people) {
@@ -64,8 +68,12 @@ nlohmann::ordered_json cameraJson(const std::string& name, const tracking::Depth
           {"images_with_people", share.people},
           {"moments_without", share.without},
           {"images_repeated", share.repeated},
-          {"moved_at", std::isfinite(share.moved_at) ? nlohmann::ordered_json(share.moved_at)
-                                                     : nlohmann::ordered_json()}};
+          {"moved_at", timeJson(share.moved_at)},
+          {"hung_at", timeJson(share.hung_at)},
+          {"disagrees_since", timeJson(share.apart_since)},
+          {"disagreement", share.apart},
+          {"late_since", timeJson(share.late_since)},
+          {"late", share.late}};
 }
 
 std::string cameraText(std::size_t number, const std::string& name, const tracking::CameraShare& share,

@@ -6,7 +6,9 @@
 #include <ctime>
 
 #include "humanmodel/joint_covariance.hpp"
+#include "tracking/tracker/camera_agreement.hpp"
 #include "tracking/tracker/camera_stand.hpp"
+#include "tracking/tracker/doubtful_cameras.hpp"
 #include "tracking/tracker/learned_people.hpp"
 #include "tracking/tracker/start_trial.hpp"
 
@@ -30,8 +32,11 @@ class ClipPasses {
     track_.camera = cameras_.front();
     for (const DepthCamera& camera : cameras_)
       track_.camera.spread = std::max(track_.camera.spread, camera.spread);
+    compareCameras();
     learnPeople();
     trackPeople();
+    if (!times_.empty()) track_.begin = times_.front();
+    widenByFaults(faults_, track_);
     finishTrack(track_);
     return std::move(track_);
   }
@@ -59,15 +64,41 @@ class ClipPasses {
     return track_.interrupted;
   }
 
+  /// Of several cameras, before all else: what cannot be trusted of them.
+  void compareCameras() {
+    if (cameras_.size() == 1) return;
+    ++passes_;
+    moments_.rewind();
+    CameraAgreement agreement(cameras_, options_.person);
+    DepthMoment moment;
+    for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
+      const double begin = processorSeconds();
+      agreement.see(moment, options_.known);
+      track_.seconds += processorSeconds() - begin;
+      noteProgress(0, i);
+    }
+    faults_ = agreement.faults();
+  }
+
+  void leaveOutFaulty(double t, PeopleViews& views) const {
+    for (std::size_t c = 0; c < cameras_.size(); ++c) views.leaveOut(c, !isUsable(faults_, c, t));
+  }
+
+  /// After moment `i` of a pass.
+  void noteProgress(std::size_t pass, std::size_t i) const {
+    if (options_.progress) options_.progress(pass * moments_.size() + i + 1, passes_ * moments_.size());
+  }
+
   /// First pass: the bodies of the people, where they arrive, and things.
   void learnPeople() {
     moments_.rewind();
     PeopleViews views(cameras_);
     DepthMoment moment;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
+      leaveOutFaulty(moment.t, views);
       views.see(moment, options_.known);
       learned_.see(moment.t, views);
-      if (options_.progress) options_.progress(i + 1, 2 * moments_.size());
+      noteProgress(passes_ - 2, i);
     }
     learned_.settle(views);
     seen_ = views.seen();
@@ -113,6 +144,7 @@ class ClipPasses {
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
       const double begin = processorSeconds();
       times_.push_back(moment.t);
+      leaveOutFaulty(moment.t, views);
       views.see(moment, options_.known);
       if (const double moved_at = views.note(track_.cameras); moved_at < kInfinity) {
         loseSince(track_, moved_at);
@@ -131,7 +163,7 @@ class ClipPasses {
       noteAbsent(moment.t);
       track_.seconds += processorSeconds() - begin;
       ++track_.images;
-      if (options_.progress) options_.progress(moments_.size() + i + 1, 2 * moments_.size());
+      noteProgress(passes_ - 1, i);
     }
     for (const auto& [id, k] : place_) {
       const TrackedPerson& tracker = trackers_.at(id);
@@ -191,6 +223,8 @@ class ClipPasses {
   DepthMoments moments_;
   std::vector<DepthCamera> cameras_;
   LearnedPeople learned_{options_.person};
+  std::size_t passes_{2};
+  std::vector<CameraFault> faults_;
   std::vector<SeenBefore> seen_;  // in the first pass, for each camera
   std::map<int, TrackedPerson> trackers_;
   std::map<int, StartTrial> starts_;  // of people who are not tracked yet

@@ -117,9 +117,14 @@ ClockOffset estimateClockOffset(std::span<const SkeletonFrame> first, std::span<
                                  compare(first, second, best.offset + kBeside, shortest).cost);
   if (std::isfinite(bend) && bend > 0.0) best.offset += 0.5 * step * (before - after) / bend;
   best.apart = std::sqrt(at.cost);
+  best.at_zero = std::sqrt(compare(first, second, 0.0, shortest).cost);
   best.overlap = at.overlap;
   best.decided = beside + kNoise * kNoise >= ClockOffset::kDecides * (at.cost + kNoise * kNoise);
   return best;
+}
+
+bool ClockOffset::refutesZero() const {
+  return at_zero * at_zero + kNoise * kNoise >= kDecides * (apart * apart + kNoise * kNoise);
 }
 
 }  // namespace abstand::tracking

@@ -14,7 +14,12 @@ struct ClockOffset {
   /// apart (robust mean square). Otherwise `offset` is the best guess.
   bool decided{false};
   double apart{0.0};    ///< m, robust RMS distance of the joints at the offset, constant distances taken off
+  double at_zero{0.0};  ///< m, likewise, with equal clocks; infinite if they have too little in common then
   double overlap{0.0};  ///< s of both recordings compared there
+
+  /// Whether the movement shows that the clocks differ: joints lie kDecides times as far apart with equal
+  /// ones.
+  bool refutesZero() const;
 
   static constexpr double kDecides = 1.3;
   static constexpr double kFarthest = 5.0;  ///< s, search range on both sides

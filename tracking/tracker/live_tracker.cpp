@@ -10,7 +10,6 @@ namespace {
 
 // s; longer than the finder keeps an id, so that no person returns to a body that is deleted.
 constexpr double kForgotten = 10.0;
-constexpr double kHung = 0.2;  // s, six images of a Kinect
 
 }  // namespace
 
@@ -25,7 +24,7 @@ LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
   if (poses_known) {
     track_.world = cameras.size() == 1 ? "the camera pose is taken from its file"
                                        : "the camera poses are taken from their files";
-    views_.emplace(cameras_, kHung);
+    views_.emplace(cameras_, CameraShare::kHung);
   } else {
     track_.world = "undetermined: no image";
     stand_.emplace(cameras_.front(), options_.person.height);
@@ -37,7 +36,7 @@ bool LiveTracker::decideWorld(const DepthMoment& moment) {
   if (!stand_->see(moment.t, moment.frames.front()->image)) return false;
   cameras_.front().X_WC = track_.camera.X_WC = stand_->X_WC();
   track_.world = stand_->reason();
-  views_.emplace(cameras_, kHung);
+  views_.emplace(cameras_, CameraShare::kHung);
   stand_.reset();
   return true;
 }

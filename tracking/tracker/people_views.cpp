@@ -29,7 +29,7 @@ void requireCameras(std::size_t count, bool poses_known) {
 PeopleViews::PeopleViews(std::span<const DepthCamera> cameras, double hung_after) : hung_after_(hung_after) {
   views_.reserve(cameras.size());
   for (const DepthCamera& camera : cameras)
-    views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}});
+    views_.push_back({&camera, PeopleFinder(camera), CameraWatch(camera), {}, false});
 }
 
 void PeopleViews::expect(const std::vector<SeenBefore>& seen) {
@@ -54,8 +54,8 @@ void PeopleViews::see(const DepthMoment& moment, const KnownThings& known) {
   foreseen_.clear();
   places_.clear();
   for (std::size_t c = 0; c < views_.size(); ++c) {
-    if (!moment.frames[c] || isMoved(c)) continue;
     View& view = views_[c];
+    if (!moment.frames[c] || isMoved(c) || view.is_out) continue;
     const DepthFrame& frame = *moment.frames[c];
     if (moment.is_new[c]) {
       const DepthImage* things = known ? known(moment.t, *view.camera) : nullptr;
@@ -103,8 +103,9 @@ double PeopleViews::note(std::vector<CameraShare>& shares) const {
       share.moved_at = views_[c].watch.movedAt();
       moved = std::min(moved, share.moved_at);
     }
-    const bool is_used = moment_->frames[c] != nullptr && !isMoved(c) && !isHung(c);
-    if (isHung(c)) share.hung_at = std::min(share.hung_at, views_[c].watch.unchangedSince());
+    const double unchanged = unchangedSince(c);
+    if (moment_->t - unchanged >= CameraShare::kHung) share.hung_at = std::min(share.hung_at, unchanged);
+    const bool is_used = moment_->frames[c] != nullptr && !isMoved(c) && !isHung(c) && !views_[c].is_out;
     share.without += !is_used;
     if (!moment_->is_new[c] || !is_used) continue;
     ++share.images;

@@ -24,8 +24,16 @@ struct CameraShare {
   /// s, of the camera's first image after it was moved (CameraWatch); infinite: it was not. From then on its
   /// images are not used, as its pose is not known, and nobody is found at the moments that had been tracked.
   double moved_at{kInfinity};
-  /// s, since which the camera hung for the first time (PeopleViews); infinite: it did not.
+  /// s, since which the camera repeated an image for kHung or longer for the first time; infinite: it did
+  /// not. Of several recordings and of live cameras, its images are not used then.
   double hung_at{kInfinity};
+  /// Of several recordings, CameraFault::Kind::kApart and kLate: s since when, infinite: never; and the
+  /// largest distance (m) and difference in time (s).
+  double apart_since{kInfinity}, apart{0.0};
+  bool apart_certain{true};  ///< it is this camera; otherwise all joints are as uncertain as that
+  double late_since{kInfinity}, late{0.0};
+
+  static constexpr double kHung = 0.2;  ///< s, six images of a Kinect
 };
 
 /// Throws UsageError unless `count` cameras can be used together: 1 to BodyObservation::kMaxViews, several of
@@ -54,6 +62,10 @@ class PeopleViews {
 
   /// CameraWatch::movedAt(), s; infinite: not moved.
   double movedAt(std::size_t camera) const { return views_[camera].watch.movedAt(); }
+  /// CameraWatch::unchangedSince(), s.
+  double unchangedSince(std::size_t camera) const { return views_[camera].watch.unchangedSince(); }
+  /// From the next moment on, the images of a camera are not used, or are again.
+  void leaveOut(std::size_t camera, bool is_out) { views_[camera].is_out = is_out; }
   bool isMoved(std::size_t camera) const { return std::isfinite(movedAt(camera)); }
   /// At the last moment.
   bool isHung(std::size_t camera) const;
@@ -88,6 +100,7 @@ class PeopleViews {
     PeopleFinder finder;
     CameraWatch watch;
     std::vector<std::uint8_t> mask;
+    bool is_out{false};
   };
   /// A person in one camera's image.
   struct Sighting {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint8_t kPastImages = 5;  // until a thing is forgotten that is no longer there
 constexpr float kMeanWeight = 0.1f;      // of the newest depth
-constexpr double kMaxStep = 0.10;        // m between two images; knees that move farther were misplaced
+constexpr double kMaxStillStep = 0.10;   // m between two images; knees that move farther were misplaced
 constexpr int kPointPixels = 1;          // pixels to each side for which a point stands
 
 /// m; variation of a Kinect's depth (steps of 2.9 mm z^2). Half of what the detection of people allows for
@@ -118,7 +118,7 @@ void StillThings::noteKnees(const RigPlacement& X_WS) {
   const auto apart = [&](const std::array<Vector3d, 2>& others) {
     return std::max((knees[0] - others[0]).norm(), (knees[1] - others[1]).norm());
   };
-  const bool is_steady = apart(last_knees_) < kMaxStep;
+  const bool is_steady = apart(last_knees_) < kMaxStillStep;
   last_knees_ = knees;
   if (!is_steady) {
     // One of the two poses is wrong, and so may be what was learned with it.

@@ -10,18 +10,18 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr float kDepthWeight = 0.1f;        // of the newest depth
-constexpr std::uint8_t kForgetAfter = 3;    // images with another depth
-constexpr std::size_t kFewestPixels = 150;  // of things; at 320 x 240, a front leg of a chair has less
-constexpr double kUpright = 0.85;  // share of the stature: lower heads do not belong to people who stand
+constexpr float kDepthWeight = 0.1f;             // of the newest depth
+constexpr std::uint8_t kForgetAfter = 3;         // images with another depth
+constexpr std::size_t kFewestThingPixels = 150;  // of things; at 320 x 240, a front leg of a chair has less
+constexpr double kUprightHead = 0.85;  // share of the stature: lower heads do not belong to people who stand
 constexpr double kTrunkLow = 0.6, kTrunkHigh = 0.8;  // shares of the stature
 constexpr double kBesideTrunk = 0.25;  // m from its middle; hips and feet of who stands are nearer
 // m from the axes of limbs and of the trunk: twice the radius of a thigh, and of the trunk with clothes.
 constexpr double kBesideLimb = 0.15, kBesideBack = 0.25;
-constexpr double kHighestAnkle = 0.30;  // m
-constexpr double kExplained = 0.90;     // share of the points that are left
+constexpr double kHighestAnkle = 0.30;   // m
+constexpr double kExplainedBody = 0.90;  // share of the points that are left
 // Of the cost with the things: of 1.2e-3 to 1.9e-3 m^2, 2e-4 to 6e-4 were left.
-constexpr double kBetter = 0.5;
+constexpr double kBetterWithout = 0.5;
 
 /// World.
 Vector3d pointAt(const PersonImage& image, std::size_t i) {
@@ -49,7 +49,7 @@ std::optional<Eigen::Vector2d> trunkOf(std::span<const PersonImage> images, doub
       sum += p.head<2>() + BodyTracker::kHalfBody * away.normalized();
       count += 1.0;
     }
-  if (top < kUpright * height || count == 0.0) return std::nullopt;
+  if (top < kUprightHead * height || count == 0.0) return std::nullopt;
   return sum / count;
 }
 
@@ -152,14 +152,14 @@ bool TouchingThings::search(double t, std::span<const PersonImage> images, doubl
   const std::optional<Eigen::Vector2d> trunk = trunkOf(images, height);
   if (!trunk) return false;
   const auto is_beside = [&](const Vector3d& p) { return (p.head<2>() - *trunk).norm() > kBesideTrunk; };
-  if (setAside(images, below, is_beside) < kFewestPixels) return false;
+  if (setAside(images, below, is_beside) < kFewestThingPixels) return false;
   is_searched_ = true;
   if (!trial.track(t, rest_).found) return false;
   const Axes axes(trial.tracker->body().frame);
-  if (setAside(images, below, [&](const Vector3d& p) { return axes.areApart(p); }) < kFewestPixels)
+  if (setAside(images, below, [&](const Vector3d& p) { return axes.areApart(p); }) < kFewestThingPixels)
     return false;
   const TrackedBody& body = trial.track(t, rest_);
-  return body.found && body.misfit.explained > kExplained && body.misfit.cost < kBetter * cost;
+  return body.found && body.misfit.explained > kExplainedBody && body.misfit.cost < kBetterWithout * cost;
 }
 
 }  // namespace abstand::tracking

@@ -148,18 +148,39 @@ std::vector<std::string> heldNotes(const ClipPerson& person) {
 
 std::vector<std::string> cameraWarnings(const ClipTrack& track) {
   std::vector<std::string> warnings;
+  const bool is_alone = track.cameras.size() == 1;
   for (std::size_t c = 0; c < track.cameras.size(); ++c) {
     const CameraShare& share = track.cameras[c];
-    const std::string name = track.cameras.size() > 1 ? "camera " + std::to_string(c + 1) : "the camera";
-    char text[160];
+    const std::string name = is_alone ? "the camera" : "camera " + std::to_string(c + 1);
+    char text[240];
     if (std::isfinite(share.moved_at)) {
       std::snprintf(text, sizeof text, " was moved at %.2f s: its images are not used from then on",
                     share.moved_at);
       warnings.push_back(name + text);
     }
+    if (std::isfinite(share.apart_since)) {
+      std::snprintf(text, sizeof text,
+                    " disagrees with the others by %.2f m since %.2f s: it was pushed, or its pose is wrong; "
+                    "its images are not used then%s",
+                    share.apart, share.apart_since,
+                    share.apart_certain ? ""
+                                        : ", and all joints are uncertain by this distance, as another "
+                                          "camera may be the wrong one");
+      warnings.push_back(name + text);
+    }
+    if (std::isfinite(share.late_since)) {
+      std::snprintf(text, sizeof text,
+                    " is %.2f s %s since %.2f s: all joints are uncertain by what they move in that time",
+                    std::abs(share.late), share.late > 0.0 ? "late" : "early", share.late_since);
+      warnings.push_back(name + text);
+    }
     if (static_cast<double>(share.repeated) > kManyRepeated * static_cast<double>(share.images)) {
       std::snprintf(text, sizeof text, " repeats the image before in %zu of %zu images: it hangs",
                     share.repeated, share.images);
+      warnings.push_back(name + text);
+    } else if (std::isfinite(share.hung_at)) {
+      std::snprintf(text, sizeof text, " repeats an image since %.2f s for %.1f s or longer: it hangs%s",
+                    share.hung_at, CameraShare::kHung, is_alone ? "" : ", and its images are not used then");
       warnings.push_back(name + text);
     }
   }

@@ -8,6 +8,7 @@
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::tracking {
 namespace several_cameras_test {
@@ -88,6 +89,7 @@ JointErrors report(const char* name, const Tracked& tracked) {
       errors.tracked.medianRatio(), errors.tracked.error.size(), errors.inferred.within(),
       errors.inferred.medianRatio(), errors.inferred.error.size(),
       1e3 * tracked.track.seconds / static_cast<double>(tracked.track.images));
+  for (const std::string& warning : cameraWarnings(tracked.track)) ADD_FAILURE() << warning;
   return errors;
 }
 

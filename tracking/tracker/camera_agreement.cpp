@@ -1,0 +1,153 @@
+#include "tracking/tracker/camera_agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.hpp"
+#include "tracking/tracker/late_spans.hpp"
+#include "tracking/tracker/middle_joints.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr double kSamePlace = 0.5;      // m; PeopleAcross takes nearer ones for one person
+constexpr double kFarthestApart = 2.0;  // m; a camera turned by 30 degrees
+
+constexpr std::size_t kSameImages = 10;  // no two images with noise are equal
+
+}  // namespace
+
+CameraAgreement::CameraAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options)
+    : found_(cameras.size(), 0) {
+  cameras_.reserve(cameras.size());
+  for (const DepthCamera& camera : cameras) cameras_.emplace_back(camera, options);
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    for (std::size_t k = i + 1; k < cameras.size(); ++k) pairs_.push_back({i, k});
+}
+
+void CameraAgreement::see(const DepthMoment& moment, const KnownThings& known) {
+  for (std::size_t c = 0; c < cameras_.size(); ++c) {
+    if (!moment.is_new[c]) continue;
+    cameras_[c].see(moment.t, *moment.frames[c], known);
+    found_[c] += !cameras_[c].people().empty();
+    noteHang(c, moment.t);
+  }
+  for (Pair& pair : pairs_) {
+    if (!moment.is_new[pair.first] || !moment.is_new[pair.second]) continue;
+    refuseSame(moment, pair);
+    compare(moment.t, pair);
+  }
+}
+
+void CameraAgreement::refuseSame(const DepthMoment& moment, Pair& pair) {
+  if (pair.differs) return;
+  pair.differs = moment.frames[pair.first]->image.z != moment.frames[pair.second]->image.z;
+  pair.same += !pair.differs;
+  if (pair.same == kSameImages)
+    throw UsageError("found the same images in the recordings of cameras " + std::to_string(pair.first + 1) +
+                     " and " + std::to_string(pair.second + 1) + ", expected different cameras");
+}
+
+void CameraAgreement::noteHang(std::size_t camera, double t) {
+  const double since = cameras_[camera].unchangedSince();
+  const auto open = std::find_if(hangs_.begin(), hangs_.end(), [&](const CameraFault& hang) {
+    return hang.camera == camera && hang.until == kInfinity;
+  });
+  const bool hangs = t - since >= CameraShare::kHung;
+  if (hangs && open == hangs_.end())
+    hangs_.push_back({.kind = CameraFault::Kind::kHangs, .camera = camera, .since = since});
+  else if (!hangs && open != hangs_.end())
+    open->until = t;
+}
+
+/// Of several people the nearest two: wrong poses move all of them.
+void CameraAgreement::compare(double t, Pair& pair) const {
+  const LoneCamera &first = cameras_[pair.first], &second = cameras_[pair.second];
+  double nearest = kFarthestApart;
+  for (const humanmodel::SkeletonFrame& a : first.people()) {
+    for (const humanmodel::SkeletonFrame& b : second.people()) {
+      const std::optional<Vector3d> off = offsetBetween(a, b);
+      if (!off || off->norm() >= nearest) continue;
+      if (off->norm() > kSamePlace && !(first.seesThrough(b) && second.seesThrough(a))) continue;
+      if (nearest == kFarthestApart) pair.seen.emplace_back();
+      pair.seen.back() = {t, a, b, *off};
+      nearest = off->norm();
+    }
+  }
+}
+
+std::vector<SeenTwice> CameraAgreement::usable(const Pair& pair, std::span<const CameraFault> faults) const {
+  std::vector<SeenTwice> seen;
+  for (const SeenTwice& one : pair.seen)
+    if (isUsable(faults, pair.first, one.t) && isUsable(faults, pair.second, one.t)) seen.push_back(one);
+  return seen;
+}
+
+/// The one that disagrees with more cameras at that time, or that jumped. Otherwise the one that found people
+/// in fewer images; of equal ones the second.
+CameraFault CameraAgreement::blamed(const Pair& pair, const ApartSpan& span,
+                                    const std::vector<std::vector<ApartSpan>>& spans) const {
+  std::array<int, 2> apart{};
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const bool is_apart = std::any_of(spans[p].begin(), spans[p].end(),
+                                      [&](const ApartSpan& other) { return other.holdsWith(span); });
+    if (!is_apart || &pairs_[p] == &pair) continue;
+    apart[0] += pairs_[p].first == pair.first || pairs_[p].second == pair.first;
+    apart[1] += pairs_[p].first == pair.second || pairs_[p].second == pair.second;
+  }
+  CameraFault fault{.kind = CameraFault::Kind::kApart,
+                    .camera = pair.second,
+                    .since = span.since,
+                    .until = span.until,
+                    .apart = span.distance};
+  if (apart[0] != apart[1]) {
+    fault.camera = apart[0] > apart[1] ? pair.first : pair.second;
+    fault.certain = std::min(apart[0], apart[1]) == 0;
+    return fault;
+  }
+  if (const std::optional<int> jumped = whichJumped(pair.seen, span.since)) {
+    fault.camera = *jumped == 0 ? pair.first : pair.second;
+    return fault;
+  }
+  fault.certain = false;
+  if (found_[pair.first] < found_[pair.second]) fault.camera = pair.first;
+  return fault;
+}
+
+std::vector<CameraFault> CameraAgreement::faults() const {
+  std::vector<CameraFault> faults = hangs_;
+  for (std::size_t c = 0; c < cameras_.size(); ++c)
+    if (const double t = cameras_[c].movedAt(); std::isfinite(t))
+      faults.push_back({.kind = CameraFault::Kind::kMoved, .camera = c, .since = t});
+  std::vector<std::vector<ApartSpan>> spans;
+  for (const Pair& pair : pairs_) spans.push_back(apartSpans(usable(pair, faults)));
+  const std::size_t before = faults.size();
+  for (std::size_t p = 0; p < pairs_.size(); ++p)
+    for (const ApartSpan& span : spans[p]) {
+      CameraFault fault = blamed(pairs_[p], span, spans);
+      const auto same = std::find_if(
+          faults.begin() + static_cast<std::ptrdiff_t>(before), faults.end(), [&](const CameraFault& other) {
+            return other.camera == fault.camera && other.since < fault.until && fault.since < other.until;
+          });
+      if (same == faults.end()) {
+        faults.push_back(fault);
+        continue;
+      }
+      same->since = std::min(same->since, fault.since);
+      same->until = std::max(same->until, fault.until);
+      same->apart = std::max(same->apart, fault.apart);
+      same->certain = same->certain && fault.certain;
+    }
+  for (const Pair& pair : pairs_) {
+    if (pair.first != 0) continue;  // whose clock is that of all
+    for (const LateSpan& span : lateSpans(usable(pair, faults)))
+      faults.push_back({.kind = CameraFault::Kind::kLate,
+                        .camera = pair.second,
+                        .since = span.since,
+                        .until = span.until,
+                        .late = span.late});
+  }
+  return faults;
+}
+
+}  // namespace abstand::tracking

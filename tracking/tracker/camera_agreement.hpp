@@ -1,0 +1,45 @@
+// Compares several cameras by the people whom they see.
+#pragma once
+
+#include "tracking/tracker/apart_spans.hpp"
+#include "tracking/tracker/camera_fault.hpp"
+#include "tracking/tracker/lone_camera.hpp"
+
+namespace abstand::tracking {
+
+/// Tracks people with each camera alone, and compares the places: those of one person tracked by two
+/// calibrated cameras differ by centimetres. A fit to the images of all would lie between them, or follow one
+/// of them, and explain both badly, as it does where things hide a person. One thread; allocates.
+class CameraAgreement {
+ public:
+  /// At least two cameras with poses in one world; they must outlive this object.
+  CameraAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options);
+
+  /// `moment.t` (s) increases; `known` may be empty. Throws UsageError if the first images of two cameras are
+  /// the same: it is one recording.
+  void see(const DepthMoment& moment, const KnownThings& known);
+  /// What the moments so far show, by camera. Two people whom one camera sees each are not compared, unless
+  /// both cameras see through the person of the other one.
+  std::vector<CameraFault> faults() const;
+
+ private:
+  struct Pair {
+    std::size_t first, second;
+    std::vector<SeenTwice> seen{};
+    std::size_t same{0};  ///< images from the start that are equal
+    bool differs{false};  ///< later ones are not counted
+  };
+  static void refuseSame(const DepthMoment& moment, Pair& pair);
+  void noteHang(std::size_t camera, double t);
+  void compare(double t, Pair& pair) const;
+  std::vector<SeenTwice> usable(const Pair& pair, std::span<const CameraFault> faults) const;
+  CameraFault blamed(const Pair& pair, const ApartSpan& span,
+                     const std::vector<std::vector<ApartSpan>>& spans) const;
+
+  std::vector<LoneCamera> cameras_;
+  std::vector<std::size_t> found_;  // images with a person, by camera
+  std::vector<CameraFault> hangs_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace abstand::tracking
