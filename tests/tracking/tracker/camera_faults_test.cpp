@@ -25,7 +25,7 @@ constexpr double kImage = 1.0 / 30.0;  // s
 constexpr double kWrong = 1.5;         // s, from then on a camera is
 constexpr std::size_t kFirstWrong = 45;
 constexpr double kWithinReach = 0.99;  // share of the tracked joints
-// m, raw mean over all joints with one camera from then on. Measured: 0.031 to 0.034.
+// m, raw mean over all joints with one camera from then on. Measured: 0.021.
 constexpr double kOneCamera = 0.045;
 
 const Vector3d kFront{2.8, 0.0, 1.6}, kSide{0.0, -2.8, 1.6}, kLook{0.0, 0.0, 0.9};
@@ -100,7 +100,7 @@ TEST(CameraFaults, AreNoneOfCalibratedCameras) {
   EXPECT_EQ(track.cameras.at(1).without, 0u);
 }
 
-// Before, the raw means were 58 and 235 mm for 3 and 10 degrees, with 0.965 and less of the joints within.
+// Of another clip (docs/tracking.md), the raw means were 58 and 235 mm for 3 and 10 degrees before.
 TEST(CameraFaults, PushedAsideIsLeftOut) {
   for (const double degrees : {4.0, 10.0}) {
     const ClipTrack track = trackedWith(pushedTo(kSide, turned(kSide, unit::deg(degrees))));
@@ -113,7 +113,7 @@ TEST(CameraFaults, PushedAsideIsLeftOut) {
   }
 }
 
-// A turn of 10 degrees gave a raw mean of 1,340 mm, and 0.087 of the joints within.
+// Of that clip, a turn of 10 degrees gave a raw mean of 1,340 mm, and 0.087 of the joints within.
 TEST(CameraFaults, WrongPoseMakesAllJointsUncertain) {
   for (const double degrees : {4.0, 10.0}) {
     const ClipTrack track = trackedWith(imagesFrom(kSide, turned(kSide, unit::deg(degrees))));
