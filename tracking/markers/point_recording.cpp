@@ -139,6 +139,29 @@ void describeChoice(const JointChoice& choice, RecordingReport& report) {
     report.warnings.push_back("joints that the map lacks are guessed: " + choice.filled + advice);
 }
 
+/// Rate, and times from the first frame on if the file's have an arbitrary origin.
+void setTimes(const PointFacts& facts, RawRecording& raw) {
+  raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
+  raw.rate_reason = facts.rate_reason;
+  if (!facts.from_first_frame || raw.frames.front().t == 0.0) return;
+  const double start = raw.frames.front().t;
+  for (auto& f : raw.frames) f.t -= start;
+  raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
+  if (start >= kEarliestClock) raw.clock_start = start;
+}
+
+/// What the file says of the subject whose points are used, and of itself.
+void takeStated(const PointReader& reader, const SubjectChoice& who, RawRecording& raw) {
+  StatedSubject stated = statedOf(who, reader.facts().subjects);
+  raw.subject = std::move(stated.facts);
+  raw.warnings = reader.warnings();
+  if (!who.warning.empty()) raw.warnings.push_back({0, who.warning});
+  for (std::string& warning : stated.warnings) raw.warnings.push_back({0, std::move(warning)});
+  raw.notes = std::move(stated.notes);
+  const std::vector<std::string>& notes = reader.facts().notes;
+  raw.notes.insert(raw.notes.end(), notes.begin(), notes.end());
+}
+
 }  // namespace
 
 Recording readPoints(PointReader& reader, const std::string& file, const RecordingOptions& options) {
@@ -162,8 +185,6 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   raw.turns.choosePoints(raw.match, reader.parents());
   raw.unit = facts.unit;
   raw.up = facts.up;
-  StatedSubject stated = statedOf(who, facts.subjects);
-  raw.subject = std::move(stated.facts);
   raw.sensor = facts.sensor;
 
   std::optional<MarkerTrack> markers;
@@ -186,19 +207,8 @@ Recording readPoints(PointReader& reader, const std::string& file, const Recordi
   for (PointFrame frame; reader.next(frame);) add(frame);
   raw.frames = frames.take();
   if (raw.frames.empty()) throw ParseError({file}, "found no frame, expected at least one");
-  raw.rate = facts.rate > 0.0 ? facts.rate : rateOf(raw.frames);
-  raw.rate_reason = facts.rate_reason;
-  if (facts.from_first_frame && raw.frames.front().t != 0.0) {
-    const double start = raw.frames.front().t;
-    for (auto& f : raw.frames) f.t -= start;
-    raw.rate_reason += "; the file starts at " + formatDouble(start) + " s, here at 0";
-    if (start >= kEarliestClock) raw.clock_start = start;
-  }
-  raw.warnings = reader.warnings();
-  if (!who.warning.empty()) raw.warnings.push_back({0, who.warning});
-  for (std::string& warning : stated.warnings) raw.warnings.push_back({0, std::move(warning)});
-  raw.notes = std::move(stated.notes);
-  raw.notes.insert(raw.notes.end(), facts.notes.begin(), facts.notes.end());
+  setTimes(facts, raw);
+  takeStated(reader, who, raw);
   // In a file of canonical joints inferred ones may have been derived earlier: they are not a tracker's
   // guesses.
   if (!facts.is_canonical && !facts.sensor) markGuesses(raw.frames);
