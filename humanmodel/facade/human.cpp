@@ -85,6 +85,7 @@ humanmodel::SkeletonFrame frameOf(const Skeleton& skeleton) {
     frame.p[i] = skeleton.p[i];
     frame.state[i] = static_cast<humanmodel::JointState>(skeleton.state[i]);
     frame.spread[i] = skeleton.spread[i];
+    if (!skeleton.lateral[i].isZero(0.0f)) frame.lateral[i] = skeleton.lateral[i];
   }
   return frame;
 }
@@ -96,6 +97,7 @@ Skeleton skeletonOf(const humanmodel::SkeletonFrame& frame) {
     skeleton.p[i] = frame.p[i];
     skeleton.state[i] = static_cast<JointState>(frame.state[i]);
     skeleton.spread[i] = frame.spread[i];
+    skeleton.lateral[i] = frame.lateral[i];
   }
   return skeleton;
 }

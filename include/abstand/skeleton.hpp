@@ -57,9 +57,15 @@ struct Skeleton {
   std::array<Eigen::Vector3d, kJoints> p;   ///< m; NaN if missing
   std::array<JointState, kJoints> state{};  ///< of each joint
   std::array<double, kJoints> spread{};     ///< m, standard deviation along the worst axis; 0: unknown
+  /// Unit vectors, world: the y axis of the body part that ends at the joint, if the orientations of a
+  /// recording state it. Determines the twist of the part. Zero: not stated.
+  std::array<Eigen::Vector3f, kJoints> lateral;
 
   /// All joints missing.
-  Skeleton() { p.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())); }
+  Skeleton() {
+    p.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    lateral.fill(Eigen::Vector3f::Zero());
+  }
   /// Sets the position (m) and state of a joint.
   void set(Joint joint, const Eigen::Vector3d& point, JointState s = JointState::kTracked) {
     p[static_cast<std::size_t>(joint)] = point;

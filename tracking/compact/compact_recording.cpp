@@ -15,7 +15,11 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::string_view kMagic = "ABSTREC1";
-constexpr std::uint8_t kFrameWithSpread = 2, kFrame = 1, kEnd = 0;
+// Marks: of frames, with spreads, with y axes of parts, or with both.
+constexpr std::uint8_t kEnd = 0, kFrame = 1, kFrameWithSpread = 2, kFrameWithAxes = 3, kFrameWithBoth = 4;
+/// Step of the components of unit vectors.
+constexpr double kAxisStep = 1e-4;
+constexpr std::int64_t kMaxAxisSteps = 10000;
 /// m; larger spreads are stored as this value.
 constexpr double kMaxSpread = 1e3;
 /// m; larger positions are not written, and differences beyond twice this are rejected.
@@ -31,6 +35,15 @@ void writeDifference(std::ostream& out, std::int64_t v) {
   auto z = static_cast<std::uint64_t>(v) << 1 ^ static_cast<std::uint64_t>(v >> 63);
   for (; z >= 0x80; z >>= 7) out.put(static_cast<char>(0x80 | (z & 0x7f)));
   out.put(static_cast<char>(z));
+}
+
+bool hasSpread(std::uint8_t mark) { return mark == kFrameWithSpread || mark == kFrameWithBoth; }
+bool hasAxes(std::uint8_t mark) { return mark >= kFrameWithAxes; }
+
+std::uint8_t markOf(const humanmodel::SkeletonFrame& f) {
+  const bool spread = std::any_of(f.spread.begin(), f.spread.end(), [](double s) { return s > 0.0; });
+  if (f.lateral.isStated()) return spread ? kFrameWithBoth : kFrameWithAxes;
+  return spread ? kFrameWithSpread : kFrame;
 }
 
 std::uint64_t readU64(std::string_view bytes) {
@@ -51,8 +64,8 @@ void writeCompact(std::ostream& out, const Recording& recording) {
   }
   std::array<std::array<std::int64_t, 3>, humanmodel::kJointCount> last{};
   for (const humanmodel::SkeletonFrame& f : recording.frames) {
-    const bool spread = std::any_of(f.spread.begin(), f.spread.end(), [](double s) { return s > 0.0; });
-    out.put(static_cast<char>(spread ? kFrameWithSpread : kFrame));
+    const std::uint8_t mark = markOf(f);
+    out.put(static_cast<char>(mark));
     writeU64(out, std::bit_cast<std::uint64_t>(f.t));
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
       out.put(static_cast<char>(f.state[j]));
@@ -65,7 +78,10 @@ void writeCompact(std::ostream& out, const Recording& recording) {
         writeDifference(out, steps - last[j][static_cast<std::size_t>(k)]);
         last[j][static_cast<std::size_t>(k)] = steps;
       }
-      if (spread) writeDifference(out, std::llround(std::min(f.spread[j], kMaxSpread) / kCompactStep));
+      if (hasSpread(mark))
+        writeDifference(out, std::llround(std::min(f.spread[j], kMaxSpread) / kCompactStep));
+      for (int k = 0; hasAxes(mark) && k < 3; ++k)
+        writeDifference(out, std::llround(static_cast<double>(f.lateral[j][k]) / kAxisStep));
     }
   }
   out.put(static_cast<char>(kEnd));
@@ -125,9 +141,31 @@ bool CompactReader::readDifference(std::int64_t& value) {
   return true;
 }
 
+bool CompactReader::readSpread(double& spread) {
+  std::int64_t steps = 0;
+  if (!readDifference(steps)) return false;
+  if (steps < 0 || static_cast<double>(steps) * kCompactStep > kMaxSpread)
+    fail("found the spread " + std::to_string(steps) + " um, expected 0 to 1e9");
+  spread = static_cast<double>(steps) * kCompactStep;
+  return true;
+}
+
+/// Zero if none is stated; otherwise a unit vector but for rounding.
+bool CompactReader::readAxis(Eigen::Vector3f& axis) {
+  for (int k = 0; k < 3; ++k) {
+    std::int64_t steps = 0;
+    if (!readDifference(steps)) return false;
+    if (steps > kMaxAxisSteps || steps < -kMaxAxisSteps)
+      fail("found the component " + std::to_string(steps) + " of an axis, expected -10000 to 10000");
+    axis[k] = static_cast<float>(static_cast<double>(steps) * kAxisStep);
+  }
+  return true;
+}
+
 /// False if the file ends within the frame.
-bool CompactReader::readFrame(PointFrame& frame, bool spread) {
+bool CompactReader::readFrame(PointFrame& frame, std::uint8_t mark) {
   frame.clear(names_.size());
+  if (hasAxes(mark)) frame.lateral.assign(names_.size(), Eigen::Vector3f::Zero());
   if (bytes_.size() - at_ < 8) return false;
   frame.t = std::bit_cast<double>(readU64(bytes_.substr(at_, 8)));
   if (!std::isfinite(frame.t) || std::abs(frame.t) > kLargestCoordinate ||
@@ -151,12 +189,8 @@ bool CompactReader::readFrame(PointFrame& frame, bool spread) {
       p[static_cast<int>(k)] = static_cast<double>(last_[j][k]) * kCompactStep;
     }
     frame.set(j, p, static_cast<humanmodel::JointState>(state));
-    std::int64_t steps = 0;
-    if (!spread) continue;
-    if (!readDifference(steps)) return false;
-    if (steps < 0 || static_cast<double>(steps) * kCompactStep > kMaxSpread)
-      fail("found the spread " + std::to_string(steps) + " um, expected 0 to 1e9");
-    frame.spread[j] = static_cast<double>(steps) * kCompactStep;
+    if (hasSpread(mark) && !readSpread(frame.spread[j])) return false;
+    if (hasAxes(mark) && !readAxis(frame.lateral[j])) return false;
   }
   last_t_ = frame.t;
   ++frames_;
@@ -174,11 +208,10 @@ bool CompactReader::next(PointFrame& frame) {
   if (done_) return false;
   std::uint8_t kind = 0;
   if (readByte(kind)) {
-    if ((kind == kFrame || kind == kFrameWithSpread) && readFrame(frame, kind == kFrameWithSpread))
-      return true;
+    if (kind > kFrameWithBoth)
+      fail("found the mark " + std::to_string(kind) + ", expected 1 to 4 (a frame) or 0 (the end)");
+    if (kind != kEnd && readFrame(frame, kind)) return true;
     if (kind == kEnd) readEnd();
-    if (kind > kFrameWithSpread)
-      fail("found the mark " + std::to_string(kind) + ", expected 1 or 2 (a frame) or 0 (the end)");
   }
   done_ = true;
   if (kind != kEnd || at_ >= bytes_.size())

@@ -37,7 +37,9 @@ class CompactReader : public PointReader {
   [[noreturn]] void fail(const std::string& message) const;
   bool readByte(std::uint8_t& value);
   bool readDifference(std::int64_t& value);
-  bool readFrame(PointFrame& frame, bool spread);
+  bool readFrame(PointFrame& frame, std::uint8_t mark);
+  bool readSpread(double& spread);
+  bool readAxis(Eigen::Vector3f& axis);
   void readEnd();
 
   std::string_view bytes_;

@@ -74,6 +74,21 @@ TEST(Compact, ReadsWholeFramesOfTruncatedFile) {
   EXPECT_LT(last, 3u);
 }
 
+TEST(Compact, KeepsAxesOfParts) {
+  Recording recording = someone(2);
+  const Eigen::Vector3f y = Eigen::Vector3f(0.2f, -0.9f, 0.4f).normalized();
+  recording.frames[1].lateral[5] = y;
+  const std::string bytes = bytesOf(recording);
+  CompactReader reader(bytes, "a");
+  PointFrame frame;
+  ASSERT_TRUE(reader.next(frame));
+  EXPECT_TRUE(frame.lateral.empty()) << "none is stated";
+  ASSERT_TRUE(reader.next(frame));
+  ASSERT_EQ(frame.lateral.size(), humanmodel::kJointCount);
+  EXPECT_LT((frame.lateral[5] - y).norm(), 1e-4f) << "half a step along each axis";
+  EXPECT_TRUE(frame.lateral[6].isZero(0.0f));
+}
+
 TEST(Compact, RejectsBadFiles) {
   const std::string good = bytesOf(someone(2));
   const std::size_t head = good.find('\x01', 200);
@@ -88,7 +103,8 @@ TEST(Compact, RejectsBadFiles) {
   for (const Case& c :
        {Case{with(0, "X"), "expected ABSTREC1"}, Case{good.substr(0, 8), "found no joint"},
         Case{with(10, "q"), "expected a canonical one"}, Case{good.substr(0, 12), "the name of a joint"},
-        Case{with(head, "\x03"), "found the mark 3"},
+        Case{with(head, "\x05"), "found the mark 5"},
+        Case{with(head, "\x03"), "of an axis, expected -10000 to 10000"},
         Case{with(head + 1, std::string(8, '\xff')), "nan, expected one after that of the last frame"},
         Case{with(head + 9, "\x07"), "found the state 7"},
         Case{with(head + 11, std::string(12, '\xff')), "more than nine bytes"},
