@@ -5,34 +5,8 @@
 namespace abstand::tracking {
 namespace {
 
-using J = humanmodel::Joint;
-
-/// The joint at which a part starts; the head turns with its own joint, or with the neck.
-std::array<J, 2> startsOf(J end) {
-  switch (end) {
-    case J::kElbowLeft:
-      return {J::kShoulderLeft, J::kShoulderLeft};
-    case J::kWristLeft:
-      return {J::kElbowLeft, J::kElbowLeft};
-    case J::kHandLeft:
-      return {J::kWristLeft, J::kWristLeft};
-    case J::kToeLeft:
-      return {J::kAnkleLeft, J::kAnkleLeft};
-    case J::kElbowRight:
-      return {J::kShoulderRight, J::kShoulderRight};
-    case J::kWristRight:
-      return {J::kElbowRight, J::kElbowRight};
-    case J::kHandRight:
-      return {J::kWristRight, J::kWristRight};
-    case J::kToeRight:
-      return {J::kAnkleRight, J::kAnkleRight};
-    default:
-      return {J::kHead, J::kNeck};
-  }
-}
-
 /// The point of a joint; -1 if it has none, or the mean of several.
-int pointOf(const JointMatch& match, J joint, std::size_t points) {
+int pointOf(const JointMatch& match, humanmodel::Joint joint, std::size_t points) {
   const int point = match.joint[static_cast<std::size_t>(joint)];
   return point < static_cast<int>(points) ? point : -1;
 }
@@ -43,8 +17,9 @@ void StatedTurns::choosePoints(const JointMatch& match, std::span<const int> par
   for (std::size_t k = 0; k < kTurnedParts.size(); ++k) {
     const int end = pointOf(match, kTurnedParts[k].end, parents.size());
     source[k] = end >= 0 ? parents[static_cast<std::size_t>(end)] : -1;
-    for (const J start : startsOf(kTurnedParts[k].end))
-      if (source[k] < 0) source[k] = pointOf(match, start, parents.size());
+    if (source[k] < 0) source[k] = pointOf(match, kTurnedParts[k].start, parents.size());
+    if (source[k] < 0 && kTurnedParts[k].part == humanmodel::BodyPart::kHead)
+      source[k] = pointOf(match, humanmodel::Joint::kNeck, parents.size());
   }
 }
 

@@ -12,21 +12,22 @@
 
 namespace abstand::tracking {
 
-/// A body part whose twist positions do not determine, or not always, and the joint at which it ends.
+/// A body part whose twist positions do not determine, or not always, and the joints at which it starts and
+/// ends.
 struct TurnedPart {
   humanmodel::BodyPart part;
-  humanmodel::Joint end;
+  humanmodel::Joint start, end;
 };
 inline constexpr std::array<TurnedPart, 9> kTurnedParts{
-    {{humanmodel::BodyPart::kBicepsLeft, humanmodel::Joint::kElbowLeft},
-     {humanmodel::BodyPart::kForearmLeft, humanmodel::Joint::kWristLeft},
-     {humanmodel::BodyPart::kHandLeft, humanmodel::Joint::kHandLeft},
-     {humanmodel::BodyPart::kFootLeft, humanmodel::Joint::kToeLeft},
-     {humanmodel::BodyPart::kBicepsRight, humanmodel::Joint::kElbowRight},
-     {humanmodel::BodyPart::kForearmRight, humanmodel::Joint::kWristRight},
-     {humanmodel::BodyPart::kHandRight, humanmodel::Joint::kHandRight},
-     {humanmodel::BodyPart::kFootRight, humanmodel::Joint::kToeRight},
-     {humanmodel::BodyPart::kHead, humanmodel::Joint::kHeadTop}}};
+    {{humanmodel::BodyPart::kBicepsLeft, humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kElbowLeft},
+     {humanmodel::BodyPart::kForearmLeft, humanmodel::Joint::kElbowLeft, humanmodel::Joint::kWristLeft},
+     {humanmodel::BodyPart::kHandLeft, humanmodel::Joint::kWristLeft, humanmodel::Joint::kHandLeft},
+     {humanmodel::BodyPart::kFootLeft, humanmodel::Joint::kAnkleLeft, humanmodel::Joint::kToeLeft},
+     {humanmodel::BodyPart::kBicepsRight, humanmodel::Joint::kShoulderRight, humanmodel::Joint::kElbowRight},
+     {humanmodel::BodyPart::kForearmRight, humanmodel::Joint::kElbowRight, humanmodel::Joint::kWristRight},
+     {humanmodel::BodyPart::kHandRight, humanmodel::Joint::kWristRight, humanmodel::Joint::kHandRight},
+     {humanmodel::BodyPart::kFootRight, humanmodel::Joint::kAnkleRight, humanmodel::Joint::kToeRight},
+     {humanmodel::BodyPart::kHead, humanmodel::Joint::kHead, humanmodel::Joint::kHeadTop}}};
 /// The parts on the left are followed by the same ones on the right, then by the head.
 inline constexpr std::size_t kTurnedOfSide = 4;
 
@@ -41,7 +42,8 @@ struct StatedTurns {
   std::vector<PartTurns> frames;   ///< one for each frame; empty: the file states none
 
   /// Sets `source`; `parents`: of the points. A part turns with the parent of the point at its end, which may
-  /// be a twist bone, or with the point at its start if its end is none or a mean of points.
+  /// be a twist bone, or with the point at its start if its end is none or a mean of points; the head then
+  /// also with the neck.
   void choosePoints(const JointMatch& match, std::span<const int> parents);
   /// The next frame. `turns`: of all points (PointFrame::turn).
   void add(std::span<const Matrix3d> turns);

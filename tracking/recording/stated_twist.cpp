@@ -71,12 +71,16 @@ std::optional<Vector3d> shownY(const HumanPose& pose, BodyPart part) {
 
 class Twists {
  public:
-  Twists(const StatedTurns& turns, const Matrix3d& R_WF) : turns_{turns}, R_WF_{R_WF} {
+  Twists(const StatedTurns& turns, const Matrix3d& R_WF, const std::vector<SkeletonFrame>& frames)
+      : turns_{turns}, R_WF_{R_WF} {
     SkeletonFrame rest = turns.rest;
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) rest.p[j] = R_WF * rest.p[j];
     rest.t = 0.0;
     humanmodel::Poser(model_).pose(rest, rest_);
     for (std::size_t k = 0; k < kTurnedParts.size(); ++k) y_rest_[k] = axis(rest_, kTurnedParts[k].part, 1);
+    humanmodel::Poser poser(model_);
+    for (const std::size_t i : sampleIndices(frames.size()))
+      poser.pose(frames[i], sampled_.emplace_back(i, HumanPose{}).second);
   }
   bool isUsable(std::size_t k) const {
     return turns_.source[k] >= 0 && showsTwist(rest_, kTurnedParts[k].part);
@@ -85,13 +89,10 @@ class Twists {
     const Matrix3d R = turns_.frames[frame][k].cast<double>().toRotationMatrix();
     return R_WF_ * (R * (R_WF_.transpose() * y_rest_[k]));
   }
-  /// Angle (rad) about the bone from the stated to the shown y axis, in each frame that shows it.
-  std::vector<double> deviations(std::size_t k, const std::vector<SkeletonFrame>& frames) const {
+  /// Angle (rad) about the bone from the stated to the shown y axis, in each sampled frame that shows it.
+  std::vector<double> deviations(std::size_t k) const {
     std::vector<double> angles;
-    humanmodel::Poser poser(model_);
-    HumanPose pose;
-    for (const std::size_t i : sampleIndices(frames.size())) {
-      poser.pose(frames[i], pose);
+    for (const auto& [i, pose] : sampled_) {
       const BodyPart part = kTurnedParts[k].part;
       const std::optional<Vector3d> shown = shownY(pose, part);
       if (!shown) continue;
@@ -112,6 +113,8 @@ class Twists {
   humanmodel::HumanModel model_ = humanmodel::makeHuman({});
   HumanPose rest_;
   std::array<Vector3d, kTurnedParts.size()> y_rest_;
+  std::vector<std::pair<std::size_t, HumanPose>>
+      sampled_;  ///< frames by their index, before any twist is set
 };
 
 struct Deviation {
@@ -132,7 +135,7 @@ Deviation deviationOf(std::vector<double> angles) {
 StatedTwist stateTwist(const StatedTurns& turns, const Matrix3d& R_WF, std::vector<SkeletonFrame>& frames) {
   StatedTwist result;
   if (turns.frames.size() != frames.size()) return result;
-  Twists twists(turns, R_WF);
+  Twists twists(turns, R_WF, frames);
   std::array<bool, kTurnedParts.size()> is_used{};
   for (std::size_t k = 0; k < kTurnedParts.size(); ++k) {
     const BodyPart part = kTurnedParts[k].part;
@@ -142,7 +145,7 @@ StatedTwist stateTwist(const StatedTurns& turns, const Matrix3d& R_WF, std::vect
       // Forearm and hand turn on the upper arm, of which a bent elbow shows the twist.
       is_used[k] = is_used[k - 1];
     } else {
-      const Deviation deviation = deviationOf(twists.deviations(k, frames));
+      const Deviation deviation = deviationOf(twists.deviations(k));
       const bool deviates = std::abs(deviation.mean) > kDeviates;
       is_used[k] = deviation.spread < kSteadyHinge && (of_arm || !deviates);
       if (is_used[k] && deviates)
