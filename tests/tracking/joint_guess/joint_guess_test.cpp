@@ -507,12 +507,20 @@ void PrintTo(const Named& n, std::ostream* out) { *out << n.file; }
 
 class RealShape : public ::testing::TestWithParam<Named> {};
 
+/// Of a real capture.
+std::filesystem::path captureFile(const std::string& name) {
+  return name.starts_with("01_") || name.starts_with("Boxing") ? testing::debianBvh(name)
+                                                               : testing::sharedData("mocap/bvh/" + name);
+}
+
+JointMatch matchByNames(const BvhPoints& points) {
+  return chooseJointMap(loadJointMaps(testing::projectFile("data/joint_maps")), points.names());
+}
+
 // The names of real captures are taken away: the shape must find the joints that the names say.
 TEST_P(RealShape, ShapeMatchesNames) {
   const std::string name = GetParam().file;
-  const auto file = name.starts_with("01_") || name.starts_with("Boxing")
-                        ? testing::debianBvh(name)
-                        : testing::sharedData("mocap/bvh/" + name);
+  const auto file = captureFile(name);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   const std::string text = readFile(file);
   const Recording named = read(text);
@@ -559,13 +567,10 @@ struct CutCapture {
 TEST_P(RealShape, LegsOfBodyWithoutArms) {
   using J = humanmodel::Joint;
   const std::string name = GetParam().file;
-  const auto file = name.starts_with("01_") || name.starts_with("Boxing")
-                        ? testing::debianBvh(name)
-                        : testing::sharedData("mocap/bvh/" + name);
+  const auto file = captureFile(name);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   BvhPoints points(readFile(file), name);
-  const JointMatch named =
-      chooseJointMap(loadJointMaps(testing::projectFile("data/joint_maps")), points.names());
+  const JointMatch named = matchByNames(points);
   const auto at = [](const JointMatch& m, J j) { return m.joint[static_cast<std::size_t>(j)]; };
   for (const bool has_legs : {true, false}) {
     BvhPoints again(readFile(file), name);
@@ -584,13 +589,10 @@ TEST_P(RealShape, LegsOfBodyWithoutArms) {
 TEST_P(RealShape, PointsWithoutHierarchyMatchNames) {
   using J = humanmodel::Joint;
   const std::string name = GetParam().file;
-  const auto file = name.starts_with("01_") || name.starts_with("Boxing")
-                        ? testing::debianBvh(name)
-                        : testing::sharedData("mocap/bvh/" + name);
+  const auto file = captureFile(name);
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
   BvhPoints points(readFile(file), name);
-  const JointMatch named =
-      chooseJointMap(loadJointMaps(testing::projectFile("data/joint_maps")), points.names());
+  const JointMatch named = matchByNames(points);
   std::vector<PointFrame> frames;
   for (PointFrame frame; frames.size() < 600 && points.next(frame);) frames.push_back(frame);
   const std::vector<std::string> names(points.names().size(), "n");
