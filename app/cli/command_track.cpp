@@ -20,7 +20,7 @@ struct TrackArguments {
   std::vector<std::filesystem::path> depth, camera;
   std::filesystem::path out, pictures, scene;
   robot_file::PackagePaths packages;
-  std::string height, rate, seconds, send, facing{"auto"};
+  std::string height, rate, seconds, send, robots, facing{"auto"};
   std::vector<std::string> names, clock;
   int person{1};
   bool usual_body{false}, mirror{false};
@@ -65,14 +65,14 @@ std::vector<LiveSource> liveSources(const TrackArguments& args) {
 }
 
 int live(const CommandLine& line, const TrackArguments& args, const tracking::ClipTrackerOptions& options) {
-  if (!args.scene.empty())
-    throw UsageError(
-        "--scene: found with a live camera, expected a recording, whose robots move "
-        "as in the scene");
+  if (args.scene.empty() && !args.robots.empty())
+    throw UsageError("--robots: found without --scene, expected them together");
   if (args.send.empty() && !args.names.empty())
     throw UsageError("--as: found without --send, expected them together");
   LiveTrackArguments own;
   own.cameras = liveSources(args);
+  own.things = {args.scene, args.packages, args.robots};
+  if (args.robots.empty() && args.send != "-") own.things.server = args.send;
   own.person = options.person;
   own.person.fit_aside = true;
   own.watch = options.watch;
@@ -172,8 +172,8 @@ int trackCameras(const CommandLine& line, const TrackArguments& args, const Trac
 
 int trackRecording(const CommandLine& line, const TrackArguments& args, tracking::ClipTrackerOptions options,
                    std::optional<OutputFolder>& pictures) {
-  if (!args.seconds.empty() || !args.send.empty() || !args.names.empty())
-    throw UsageError("found --seconds, --send or --as with a recording, expected live:kinect");
+  if (!args.seconds.empty() || !args.send.empty() || !args.names.empty() || !args.robots.empty())
+    throw UsageError("found --seconds, --send, --as or --robots with a recording, expected live:kinect");
   std::optional<depth::RobotView> robots;
   if (!args.scene.empty()) {
     session::SessionOptions session_options;
@@ -235,7 +235,12 @@ void addTrack(CLI::App& root, CommandLine& line) {
       OutputKind::kFolder);
   command->add_option(
       "--scene", args->scene,
-      "scene whose robots and objects are removed from the images; times and camera pose refer to the scene");
+      "scene whose robots and objects are removed from the images; times and camera pose refer to the scene; "
+      "with live:kinect, the robots are where --robots or --send has them");
+  command->add_option(
+      "--robots", args->robots,
+      "HOST:PORT of the running `abstand serve` of --scene that knows where the robots are, with "
+      "live:kinect; default: that of --send");
   addPackagePath(command, args->packages);
   addCacheFlag(command, line);
   command->add_option("--person", args->person, "number of the person; 1 is found in most images")

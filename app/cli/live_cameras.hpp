@@ -22,7 +22,8 @@ class LiveCameras {
 
   tracking::LiveMoments& moments() { return moments_; }
   const std::string& name() const { return names_.front(); }
-  std::string names() const;  ///< of all cameras, with "and"
+  std::string names() const;
+  const std::vector<std::string>& allNames() const { return names_; }  ///< of all cameras, with "and"
   std::size_t size() const { return names_.size(); }
   std::size_t dropped() const { return moments_.dropped(); }  ///< images of all cameras
   std::vector<tracking::DepthCamera> cameras() const;

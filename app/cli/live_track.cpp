@@ -28,8 +28,16 @@ struct LiveOutcome {
   bool interrupted{false};
 };
 
-LiveOutcome follow(const CommandLine& line, LiveCameras& cameras, tracking::LiveTracker& tracker,
-                   serve::SkeletonSender* sender, const std::optional<double>& seconds) {
+/// What images pass through.
+struct LiveChain {
+  LiveCameras& cameras;
+  LiveThings& things;
+  tracking::LiveTracker& tracker;
+  serve::SkeletonSender* sender;  ///< or null
+};
+
+LiveOutcome follow(const CommandLine& line, const LiveChain& chain, const std::optional<double>& seconds) {
+  const auto& [cameras, things, tracker, sender] = chain;
   LiveOutcome outcome;
   tracking::DepthMoment moment;
   while (!outcome.interrupted && !(seconds && outcome.seconds >= *seconds)) {
@@ -39,8 +47,10 @@ LiveOutcome follow(const CommandLine& line, LiveCameras& cameras, tracking::Live
     for (const std::string& news : cameras.news(tracker.shares())) line.warn(news);
     if (next == tracking::LiveDepth::Outcome::kEnded || cameras.isOver(tracker.shares())) break;
     if (next == tracking::LiveDepth::Outcome::kNothingYet) continue;
+    things.update(cameras.moments().came());
     for (const tracking::LiveTracker::Seen& seen : tracker.see(moment))
       if (sender) sender->send(seen.id, moment.t, seen.frame);
+    for (const std::string& news : things.news(tracker.shown(), cameras.allNames())) line.warn(news);
     outcome.latency.add(since(cameras.moments().came()));
     outcome.seconds = moment.t;
   }
@@ -50,6 +60,8 @@ LiveOutcome follow(const CommandLine& line, LiveCameras& cameras, tracking::Live
 /// All parts of the report on a tracked person.
 struct LiveReport {
   const LiveCameras& cameras;
+  const LiveThings& things;
+  std::span<const tracking::ShownThings> shown;
   const tracking::ClipTrack& track;
   const tracking::ClipPerson& person;
   const LiveOutcome& outcome;
@@ -57,6 +69,12 @@ struct LiveReport {
   std::string ended;                    ///< why there are no more images; empty: there may be
   std::vector<std::string> warnings;
 };
+
+nlohmann::ordered_json camerasJson(const LiveReport& report) {
+  nlohmann::ordered_json cameras = report.cameras.json(report.track);
+  for (std::size_t c = 0; c < cameras.size(); ++c) cameras[c]["things"] = report.things.json(report.shown[c]);
+  return cameras;
+}
 
 nlohmann::ordered_json liveDocument(const LiveReport& report) {
   const tracking::DepthFacts& facts = report.cameras.facts();
@@ -77,7 +95,7 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
       {"people", peopleJson(track)},
       {"camera_reason", facts.camera_reason},
       {"world", track.world},
-      {"cameras", report.cameras.json(track)},
+      {"cameras", camerasJson(report)},
       {"notes", facts.notes},
       {"ended", report.ended.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(report.ended)}};
   if (report.sender) {
@@ -86,7 +104,8 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
     document["nameless"] = report.sender->nameless();
   }
   std::vector<std::string> warnings = report.cameras.reported();
-  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+  for (const auto& more : {report.things.reported(), report.warnings})
+    warnings.insert(warnings.end(), more.begin(), more.end());
   document["warnings"] = warnings;
   addStature(document, report.person.stature);
   addFacing(document, report.person.facing);
@@ -95,12 +114,12 @@ nlohmann::ordered_json liveDocument(const LiveReport& report) {
 
 std::string liveText(const LiveReport& report, std::size_t chosen) {
   const tracking::DepthFacts& facts = report.cameras.facts();
-  const auto& [cameras, track, person, outcome, sender, ended, warnings] = report;
+  const auto& [cameras, things, shown, track, person, outcome, sender, ended, warnings] = report;
   std::string text =
       format("%s: %zu images of %d x %d in %.1f s, %zu dropped\n", facts.format.c_str(), track.images,
              track.camera.width, track.camera.height, outcome.seconds, cameras.dropped());
-  text +=
-      cameras.text(track) + "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world + "\n";
+  text += cameras.text(track) + "camera: " + facts.camera_reason + " (--camera)\nworld: " + track.world +
+          "\n" + things.text(shown);
   text += format("people: %zu; number %d (--person) tracked in %zu images, %.1f mm from the body\n",
                  track.people.size(), static_cast<int>(chosen) + 1, person.found, 1e3 * person.residual);
   text += "height: " + tracking::statureReason(person.stature) + " (--height)\n";
@@ -138,6 +157,7 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     throw UsageError("--send -: found with --json, expected one of them on stdout");
   std::optional<serve::SkeletonSender> sender;
   if (!args.send.empty()) sender.emplace(args.send, args.names);
+  LiveThings things(line, args.things);
   LiveCameras cameras(args.cameras);
   const tracking::DepthFacts& facts = cameras.facts();
   // With a guessed camera pose a skeleton would be at an arbitrary place relative to the robot.
@@ -145,10 +165,16 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     throw UsageError(
         "--send: found a camera without a pose, expected a camera file with T_WC "
         "(--camera; abstand calibrate makes one)");
-  tracking::LiveTracker tracker(cameras.cameras(), facts.pose_known,
-                                {.person = args.person, .keep = !args.out.empty(), .watch = args.watch});
+  if (!args.things.scene.empty() && !facts.pose_known)
+    throw UsageError(
+        "--scene: found a camera without a pose, expected a camera file with T_WC "
+        "(--camera; abstand calibrate makes one)");
+  tracking::LiveTracker tracker(
+      cameras.cameras(), facts.pose_known,
+      {.person = args.person, .keep = !args.out.empty(), .known = things.known(), .watch = args.watch});
   if (!line.quiet) std::cerr << "track: looking through " << cameras.names() << std::endl;
-  const LiveOutcome outcome = follow(line, cameras, tracker, sender ? &*sender : nullptr, args.seconds);
+  const LiveOutcome outcome =
+      follow(line, {cameras, things, tracker, sender ? &*sender : nullptr}, args.seconds);
   const tracking::ClipTrack track = tracker.track();
   const std::string ended = cameras.ended(track.cameras);
   const ParseError end({cameras.size() == 1 ? cameras.name() : "live"}, ended);
@@ -166,7 +192,10 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     tracking::writeSkeletonCsv(args.out, tracking::recordingOf(track, facts, args.chosen));
 
   const serve::SkeletonSender* const sent_by = sender ? &*sender : nullptr;
-  printReport(line, {cameras, track, person, outcome, sent_by, ended, tracking::trackWarnings(person)}, args);
+  printReport(line,
+              {cameras, things, tracker.shown(), track, person, outcome, sent_by, ended,
+               tracking::trackWarnings(person)},
+              args);
   if (sender) checkOutput(line, *sender);
   if (ended.empty() && outcome.interrupted) return kInterrupted;
   if (ended.empty()) return cameras.reported().empty() ? kDone : kPartly;

@@ -5,12 +5,14 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/live_cameras.hpp"
+#include "app/cli/live_things.hpp"
 #include "tracking/tracker/live_tracker.hpp"
 
 namespace abstand::cli {
 
 struct LiveTrackArguments {
   std::vector<LiveSource> cameras;  ///< 1 to BodyObservation::kMaxViews
+  LiveThingsArguments things;
   tracking::TrackedPerson::Options person;
   std::function<void(const tracking::ClipMoment&)> watch;  ///< may be empty
   std::optional<double> seconds;                           ///< from the first image; nullopt: until Ctrl-C

@@ -5,15 +5,15 @@ namespace {
 
 constexpr double kSagitta = 5e-4;  // m, of the meshes of shapes
 
-scene_file::SceneDescription thingsAlone(scene_file::SceneDescription scene) {
+}  // namespace
+
+scene_file::SceneDescription withoutPeople(scene_file::SceneDescription scene) {
   scene.humans.clear();
   scene.threads.clear();
   scene.pairs = {};
   scene.pairs.standard = scene_file::PairDefault::kNone;
   return scene;
 }
-
-}  // namespace
 
 SceneThings::SceneThings(const session::Session& session, bool with_people) : scene_(session.scene()) {
   for (std::size_t k = 0; k < scene_.objects().size(); ++k) {
@@ -30,7 +30,7 @@ void SceneThings::draw(const Transform& X_CW, tracking::DepthRender& render) con
 }
 
 RobotView::RobotView(scene_file::SceneDescription scene, const session::SessionOptions& options)
-    : session_(thingsAlone(std::move(scene)), options), things_(session_, false) {}
+    : session_(withoutPeople(std::move(scene)), options), things_(session_, false) {}
 
 const tracking::DepthImage& RobotView::at(double t, const tracking::DepthCamera& camera) {
   render_.emplace(camera);

@@ -6,12 +6,22 @@
 
 namespace abstand::depth {
 
+/// A scene of the robots and objects alone, without pairs.
+scene_file::SceneDescription withoutPeople(scene_file::SceneDescription scene);
+
 /// Renders a scene's bodies at their current poses. The session must outlive this object.
 class SceneThings {
  public:
   SceneThings(const session::Session& session, bool with_people);
   /// `X_CW`: world in the camera's optical frame.
   void draw(const Transform& X_CW, tracking::DepthRender& render) const;
+
+  std::size_t size() const { return meshes_.size(); }
+  const scene::Object& object(std::size_t k) const { return scene_.objects()[meshes_[k].first]; }
+  /// One of them, at another pose: `X_CB`, body in the camera's optical frame.
+  void drawAt(std::size_t k, const Transform& X_CB, tracking::DepthRender& render) const {
+    render.draw(meshes_[k].second, X_CB);
+  }
 
  private:
   const scene::Scene& scene_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kEndMs = 3000;           // until a program that was asked to end is killed
 constexpr const char* kCycles = "60";  // Hz, of the server, also while nobody is seen
-constexpr const char* kViewers = "2";  // this window, and another one
+constexpr const char* kViewers = "3";  // this window, the tracker, and another one
 
 /// A program that does not outlive this one, however this one ends.
 class BoundProcess : public QProcess {
@@ -67,8 +67,10 @@ void LiveCamera::start(const QString& program, const ui::LiveCameraRequest& requ
                     QStringLiteral("--bind"),    QStringLiteral("127.0.0.1:0"),
                     QStringLiteral("--rate"),    QString::fromLatin1(kCycles),
                     QStringLiteral("--viewers"), QString::fromLatin1(kViewers)};
+  packages_.clear();
   for (const auto& folder : packages.folders)
-    words << QStringLiteral("--package-path") << QFile::decodeName(folder.c_str());
+    packages_ << QStringLiteral("--package-path") << QFile::decodeName(folder.c_str());
+  words << packages_;
   server_ = std::make_unique<BoundProcess>();
   connect(server_.get(), &QProcess::readyReadStandardError, this, &LiveCamera::readServer);
   connect(server_.get(), qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
@@ -108,6 +110,8 @@ void LiveCamera::track() {
   for (const QString& camera : {request_.camera, request_.second})
     if (!camera.isEmpty()) words << QStringLiteral("--camera") << camera;
   words << QStringLiteral("--send") << address_ << QStringLiteral("--as") << request_.person;
+  // The robots, and what else the scene has, are parts of nobody.
+  words << QStringLiteral("--scene") << request_.scene << packages_;
   if (request_.height > 0.0) words << QStringLiteral("--height") << argumentOf(request_.height);
   tracker_ = std::make_unique<BoundProcess>();
   connect(tracker_.get(), &QProcess::readyReadStandardError, this, &LiveCamera::readTracker);
@@ -127,12 +131,16 @@ void LiveCamera::readTracker() {
 }
 
 void LiveCamera::readWarnings() {
-  static const QString kWarning = QStringLiteral("warning: live:");
+  static const QString kWarning = QStringLiteral("warning: "), kOfCamera = QStringLiteral("live:"),
+                       kOfScene = QStringLiteral("scene: ");
   const QStringList lines = tracker_said_.split(QLatin1Char('\n'));
   // The last one is not complete.
-  for (; lines_read_ + 1 < lines.size(); ++lines_read_)
-    if (const QString& line = lines[lines_read_]; line.startsWith(kWarning))
-      Q_EMIT lessSeen(line.mid(kWarning.indexOf(QLatin1String("live:"))));
+  for (; lines_read_ + 1 < lines.size(); ++lines_read_) {
+    if (!lines[lines_read_].startsWith(kWarning)) continue;
+    const QString sentence = lines[lines_read_].mid(kWarning.size());
+    if (sentence.startsWith(kOfCamera)) Q_EMIT lessSeen(sentence);
+    if (sentence.startsWith(kOfScene)) Q_EMIT remarked(sentence.mid(kOfScene.size()));
+  }
 }
 
 void LiveCamera::end(QProcess& process, const QString& said) {

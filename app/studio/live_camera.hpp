@@ -42,6 +42,8 @@ class LiveCamera : public QObject {
   void failed(const QString& problem);
   /// After sees(): one of two cameras has no usable images any more. `sentence`: the warning of the program.
   void lessSeen(const QString& sentence);
+  /// After sees(): whether the robots and objects of the scene are removed from the images has changed.
+  void remarked(const QString& sentence);
   /// After sees(), e.g. the camera was unplugged; the server goes on.
   void ended(const QString& problem);
 
@@ -54,6 +56,7 @@ class LiveCamera : public QObject {
 
   QString program_;
   ui::LiveCameraRequest request_;
+  QStringList packages_;  ///< options
   std::unique_ptr<QProcess> server_, tracker_;
   QString address_, server_said_, tracker_said_;
   int lines_read_{0};  ///< of tracker_said_

@@ -186,6 +186,7 @@ void Studio::connectLiveCamera() {
   connect(&camera_, &LiveCamera::lessSeen, this, [this](const QString& sentence) {
     window_.showProblem(tr("A live depth camera fails"), sentence);
   });
+  connect(&camera_, &LiveCamera::remarked, this, [this](const QString& sentence) { window_.say(sentence); });
   connect(&camera_, &LiveCamera::ended, this, [this](const QString& problem) {
     window_.showProblem(tr("The live depth camera ended"), problem);
   });

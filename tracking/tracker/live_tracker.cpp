@@ -15,7 +15,7 @@ constexpr double kForgotten = 10.0;
 
 LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
                          const LiveTrackerOptions& options)
-    : options_(options), cameras_(cameras.begin(), cameras.end()) {
+    : options_(options), cameras_(cameras.begin(), cameras.end()), shown_(cameras.size()) {
   requireCameras(cameras.size(), poses_known);
   track_.camera = cameras_.front();
   for (const DepthCamera& camera : cameras_)
@@ -41,6 +41,13 @@ bool LiveTracker::decideWorld(const DepthMoment& moment) {
   return true;
 }
 
+/// Of a camera of this tracker.
+const DepthImage* LiveTracker::knownFor(const DepthMoment& moment, const DepthCamera& camera) {
+  const auto c = static_cast<std::size_t>(&camera - cameras_.data());
+  const DepthImage* known = options_.known(moment.t, camera);
+  return shown_[c].see(moment.t, moment.frames[c]->image, known) ? known : nullptr;
+}
+
 std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
   return see({.t = frame.t, .frames = {&frame}, .is_new = {true}});
 }
@@ -49,7 +56,10 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthMoment& moment) {
   seen_.clear();
   ++track_.images;
   if (!decideWorld(moment)) return seen_;
-  views_->see(moment, {});
+  if (options_.known)
+    views_->see(moment, [&](double, const DepthCamera& camera) { return knownFor(moment, camera); });
+  else
+    views_->see(moment, {});
   loseSince(track_, views_->note(track_.cameras));
   if (!views_->empty()) track_.lag = std::max(track_.lag, moment.lag);
   views_->each([&](int id, std::size_t first, std::span<const PersonImage> images) {

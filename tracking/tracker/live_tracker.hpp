@@ -7,12 +7,14 @@
 
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/shown_things.hpp"
 
 namespace abstand::tracking {
 
 struct LiveTrackerOptions {
   TrackedPerson::Options person;
-  bool keep{true};                               ///< keep the frames of all people, for track()
+  bool keep{true};    ///< keep the frames of all people, for track()
+  KnownThings known;  ///< removed from the images that show them (ShownThings); may be empty
   std::function<void(const ClipMoment&)> watch;  ///< may be empty
 };
 
@@ -40,6 +42,9 @@ class LiveTracker {
 
   /// Shares of the cameras so far; one that was moved is not used any more.
   std::span<const CameraShare> shares() const { return track_.cameras; }
+  /// Whether the images of each camera show LiveTrackerOptions::known; of one whose pose is not known yet,
+  /// nothing is compared.
+  std::span<const ShownThings> shown() const { return shown_; }
   /// The tracks so far. With frames only if they are kept.
   ClipTrack track() const;
 
@@ -51,12 +56,14 @@ class LiveTracker {
     humanmodel::SkeletonFrame before;  ///< of the last moment with the body
   };
   bool decideWorld(const DepthMoment& moment);
+  const DepthImage* knownFor(const DepthMoment& moment, const DepthCamera& camera);
   void follow(const DepthMoment& moment, int id, std::size_t first, std::span<const PersonImage> images);
   void forget(double t);
 
   LiveTrackerOptions options_;
   std::optional<CameraStand> stand_;  ///< as long as the world is not decided
   std::vector<DepthCamera> cameras_;
+  std::vector<ShownThings> shown_;  ///< of each camera
   std::optional<PeopleViews> views_;
   ClipTrack track_;
   std::map<int, Follower> followers_;

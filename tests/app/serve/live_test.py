@@ -38,6 +38,18 @@ defaults: {voxel: 0.02, point: 0.02}
 humans:
   - {name: visitor, height: 1.75}
 """
+# A post beside the person, which stands at 0.6 m of a slide; the server serves another file of it.
+POST = """abstand: 1
+defaults: {voxel: 0.02, point: 0.02}
+mechanisms:
+  - name: slide
+    file: slide.mech
+    base: {xyz: [0.3, -0.5, 0], rpy: [0, 0, 0]}
+    q: [%s]
+    links: [{name: post, frame: 1, shape: {cuboid: {size: [0.2, 0.2, 0.9]}}}]
+humans:
+  - {name: visitor, height: 1.75}
+"""
 SLIDE = "chain\n    frame   1   0      0          d    0\nend_chain\n"
 # s without a skeleton until the robot stops. Far more than between two images, so that a busy machine may pause.
 STALE = 1.0
@@ -147,6 +159,44 @@ class Live(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("standard output was closed", run.stderr)
         self.assertIn("pelvis", csv.read_text())
+
+    def test_robots_are_removed_where_the_server_has_them(self):
+        clip = self.path / "post"
+        shown = self.path / "post.yaml"
+        shown.write_text(POST % "0.6")
+        subprocess.run([PROGRAM, "render-depth", str(shown), "--recording", str(root / "data/scenes/hug_reach.bvh"), "--format",
+                        "freenect", "--body", "skin", "--room", "--rate", "15", "--end", "2.5", "--out", str(clip), "--quiet"],
+                       check=True, env=self.environment)
+        server = subprocess.Popen(
+            [PROGRAM, "serve", str(shown), "--bind", "127.0.0.1:0", "--stale", str(ALLOWANCE), "--duration", "100"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=self.environment)
+        self.addCleanup(lambda: (server.kill(), server.communicate()))
+        port = re.search(r"listening on 127\.0\.0\.1:(\d+)", server.stderr.readline()).group(1)
+        robot = client.Client("127.0.0.1", int(port))
+        self.addCleanup(robot.socket.close)
+        track = ["--camera", str(clip / "camera.yaml"), "--height", "1.75", "--usual-body", "--json", "--scene", str(shown)]
+        camera = dict(self.camera, FAKENECT_PATH=str(clip))
+        for height, shows in ((0.6, True), (1.6, False)):
+            robot.joints([height])
+            self.assertIsNotNone(robot.receive(ALLOWANCE))
+            run = self.track(*track, "--robots", "127.0.0.1:" + port, environment=camera)
+            self.assertEqual(run.returncode, 5, run.stderr)  # the recording's end
+            live = self.document(run)
+            things = live["cameras"][0]["things"]
+            self.assertEqual(things["removed"], shows, (height, live["warnings"]))
+            self.assertEqual(any("T_WC" in warning for warning in live["warnings"]), not shows, live["warnings"])
+            self.assertEqual(len(live["people"]), 1)
+            if shows:
+                self.assertGreater(things["shown"], 0.9)
+        # Before a server of another scene, and without any.
+        other = self.path / "other_post.yaml"
+        other.write_text(POST % "0.5")
+        for options, says in ((["--scene", str(other), "--robots", "127.0.0.1:" + port], "another scene"),
+                              (["--scene", str(shown)], "no server"), (["--robots", "127.0.0.1:" + port], "--scene"),
+                              (["--scene", str(shown), "--robots", "nowhere"], "--robots")):
+            run = self.track("--camera", str(clip / "camera.yaml"), *options, environment=camera)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(says, run.stderr)
 
     @unittest.skipUnless(KINECTS, "built without libfreenect.h")
     def test_several_cameras_share_one_fit(self):

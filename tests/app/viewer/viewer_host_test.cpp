@@ -10,71 +10,15 @@
 #include "app/viewer/stream_socket.hpp"
 #include "app/viewer/viewer_link.hpp"
 #include "app/viewer/watch_frame.hpp"
-#include "tests/app/serve/joint_packet.hpp"
+#include "tests/app/viewer/served_ball.hpp"
 #include "tests/support/no_alloc.hpp"
-#include "tests/support/paths.hpp"
 
 namespace abstand::viewer {
 namespace viewer_host_test {
 
-/// A ball on a vertical slide (q is its height) over a plate whose top lies at z = 0.
-const char* kScene = R"(abstand: 1
-defaults: {voxel: 0.02, point: 0.02}
-mechanisms:
-  - name: slide
-    file: slide.mech
-    q: [1]
-    links: [{name: ball, frame: 1, margin: 0.07, shape: {sphere: {radius: 0.1}}}]
-objects:
-  - {name: plate, shape: {cuboid: {size: [1, 1, 0.2]}}, pose: {xyz: [0, 0, -0.1]}}
-)";
-const char* kSlide = "chain\n    frame   1   0      0          d    0\nend_chain\n";
-// s beyond which something does not come at all, however busy the machine is.
-constexpr double kAllowance = 30.0;
+using testing::kAllowance;
 
-struct ViewerHostTest : ::testing::Test {
-  testing::ScratchFolder folder;
-  std::unique_ptr<serve::ServedScene> scene;
-  std::unique_ptr<ViewerHost> host;
-  serve::Packet packet;
-  double begin{steadySeconds()};
-  std::uint64_t cycles{0};
-
-  void SetUp() override { open({}); }
-  void open(const HostOptions& options) {
-    host.reset();
-    folder.write("slide.mech", kSlide);
-    session::SessionOptions session;
-    session.threads = 1;
-    session.cache = false;
-    session.remember = true;
-    const auto file = folder.write("scene.yaml", kScene);
-    scene = std::make_unique<serve::ServedScene>(
-        std::make_unique<session::Session>(scene_file::parseScene(kScene, file), session),
-        serve::ServedOptions{serve::usualReaction(), 4});
-    packet = serve::makePacket(scene->format());
-    host = std::make_unique<ViewerHost>(serve::parseAddress("127.0.0.1:0", "address"), cardOf(*scene), *scene,
-                                        options);
-  }
-  double now() const { return steadySeconds() - begin; }
-  /// A cycle with the ball at this height, shown to the viewers.
-  void cycle(double height) {
-    const double t = now();
-    serve::setJoint(packet, height, t, false);
-    scene->take(packet, t);
-    scene->cycle(t);
-    host->look(now(), ++cycles, *scene);
-  }
-  /// True when `done`, while the ball rises from 0.2 m.
-  template <class Done>
-  bool runUntil(Done done) {
-    for (const double until = now() + kAllowance; now() < until;) {
-      if (done()) return true;
-      cycle(0.2 + 0.001 * static_cast<double>(cycles % 500));
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return done();
-  }
+struct ViewerHostTest : ::testing::Test, testing::ServedBall {
   std::shared_ptr<LiveRecord> record = std::make_shared<LiveRecord>();
   std::unique_ptr<ViewerLink> link(std::shared_ptr<LiveRecord> into, double rate = 60.0) {
     return std::make_unique<ViewerLink>(host->address(), std::move(into), LinkOptions{rate});

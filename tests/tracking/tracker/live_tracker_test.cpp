@@ -223,6 +223,59 @@ TEST(LiveTracker, HungCameraIsNotUsed) {
   EXPECT_EQ(tracker.see(frame).size(), 1u) << "it sends images again";
 }
 
+/// Somebody whom a beam touches that moves: the errors of the joints if it is removed where `known_at` has it
+/// (boxes), or not at all.
+struct BesideABeam {
+  const std::vector<FurnitureBox> beam{
+      {.low = {0.12, -1.4, 1.05}, .high = {0.24, 0.0, 1.2}, .swing = {0.0, 0.15, 0.0}}};
+  std::vector<FurnitureBox> known_at;
+  JointErrors errors;
+  std::vector<tracking::ShownThings> shown;
+
+  explicit BesideABeam(const Vector3d& aside, bool is_known = true) {
+    const SimulatedClip standing = someoneReaching(1.5, true);
+    SimulatedClip clip =
+        simulate({.recording = projectFile("data/scenes/hug_reach.bvh"), .room = true}, standing.truth, beam);
+    known_at = beam;
+    for (FurnitureBox& box : known_at) box.low += aside, box.high += aside;
+    tracking::DepthImage image;
+    tracking::LiveTrackerOptions options = usual(1.75);
+    if (is_known)
+      options.known = [&](double t, const tracking::DepthCamera& camera) {
+        image = depthOf(known_at, t, camera);
+        return &image;
+      };
+    tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
+    std::vector<humanmodel::SkeletonFrame> seen;
+    tracking::DepthFrame frame;
+    while (clip.stream->next(frame)) {
+      const auto people = tracker.see(frame);
+      humanmodel::SkeletonFrame none;
+      none.t = frame.t;
+      seen.push_back(people.empty() ? none : people[0].frame);
+    }
+    errors = compare(seen, clip.truth);
+    shown.assign(tracker.shown().begin(), tracker.shown().end());
+  }
+};
+
+TEST(LiveTracker, ThingsThatAreKnownAreNotPartsOfPeople) {
+  const BesideABeam removed(Vector3d::Zero()), kept(Vector3d::Zero(), false);
+  EXPECT_TRUE(removed.shown[0].areShown());
+  EXPECT_GT(removed.shown[0].share(), 0.9);
+  EXPECT_EQ(removed.errors.lost, 0u);
+  EXPECT_LE(JointErrors::mean(removed.errors.raw), kOfLiveBody);
+  EXPECT_LT(JointErrors::mean(removed.errors.raw), JointErrors::mean(kept.errors.raw));
+}
+
+// A beam that is said to be 0.5 m above its place is not removed there, where the person's head is.
+TEST(LiveTracker, ThingsThatAreElsewhereAreNotRemoved) {
+  const BesideABeam wrong(Vector3d(0.0, 0.0, 0.5)), kept(Vector3d::Zero(), false);
+  EXPECT_FALSE(wrong.shown[0].areShown());
+  EXPECT_LT(wrong.shown[0].share(), tracking::ShownThings::kElsewhere);
+  EXPECT_LE(wrong.errors.lost, kept.errors.lost + 1);
+}
+
 TEST(LiveTracker, ReportsLeavingPersonLost) {
   SimulatedClip clip = someoneReaching(0.2);
   tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, usual(1.75));

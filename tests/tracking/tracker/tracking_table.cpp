@@ -167,6 +167,12 @@ int printCertified(const std::vector<std::string>& chosen) {
   return 0;
 }
 
+int printNames() {
+  for (const auto& [group, clips] : groups())
+    for (const TableClip& named : clips) std::printf("%s\t%s\n", group, named.name.c_str());
+  return 0;
+}
+
 int printTable(const std::vector<std::string>& chosen) {
   std::printf(
       "| clip | images with the body | tracked joints, raw error: mean; 95 %%, mm | tracked within the "
@@ -204,8 +210,8 @@ int printTable(const std::vector<std::string>& chosen) {
 }  // namespace
 }  // namespace abstand::testing
 
-/// Arguments: names of clips, none: all of them; or --joints or --certified and names. First of all --seed
-/// and a number, for another random search for limbs, and --live, for the results of a live camera.
+/// Arguments: names of clips, none: all of them; --joints or --certified and names; or --names. First of all
+/// --seed and a number, for another random search for limbs, and --live, for the results of a live camera.
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--live") == 0) {
     abstand::testing::g_live = true;
@@ -217,6 +223,7 @@ int main(int argc, char** argv) {
     argc -= 2;
     argv += 2;
   }
+  if (argc > 1 && std::strcmp(argv[1], "--names") == 0) return abstand::testing::printNames();
   if (argc > 1 && std::strcmp(argv[1], "--joints") == 0)
     return abstand::testing::printJoints({argv + 2, argv + argc});
   if (argc > 1 && std::strcmp(argv[1], "--certified") == 0)
