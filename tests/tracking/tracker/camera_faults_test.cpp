@@ -127,6 +127,28 @@ TEST(CameraFaults, WrongPoseMakesAllJointsUncertain) {
   }
 }
 
+// Of two cameras it is not known which one is wrong; of three, the one that disagrees with both others is.
+TEST(CameraFaults, ThirdCameraTellsWhosePoseIsWrong) {
+  const Vector3d third(1.9, 2.1, 1.6);
+  for (const std::size_t wrong : {0u, 2u}) {
+    std::array<std::unique_ptr<DepthStream>, 3> streams;
+    std::array<ClipCamera, 3> cameras{};
+    for (std::size_t c = 0; c < streams.size(); ++c) {
+      const Vector3d& eye = c == 0 ? kFront : c == 1 ? kSide : third;
+      const Vector3d look = c == wrong ? turned(eye, unit::deg(6.0)) : kLook;
+      streams[c] = recordingAt(eye, imagesFrom(eye, look));
+      cameras[c] = {streams[c].get(), 0.0};
+    }
+    const ClipTrack track = trackClips(cameras, {});
+    EXPECT_LE(JointErrors::mean(errorsOf("one of three", track).raw), kOneCamera);
+    for (std::size_t c = 0; c < cameras.size(); ++c)
+      EXPECT_EQ(track.cameras.at(c).apart_since, c == wrong ? 0.0 : kInfinity) << c;
+    EXPECT_TRUE(track.cameras[wrong].apart_certain);
+    EXPECT_THAT(cameraWarnings(track), ElementsAre(HasSubstr("camera " + std::to_string(wrong + 1) +
+                                                             " disagrees with the others by")));
+  }
+}
+
 // Before, nobody was found from the movement until it was noticed, 0.5 s later.
 TEST(CameraFaults, MovedCameraIsLeftOutWithoutALoss) {
   const ClipTrack track = trackedWith(pushedTo(kSide, kLook - Vector3d(0.0, 0.0, 0.25)));
