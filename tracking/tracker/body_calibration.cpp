@@ -24,6 +24,7 @@ constexpr int kStatureSteps = 15;      // solver steps for an image and a change
 // hardly shows its length.
 constexpr double kMeanStature = 1.70, kStatureDeviation = 0.10, kUnusualStature = 0.05;
 constexpr double kPlausibleCost = 1.15;  // times the smallest
+constexpr double kAlikeCost = 1.05;      // likewise, of statures that explain the images alike
 constexpr double kMaxFactor = 1.25;      // and its inverse: limits of human proportions
 
 enum class Size { kLength, kGirth };
@@ -130,11 +131,14 @@ double BodyCalibration::costOf(const humanmodel::HumanOptions& options, int step
   return sum / static_cast<double>(images_.size());
 }
 
-std::optional<std::array<double, 2>> BodyCalibration::plausibleStatures(
+std::optional<BodyCalibration::PlausibleStatures> BodyCalibration::plausibleStatures(
     const humanmodel::HumanOptions& start, const std::array<double, 2>& limits) const {
   if (images_.empty() || !start.height) return std::nullopt;
-  std::vector<std::pair<double, double>> costs;  // by stature
-  double smallest = kInfinity;
+  /// `likely`: times the factor of an unusual stature.
+  struct Cost {
+    double height, plain, likely;
+  };
+  std::vector<Cost> costs;
   // From the stature of the poses outwards, so that each fit starts from one of nearly the same size.
   for (const double step : {kStatureStep, -kStatureStep}) {
     std::vector<RigPose> poses = this->poses();
@@ -142,18 +146,36 @@ std::optional<std::array<double, 2>> BodyCalibration::plausibleStatures(
       humanmodel::HumanOptions body = start;
       body.height = height;
       const double unusual = (height - kMeanStature) / kStatureDeviation;
-      const double cost = costOf(body, kStatureSteps, poses) * (1.0 + kUnusualStature * unusual * unusual);
-      costs.emplace_back(height, cost);
-      smallest = std::min(smallest, cost);
+      const double cost = costOf(body, kStatureSteps, poses);
+      costs.push_back({height, cost, cost * (1.0 + kUnusualStature * unusual * unusual)});
     }
   }
+  if (costs.empty()) return std::nullopt;
+  const auto by_plain = [](const Cost& a, const Cost& b) { return a.plain < b.plain; };
+  const auto by_likely = [](const Cost& a, const Cost& b) { return a.likely < b.likely; };
+  const Cost best = *std::min_element(costs.begin(), costs.end(), by_plain),
+             likeliest = *std::min_element(costs.begin(), costs.end(), by_likely);
+  const bool is_clear = best.height < likeliest.height && likeliest.plain > kPlausibleCost * best.plain;
   std::array<double, 2> range{kInfinity, -kInfinity};
-  for (const auto& [height, cost] : costs) {
-    if (cost > kPlausibleCost * smallest) continue;
-    range = {std::min(range[0], height), std::max(range[1], height)};
+  for (const Cost& cost : costs) {
+    const bool is_plausible = cost.likely <= kPlausibleCost * likeliest.likely ||
+                              (is_clear && cost.plain <= kAlikeCost * best.plain);
+    if (is_plausible) range = {std::min(range[0], cost.height), std::max(range[1], cost.height)};
   }
-  if (range[0] > range[1]) return std::nullopt;
-  return range;
+  return PlausibleStatures{range, best.height, is_clear};
+}
+
+void BodyCalibration::changeStature(const humanmodel::HumanOptions& start, double height) {
+  if (!start.height) return;
+  std::vector<RigPose> poses = this->poses();
+  humanmodel::HumanOptions body = start;
+  const double way = height - *start.height;
+  const int steps = static_cast<int>(std::ceil(std::abs(way) / kStatureStep));
+  for (int k = 1; k <= steps; ++k) {
+    body.height = *start.height + way * k / steps;
+    costOf(body, kStatureSteps, poses);
+  }
+  for (std::size_t i = 0; i < images_.size(); ++i) images_[i].pose = poses[i];
 }
 
 humanmodel::HumanOptions BodyCalibration::fit(const humanmodel::HumanOptions& start) const {

@@ -27,10 +27,17 @@ class BodyCalibration {
   /// Declares that the person in the images faces the other way.
   void flipFacing(const humanmodel::HumanOptions& body);
 
-  /// Range (m) within `limits` of the statures whose mean body explains the images nearly as well as the best
-  /// one does, each image refitted. nullopt without images.
-  std::optional<std::array<double, 2>> plausibleStatures(const humanmodel::HumanOptions& start,
-                                                         const std::array<double, 2>& limits) const;
+  /// Statures whose mean bodies explain the images, each image refitted.
+  struct PlausibleStatures {
+    std::array<double, 2> range;  ///< m, nearly as well as the best one, of which common ones are likelier
+    double best;                  ///< m, best whether common or not
+    bool is_clear;                ///< `best` is smaller than the common ones, which explain the images worse
+  };
+  /// Within `limits` (m). nullopt without images.
+  std::optional<PlausibleStatures> plausibleStatures(const humanmodel::HumanOptions& start,
+                                                     const std::array<double, 2>& limits) const;
+  /// Fits the poses to the mean body of another stature (m) than that of `start`, in small steps.
+  void changeStature(const humanmodel::HumanOptions& start, double height);
 
   /// Coordinate search over lengths of trunk, arms and legs, and girths, in steps of a few per cent, each
   /// image refitted, as long as the cost decreases. Lengths stay the usual ones of a person who lies on the

@@ -26,6 +26,8 @@ constexpr int kBadImages = 5;
 // replaces it if it costs this many times as much, or less. Things in the hands of people who stand cost as
 // much, and a search would put the arms there; legs whose feet are outside of the image, anywhere.
 constexpr double kDoubtful = 5e-4, kBetterCost = 0.7;
+// The same of anybody: bodies that fit cost up to 1e-3 at 5 m.
+constexpr double kVeryDoubtful = 1.2e-3, kMuchBetterCost = 0.3;
 // A search takes as long as to follow a body through ten images.
 constexpr Backoff::Waits kSearchLost{10, 0.15, 1.0, 0.15};
 constexpr Backoff::Waits kSearchDoubtful{0, 0.5, 2.0, 4.0};
@@ -127,6 +129,9 @@ BodyTracker::BodyTracker(const BodyRig& rig, std::uint64_t seed)
 }
 
 const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> images) {
+  const double dt = t - last_t_;
+  last_t_ = t;
+  if (dt > kTurns && body_.found) loseSight();
   seen_.update(images);
   was_replaced_ = false;
   const double highest = seen_.points().top(), top = highest / rig_->height;
@@ -139,8 +144,6 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     seen_.markStanding();
     if (body_.found) seen_.setSeatAside(*rig_, body_.X_WS);
   }
-  const double dt = t - last_t_;
-  last_t_ = t;
   if (seen_.points().count < kFewestPoints) {
     body_.found = false;
     lost_.reset();
@@ -148,7 +151,8 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     follow(dt);
     badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;
     if (badly_ >= kBadImages) body_.found = false;
-    if (may_sit && body_.found && body_.misfit.cost > kDoubtful && !areFeetCut()) searchAgain(t);
+    const bool is_doubtful = may_sit && body_.misfit.cost > kDoubtful && !areFeetCut();
+    if (body_.found && (is_doubtful || body_.misfit.cost > kVeryDoubtful)) searchAgain(t);
   }
   const bool is_lost = !body_.found && seen_.points().count >= kFewestPoints;
   is_searched_ = is_lost && lost_.isDue(t);
@@ -167,6 +171,13 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   }
   finish(t);
   return body_;
+}
+
+/// Of a person of whom there was no image for longer than kTurns: may be elsewhere, and have turned around. A
+/// search starts in the last direction.
+void BodyTracker::loseSight() {
+  body_.found = facing_known_ = false;
+  lost_.reset();
 }
 
 const TrackedBody& BodyTracker::search(const BodyTracker& other, double yaw) {
@@ -252,7 +263,9 @@ void BodyTracker::follow(double dt) {
   lowerArms();
 }
 
-/// Somebody who sits down, and whose legs were lost in the chair before, is found again on the chair.
+/// Somebody who sits down, and whose legs were lost in the chair before, is found again on the chair;
+/// likewise somebody of whom a body is followed that explains hardly anything, as after bending to the floor
+/// close to a camera.
 void BodyTracker::searchAgain(double t) {
   if (!doubtful_.isDue(t)) return;
   const TrackedBody followed = body_;
@@ -260,8 +273,8 @@ void BodyTracker::searchAgain(double t) {
   const std::mt19937_64 random = random_;
   const int badly = badly_;
   find();
-  was_replaced_ =
-      body_.found && body_.misfit.cost < kBetterCost * followed.misfit.cost && sitsOnSeat(*rig_, body_.X_WS);
+  const double limit = sitsOnSeat(*rig_, body_.X_WS) ? kBetterCost : kMuchBetterCost;
+  was_replaced_ = body_.found && body_.misfit.cost < limit * followed.misfit.cost;
   doubtful_.note(t, was_replaced_);
   if (was_replaced_) return;
   body_ = followed;

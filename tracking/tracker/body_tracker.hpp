@@ -83,6 +83,7 @@ class BodyTracker {
     std::optional<double> yaw;     ///< rad
     std::optional<bool> on_front;  ///< of a person who lies; nullopt: both are tried
   };
+  void loseSight();
   void searchAgain(double t);
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);

@@ -61,18 +61,38 @@ void Stature::narrow(const std::array<double, 2>& indicated) {
 
 Stature Stature::given(double height) { return {Source::kGiven, height, {height, height}, {}}; }
 
+Stature Stature::ofChild(double seen) { return {Source::kMeasured, seen, {seen, seen}, {}, seen}; }
+
 Stature Stature::ofSeated(double seen) {
   return {Source::kInterval,
           std::clamp(seen / kSeatedShare, kUsual, kTallest),
           {seen, kTallest},
-          "the person sits and is " + metres(seen) + " high in the images"};
+          "the person sits and is " + metres(seen) + " high in the images",
+          seen};
+}
+
+Stature Stature::ofKneeling(double seen) {
+  return {Source::kInterval,
+          std::clamp(seen / kKneelingShare, kUsual, kTallest),
+          {seen, kTallest},
+          "the person kneels and is " + metres(seen) + " high in the images",
+          seen};
+}
+
+Stature Stature::ofLowered(double seen) {
+  return {Source::kInterval,
+          std::min(seen + kLowered, kTallest),
+          {seen, kTallest},
+          "the person does not stand upright and is " + metres(seen) + " high in the images",
+          seen};
 }
 
 Stature Stature::ofRaisedArms(double seen) {
   return {Source::kInterval,
-          std::max(seen - kAboveHead, kShortestUpright),
-          {kShortestUpright, seen},
-          "arms are raised above the head, up to " + metres(seen)};
+          std::max(seen - kAboveHead, kShortest),
+          {kShortest, seen},
+          "arms are raised above the head, up to " + metres(seen),
+          seen};
 }
 
 Stature measureStature(std::span<const VerticalExtent> images) {
@@ -95,6 +115,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
   };
   const double seen = nearestQuantile(heights, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5) + kUnseen;
   if (2 * whole > images.size()) {
+    stature.seen = seen;
     if (is_upright(seen)) {
       stature.used = seen;
       stature.source = Stature::Source::kMeasured;
@@ -109,7 +130,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
     stature.reason = "most images do not show the person from head to feet";
   }
   // Raised arms increase the extent; nothing decreases it.
-  if (seen < Stature::kTallest) stature.interval[0] = std::max(Stature::kShortest, seen);
+  if (seen < Stature::kTallest) stature.interval[0] = std::max(Stature::kShortest, seen - kUnseen);
   return stature;
 }
 

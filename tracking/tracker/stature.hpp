@@ -30,6 +30,7 @@ struct Stature {
   double used{0.0};                                      ///< stature of the fitted body; 0: none was fitted
   std::array<double, 2> interval{kShortest, kTallest};   ///< kInterval: bounds
   std::string reason{"too few images show the person"};  ///< kInterval: reason why it was not measured
+  double seen{kNaN};  ///< height of the person in the images, seen from head to feet; NaN: not so
 
   /// kInterval: narrows the bounds to the statures (m) that the lengths of the parts indicate, widened by
   /// kProportions; `used` stays within.
@@ -42,7 +43,7 @@ struct Stature {
 
   /// Limits of possible statures, and of those of upright adults: 1.45 m is below the first percentile of
   /// adult women (ANSUR II), 2.05 m above the 99th of men.
-  static constexpr double kShortest = 1.3, kTallest = 2.1;
+  static constexpr double kShortest = 1.0, kTallest = 2.1;
   static constexpr double kShortestUpright = 1.45, kTallestUpright = 2.05;
   /// m; a higher head is not that of a person on a chair: the longest trunk with head, 1.05 (ANSUR II: 99 %
   /// of men are below 1.01), on a seat of 0.53.
@@ -53,14 +54,25 @@ struct Stature {
   /// Share of the stature that is above the floor of a person on a chair: 0.52 above the seat (ANSUR II),
   /// 0.26 below.
   static constexpr double kSeatedShare = 0.78;
+  /// Likewise of a person on the knees with the trunk upright (kneeling height of men, 50th percentile: 1.295
+  /// m of 1.74 m; Pheasant and Haslegrave, Bodyspace, 3rd edition).
+  static constexpr double kKneelingShare = 0.74;
+  /// m, of the vertex: by which it is lower in a stooped posture, assumed for the first fit.
+  static constexpr double kLowered = 0.2;
   /// m, of hands above the vertex: half of what the longest arms allow.
   static constexpr double kAboveHead = 0.2;
   /// Default if the images show nothing.
   static constexpr double kUsual = 1.70;
 
   static Stature given(double height);
+  /// Of a child, or another person who stands and is `seen` (m) high, less than kShortestUpright.
+  static Stature ofChild(double seen);
   /// Of a person who sits and is `seen` (m) high.
   static Stature ofSeated(double seen);
+  /// Of a person who kneels with the trunk upright and is `seen` (m) high.
+  static Stature ofKneeling(double seen);
+  /// Of a person who stoops, crouches or sits on something high, and is `seen` (m) high.
+  static Stature ofLowered(double seen);
   /// Of a person who stands with raised arms, up to `seen` (m).
   static Stature ofRaisedArms(double seen);
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/tracker/other_posture.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
@@ -16,16 +17,16 @@ constexpr std::size_t kMeasured = 15;  // images
 // raised arms, the right stature cost at most 0.72 times as much as the wrong one; of others, the wrong one
 // at least 0.95, and 0.8 with a hand at the head.
 constexpr double kOtherCost = 0.8;
-constexpr double kUpright = 0.96;  // share of the stature between sole and vertex of who stands upright
-// Share of the points that an upright body explains whose stature is right. A wrong one left up to 0.984.
-constexpr double kWellExplained = 0.99;
-constexpr double kUnderVertex = 0.05;  // m; hands that are higher may be the highest of the person
+// Likewise of who stoops: measured 0.49 to 0.54; of boxers, who stand with bent legs, 0.79.
+constexpr double kLoweredCost = 0.65;
 // m^2: the bodies of people who stand cost less, without things that touch them.
 constexpr double kDoubtfulCost = 5e-4;
 // Times the cost of a body found without these things, below which the followed one goes on.
 constexpr double kFollowedCost = 1.3;
 constexpr Backoff::Waits kSeparations{1, 0.5, 2.0, 4.0};
-constexpr double kSteady = 0.04;  // m, largest difference of the heights of images that are measured
+constexpr double kOtherStature = 0.1;  // m; the evidence of a body that is so wrong does not count
+constexpr double kHigher = 0.06;       // m, above the measured stature: hair, and the noise of a Kinect
+constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
 /// The mean body of a stature (m).
 humanmodel::HumanOptions usualBody(double height) {
@@ -49,13 +50,6 @@ const TrackedBody& trackBoth(double t, std::span<const PersonImage> images, Body
                              BodyFollower& other) {
   if (other) now.tracker->setFacingKnown(other.track(t, images).found && !now.tracker->lying().lies);
   return now.track(t, images);
-}
-
-/// Whether a hand may be the highest of the person.
-bool raisesHands(const humanmodel::SkeletonFrame& frame) {
-  using enum humanmodel::Joint;
-  return std::max({frame[kHandLeft].z(), frame[kHandRight].z(), frame[kWristLeft].z(),
-                   frame[kWristRight].z()}) > frame[kHeadTop].z() - kUnderVertex;
 }
 
 /// Both facing directions count while the images do not decide.
@@ -264,26 +258,32 @@ void TrackedPerson::makeMeasured() {
   fitted_ = !options_.fit_body;
 }
 
-/// A tall person on a chair is as high as a short one who stands, and a short one with raised arms as a tall
-/// one: if the first image is explained better so, the stature is an interval after all. Returns whether the
-/// image was tracked for it.
+/// Somebody tall who sits, kneels or stoops is as high as somebody short who stands; somebody short with
+/// raised arms, as somebody tall; a child who stands, as an adult who sits. If the first image is explained
+/// better so, the stature is that, and its interval includes those of all postures that explain it so well.
+/// Returns whether the image was tracked for it.
 bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) {
-  if (stature_.source != Stature::Source::kMeasured) return false;
-  const double seen = stature_.used;
-  const DepthMisfit upright = now_.track(t, images).misfit;
-  const auto attempt = [&](const Stature& stature, bool raised) {
-    BodyFollower trial = followerOf(usualBody(stature.used), stature, facing_.away);
+  if (stature_.source == Stature::Source::kGiven || !std::isfinite(stature_.seen)) return false;
+  const DepthMisfit assumed = now_.track(t, images).misfit;
+  const double limit = kOtherCost * assumed.cost;
+  double best = limit;
+  std::array<double, 2> interval{kInfinity, -kInfinity};
+  for (const OtherPosture& other : otherPostures(stature_)) {
+    BodyFollower trial = followerOf(usualBody(other.stature.used), other.stature, facing_.away);
     trial.tracker->allowChair(false);  // the upright body explains all points, too
     const TrackedBody& found = trial.track(t, images);
     trial.tracker->allowChair(true);
-    if (!found.found || found.misfit.cost >= kOtherCost * upright.cost ||
-        (raised && !raisesHands(found.frame)))
-      return;
-    stature_ = stature;
+    const double own_limit = other.kind == OtherPosture::Kind::kLowered ? kLoweredCost * assumed.cost : limit;
+    if (!found.found || found.misfit.cost >= own_limit || !isIn(other.kind, found.frame, *trial.rig))
+      continue;
+    interval = {std::min(interval[0], other.stature.interval[0]),
+                std::max(interval[1], other.stature.interval[1])};
+    if (found.misfit.cost >= best) continue;
+    best = found.misfit.cost;
+    stature_ = other.stature;
     now_ = std::move(trial);
-  };
-  if (seen <= Stature::kTallestSeated) attempt(Stature::ofSeated(seen), false);
-  if (stature_.known() && upright.explained < kWellExplained) attempt(Stature::ofRaisedArms(seen), true);
+  }
+  if (!stature_.known() && best < limit) stature_.interval = interval;
   return true;
 }
 
@@ -355,7 +355,8 @@ void TrackedPerson::endComparison() {
 
 /// Measures again, or fits. Returns whether there is a new body, which has tracked nothing yet.
 bool TrackedPerson::renewBody(double t, std::span<const PersonImage> images) {
-  if (!stature_.known() && !fitting_.valid() && remeasure(images)) return true;
+  const bool is_given = stature_.source == Stature::Source::kGiven;
+  if (!is_given && !fitting_.valid() && remeasure(images)) return true;
   if (fitted_) return false;
   if (!fitting_.valid()) {
     BodyCalibration& assumed = calibration_[facing_.away];
@@ -371,18 +372,17 @@ bool TrackedPerson::renewBody(double t, std::span<const PersonImage> images) {
   return true;
 }
 
-bool TrackedPerson::standsUpright() const {
-  using enum humanmodel::Joint;
+/// Whether the last image may show another stature: that of somebody who stands upright, if it is unknown,
+/// or who is higher than the measured one.
+bool TrackedPerson::mayRemeasure() const {
   const TrackedBody& body = now_.tracker->body();
-  if (!body.found) return false;
-  const humanmodel::SkeletonFrame& frame = body.frame;
-  const double low =
-      std::min({frame[kAnkleLeft].z(), frame[kAnkleRight].z(), frame[kToeLeft].z(), frame[kToeRight].z()});
-  return frame[kHeadTop].z() - low > kUpright * now_.rig->height && !raisesHands(frame);
+  if (!body.found || raisesHands(body.frame)) return false;
+  if (!stature_.known()) return standsUpright(body.frame, *now_.rig);
+  return now_.tracker->seen().points().top() > stature_.used + kHigher;
 }
 
 bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
-  if (!standsUpright()) {
+  if (!mayRemeasure()) {
     extents_.clear();
     return false;
   }
@@ -395,6 +395,9 @@ bool TrackedPerson::remeasure(std::span<const PersonImage> images) {
   const bool is_steady = high->height - low->height < kSteady;
   extents_.erase(extents_.begin());
   if (!measured.known() || !is_steady) return false;
+  if (stature_.known() && measured.used < stature_.used + kHigher) return false;
+  // As high as in the posture that did not show the stature.
+  if (!stature_.known() && std::abs(measured.used - stature_.seen) < kHigher) return false;
   extents_.clear();
   stature_ = measured;
   // Lengths that were fitted belong to the other stature.
@@ -426,14 +429,27 @@ void TrackedPerson::decideLying(BodyCalibration& images, bool on_front, Fit& fit
   if (fit.turned) images.flipFacing(body);
 }
 
+/// Narrows the interval. A smaller stature that explains the images clearly better than the assumed one
+/// replaces it: that of a child. A larger one may explain things that are close to the person.
+void TrackedPerson::decideStature(BySide<BodyCalibration>& images, Fit& fit) {
+  const auto plausible = images[fit.facing.away].plausibleStatures(fit.body[0], fit.stature.interval);
+  if (!plausible) return;
+  if (plausible->is_clear && plausible->best < fit.stature.used - kOtherStature) {
+    for (const bool away : {false, true}) {
+      images[away].changeStature(fit.body[away], plausible->best);
+      fit.body[away] = usualBody(plausible->best);
+    }
+    fit.stature.used = plausible->best;
+  }
+  fit.stature.narrow(plausible->range);
+}
+
 TrackedPerson::Fit TrackedPerson::fit(BySide<BodyCalibration> images, const Fit& start) {
   Fit fit = start;
   BodyCalibration& assumed = images[fit.facing.away];
   const std::optional<bool> on_front = assumed.lyingOnFront();
   if (on_front && !fit.compared && !fit.facing.decided()) decideLying(assumed, *on_front, fit);
-  if (!fit.stature.known())
-    if (const auto range = assumed.plausibleStatures(fit.body[0], fit.stature.interval))
-      fit.stature.narrow(*range);
+  if (!fit.stature.known()) decideStature(images, fit);
   if (fit.compared)
     for (const bool away : {false, true}) fit.body[away] = images[away].fit(fit.body[away]);
   else
@@ -442,6 +458,7 @@ TrackedPerson::Fit TrackedPerson::fit(BySide<BodyCalibration> images, const Fit&
 }
 
 void TrackedPerson::adopt(const Fit& fit) {
+  const bool is_other = std::abs(fit.stature.used - stature_.used) > kOtherStature;
   stature_ = fit.stature;
   // A comparison that began after the fit counts.
   const bool decides_lying = fit.facing.lies && !compared_;
@@ -455,6 +472,16 @@ void TrackedPerson::adopt(const Fit& fit) {
     if (last.found) now_.tracker->resume(flippedFacing(*now_.rig, last.pose), lying);
   }
   fitted_ = true;
+  if (is_other && decides_ && !facing_.given) compareAgain();
+}
+
+/// The facing directions, with another body: what the one before has decided does not count.
+void TrackedPerson::compareAgain() {
+  facing_.ratio = kNaN;
+  trial_ = {};
+  other_ = {};
+  compared_ = false;
+  now_.tracker->setFacingKnown(false);
 }
 
 }  // namespace abstand::tracking

@@ -32,7 +32,8 @@ struct KnownBody {
 /// first image in which it is found, a second one is tracked that faces the other way, until the images
 /// decide (FacingTrial); see() returns the likelier one, and its reach includes the other one. Lengths and
 /// girths are fitted to the images explained well, and the person is tracked with these. A stature that is an
-/// interval is measured again as soon as the person stands upright in view, and the body fitted anew. One
+/// interval is measured again as soon as the person stands upright in view, and a measured one as soon as the
+/// person is higher; the body is then fitted anew. One
 /// thread, and another one for fit_aside. May allocate in the first BodyPath::kMaxPoses images, and until it
 /// is fitted(), the stature known, and the facing direction decided.
 class TrackedPerson {
@@ -93,6 +94,7 @@ class TrackedPerson {
   static Fit fit(BySide<BodyCalibration> images, const Fit& start);
   /// Likewise, of the sides: into fit.facing and fit.turned.
   static void decideLying(BodyCalibration& images, bool on_front, Fit& fit);
+  static void decideStature(BySide<BodyCalibration>& images, Fit& fit);
   Fit startOfFit() const;
   void adopt(const Fit& fit);
   BodyFollower followerOf(const humanmodel::HumanOptions& body, const Stature& stature, bool away) const;
@@ -114,9 +116,10 @@ class TrackedPerson {
   bool mayCompare() const;
   void assume(bool away);
   void endComparison();
+  void compareAgain();
   bool renewBody(double t, std::span<const PersonImage> images);
   bool remeasure(std::span<const PersonImage> images);
-  bool standsUpright() const;
+  bool mayRemeasure() const;
 
   Options options_;
   std::vector<VerticalExtent> extents_;  ///< of the first images; later of the last ones, while needed

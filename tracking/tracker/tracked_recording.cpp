@@ -56,6 +56,18 @@ std::string assumedFacing(const Facing& facing) {
 
 }  // namespace
 
+std::string othersWarning(const ClipTrack& track, std::size_t person) {
+  std::string others;
+  for (std::size_t k = 0; k < track.people.size(); ++k)
+    if (k != person)
+      others += (others.empty() ? "number " : ", number ") + std::to_string(k + 1) + " in " +
+                std::to_string(track.people[k].found) + " images";
+  if (others.empty()) return {};
+  return "the images show " + std::to_string(track.people.size()) + " people: number " +
+         std::to_string(person + 1) + " is used, and no distance to the others is known (" + others +
+         "; `abstand track --person N --out FILE.csv` writes each of them)";
+}
+
 Recording recordingOf(const ClipTrack& track, const DepthFacts& facts, std::size_t person) {
   if (person >= track.people.size())
     throw UsageError("found " + std::to_string(track.people.size()) +
@@ -231,6 +243,8 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
     monitor.fitted(std::make_shared<const FittedClip>(std::move(clip)));
   }
   if (!removal.note.empty()) recording.report.notes.push_back(removal.note);
+  if (std::string others = othersWarning(track, 0); !others.empty())
+    recording.report.warnings.push_back(std::move(others));
   return recording;
 }
 

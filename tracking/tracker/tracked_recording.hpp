@@ -23,6 +23,9 @@ std::string statureReason(const Stature& stature);
 /// Reservations about the track of a person, one sentence each: undecided facing, unknown stature.
 std::vector<std::string> trackWarnings(const ClipPerson& person);
 
+/// That a track has other people than the one that is used, and in how many images; empty: it has none.
+std::string othersWarning(const ClipTrack& track, std::size_t person);
+
 /// Things in the person's hands, one sentence for each hand.
 std::vector<std::string> heldNotes(const ClipPerson& person);
 

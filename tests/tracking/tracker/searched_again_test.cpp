@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tests/support/paths.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
 #include "tests/tracking/tracker/seated_pose.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
@@ -60,6 +61,17 @@ TEST_F(SearchedAgain, BodyIsReplacedThatExplainsTheImageBadly) {
   EXPECT_LE(error(0), kNear);
   EXPECT_TRUE(trackNext().found);
   EXPECT_FALSE(tracker.wasReplaced()) << "in one image only";
+}
+
+// As after bending to the floor close to a camera: before, only bodies that sit replaced others.
+TEST_F(SearchedAgain, BodyIsReplacedThatExplainsHardlyAnything) {
+  clip = testing::simulate({.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.5});
+  RigPose low = seatedPose(rig);
+  low.X_WP.translation() = clip.truth[0][humanmodel::Joint::kPelvis] - Vector3d(0.5, 0.0, 0.6);
+  tracker.resume(low, {}, 0.0);
+  EXPECT_TRUE(trackNext().found);
+  EXPECT_TRUE(tracker.wasReplaced());
+  EXPECT_LE(error(0), kNear);
 }
 
 // Whether somebody kneels or sits is asked before the next fit: of memory that was not set before.

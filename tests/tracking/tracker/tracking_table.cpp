@@ -53,6 +53,7 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"captures from all sides", clipsOf(scenesFromAllSides())},
           {"postures", clipsOf(posedScenes())},
           {"held-out postures", clipsOf(heldOutScenes())},
+          {"other statures", clipsOf(otherStatures())},
           {"raised hands", clipsOf(raisedScenes())},
           {"postures from all sides", clipsOf(posturesFromAllSides())},
           {"people beside things", clipsOf(scenesBesideThings())},

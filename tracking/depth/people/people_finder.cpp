@@ -15,6 +15,11 @@ constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m:
                                                                    // position
 constexpr double kJump = 0.3;   // m: limit of a person's motion between two images
 constexpr double kYoung = 1.0;  // s
+// s, m, m/s: who appears at the side of the image, where somebody was not seen for longer, is the same person
+// if the head is as high, compared with the highest of the last second. Elsewhere things hide people, who
+// bend behind them.
+constexpr double kSureAbsence = 0.5, kSameHeight = 0.12, kTopFalls = 0.3;
+constexpr double kAtSide = 0.5;  // m
 // m: new persons are at least this far from others; farther if their heads are so low that they are likelier
 // the back of a chair, or a part of the other.
 constexpr double kSplit = 0.4, kSplitLow = 0.8;
@@ -153,11 +158,13 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
 void PeopleFinder::follow(double t) {
   std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
   for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
+  const auto topOf = [&](const Head& head) { return static_cast<double>(plan_.cell(head.cell).top); };
   const auto predicted = [&](const Track& track) {
     return Place(track.place + track.speed * std::min(t - track.seen, 0.3));
   };
-  const auto meet = [&](Track& track, const Place& place, bool has_head) {
+  const auto meet = [&](Track& track, const Place& place, bool has_head, double top) {
     const double dt = t - track.seen;
+    track.top = std::max(top, track.top - kTopFalls * dt);
     if (dt > 0.0 && dt < 0.5) track.speed = 0.7 * track.speed + 0.3 * (place - track.place) / dt;
     track.suspect = t - track.born < kYoung || (place - track.place).norm() > kJump;
     track.place = place;
@@ -166,34 +173,47 @@ void PeopleFinder::follow(double t) {
     track.here = true;
     track.matched = has_head;
   };
-  // Matches heads and persons greedily, nearest pair first.
-  for (;;) {
-    Track* best_track = nullptr;
-    std::size_t best_head = 0;
-    double best = kInfinity;
-    for (Track& track : tracks_) {
-      if (track.matched) continue;
-      const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
-      for (std::size_t h = 0; h < heads_.size(); ++h) {
-        const double distance = (heads_[h].place - predicted(track)).norm();
-        if (distance < std::min(best, gate)) best = distance, best_track = &track, best_head = h;
+  // Matches heads and persons greedily, nearest pair first, before those who were not seen for a while.
+  for (const bool is_absent : {false, true}) {
+    for (;;) {
+      Track* best_track = nullptr;
+      std::size_t best_head = 0;
+      double best = kInfinity;
+      for (Track& track : tracks_) {
+        if (track.matched || (t - track.seen > kSureAbsence) != is_absent) continue;
+        const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
+        for (std::size_t h = 0; h < heads_.size(); ++h) {
+          if (is_absent && isAtSide(track.place) && std::abs(topOf(heads_[h]) - track.top) > kSameHeight)
+            continue;
+          const double distance = (heads_[h].place - predicted(track)).norm();
+          if (distance < std::min(best, gate)) best = distance, best_track = &track, best_head = h;
+        }
       }
+      if (!best_track) break;
+      const Head& head = heads_[best_head];
+      meet(*best_track, middleOfBody(plan_, head.place), true, topOf(head));
+      heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
     }
-    if (!best_track) break;
-    meet(*best_track, middleOfBody(plan_, heads_[best_head].place), true);
-    heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
   }
   // Persons without a visible head stay with the surface at their last position.
   for (Track& track : tracks_) {
     if (track.matched || t - track.head_seen > options_.without_head) continue;
+    if (t - track.seen > kSureAbsence && isAtSide(track.place)) continue;
     const Place place = middleOfBody(plan_, predicted(track));
     bool is_free = true;
     for (const Track& other : tracks_)
       is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);
     if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(plan_, place, kBodyRadius) >= kMinBody)
-      meet(track, place, false);
+      meet(track, place, false, -kInfinity);
   }
   std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
+}
+
+/// Whether a person at a place may leave the image to the left or right.
+bool PeopleFinder::isAtSide(const Place& place) const {
+  const double left = -camera_.cx / camera_.fx * place.y(),
+               right = (camera_.width - 1 - camera_.cx) / camera_.fx * place.y();
+  return std::min(place.x() - left, right - place.x()) < kAtSide;
 }
 
 /// Heads that no known person has are those of new people.

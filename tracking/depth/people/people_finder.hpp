@@ -102,6 +102,7 @@ class PeopleFinder {
     Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
     double born{0.0}, seen{0.0}, head_seen{0.0};       ///< s, first seen, last seen, last seen with a head
     double arrives{-kInfinity};                        ///< s; foreseen before
+    double top{-kInfinity};                            ///< m, height of the head, of the last second
     bool here{false};                                  ///< seen in this image
     bool matched{false};                               ///< matched to a head of this image
     bool suspect{false};  ///< younger than a second, or at a place where it was not
@@ -113,6 +114,7 @@ class PeopleFinder {
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void follow(double t);
+  bool isAtSide(const Place& place) const;
   void addHeads(double t, const DepthImage& image);
   bool hasOwnBody(const Head& head, const DepthImage& image);
   void followLying(double t);
