@@ -47,8 +47,10 @@ void writePlaced(const CalibrateArguments& args, const tracking::DepthCamera& re
 
 std::string placedText(const Transform& X_WC, double spread) {
   const Vector3d p = X_WC.translation();
-  return format("camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation per axis)\n",
-                p.x(), p.y(), p.z(), 1e3 * spread);
+  return format(
+      "camera at %.4f, %.4f, %.4f m; position uncertainty %.2f mm (standard deviation along the worst "
+      "axis)\n",
+      p.x(), p.y(), p.z(), 1e3 * spread);
 }
 
 std::vector<double> rowsOf(const Transform& X_WC) {

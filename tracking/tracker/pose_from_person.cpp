@@ -139,7 +139,10 @@ PersonPoseFit fitPoseToPerson(std::span<const SkeletonFrame> world, std::span<co
   requireOneMotion(fit.rms, out.clock_known);
   out.X_WC = fit.X_WC * X_FC;
   out.rms = fit.rms;
-  out.spread = fit.spread;
+  // The errors of a joint are nearly the same in all images: its matches count as one.
+  const auto matches = static_cast<double>(used.size()) / static_cast<double>(humanmodel::kJointCount);
+  const Vector3d to_camera = out.X_WC.translation() - fit.middle;
+  out.spread = std::hypot(fit.sigma, spreadWithin(std::max(1.0, matches) * fit.covariance, to_camera));
   out.joints = all.size();
   out.used = used.size();
   out.moved = movedBy(world);

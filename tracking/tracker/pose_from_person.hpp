@@ -13,7 +13,10 @@ struct PersonPoseFit {
   bool clock_known{false};  ///< whether the movements decide it
   bool exchanged{false};  ///< left and right had to be exchanged: the person was tracked facing the other way
   double rms{0.0};        ///< m, distance of the joints that were used
-  double spread{0.0};     ///< m, standard deviation of an axis of such a joint, as that of PoseFit
+  /// m, standard deviation along the worst axis of the camera's position, and of points as far from the
+  /// middle of the person, 1 m at least, as that of PoseFit. As the errors of a joint are nearly the same in
+  /// all images, only kJointCount of all matches count as independent.
+  double spread{0.0};
   std::size_t joints{0};  ///< matched joints in all images ...
   std::size_t used{0};    ///< ... of which these are not outliers
   double moved{0.0};      ///< m, largest horizontal distance between two places of the pelvis

@@ -142,6 +142,7 @@ TEST(PoseFromPerson, PlacesSecondCameraFromTracks) {
       "spread %.0f mm, clock %+.3f s\n",
       1e3 * off, turned / unit::deg(1.0), 1e3 * at_person, 1e3 * fit.rms, 1e3 * fit.spread, fit.clock);
   EXPECT_LT(at_person, fit.spread);
+  EXPECT_LT(off, 3.0 * fit.spread);
   EXPECT_LT(off, kPlaced);
   EXPECT_LT(turned, kTurned);
   EXPECT_NEAR(fit.clock, 0.0, 0.02);

@@ -178,7 +178,8 @@ BoardFit fitBoardPose(const DepthCamera& camera, const Chessboard& board,
   const double sigma2 = best.normal.squares / (2.0 * n - 6.0);
   const double across = std::sqrt(sigma2) * fit.depth / std::sqrt(camera.fx * camera.fy);
   const Matrix6d covariance = sigma2 * best.normal.JTJ.inverse();
-  fit.spread = std::hypot(across, spreadAt(covariance, kUsedWithin));
+  const Vector3d to_camera = best.X_WC.translation() - middleOf(corners);
+  fit.spread = std::hypot(across, spreadWithin(covariance, to_camera));
   return fit;
 }
 

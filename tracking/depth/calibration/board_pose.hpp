@@ -17,11 +17,12 @@ struct BoardFit {
   double worst{0.0};          ///< pixels
   std::size_t worst_view{0};  ///< counted from 0
   double depth{0.0};          ///< m, mean over the corners
-  /// m, standard deviation of an axis of a point seen by the camera; sum of two variances.
+  /// m, standard deviation along the worst axis of the camera's position, and of points as far from the
+  /// boards, 1 m at least; sum of two variances.
   /// Residuals: sigma = sqrt(sum r^2 / (2 n - 6)) pixels for n corners and 6 dof gives sigma depth / f across
   /// the rays; not divided by sqrt(n), as a bent board and wrong lens parameters do not average out.
-  /// Covariance sigma^2 (J^T J)^-1 of the pose, by spreadAt() at kUsedWithin of the boards' centre: a small
-  /// board far away leaves the angles uncertain.
+  /// Covariance sigma^2 (J^T J)^-1 of the pose, by spreadWithin(): a small board far away leaves the angles
+  /// uncertain.
   double spread{0.0};
 };
 

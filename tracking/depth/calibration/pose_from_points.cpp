@@ -102,7 +102,15 @@ PoseFit fitPose(std::span<const MatchedPoint> points) {
     fit.worst_point = i;
   }
   fit.rms = std::sqrt(squares / static_cast<double>(points.size()));
-  fit.spread = std::sqrt(squares / static_cast<double>(3 * points.size() - 6));
+  const double variance = squares / static_cast<double>(3 * points.size() - 6);
+  fit.sigma = std::sqrt(variance);
+  fit.middle = mean_world;
+  const Matrix3d moments = world * world.transpose();
+  fit.covariance.setZero();
+  fit.covariance.topLeftCorner<3, 3>().diagonal().setConstant(variance / static_cast<double>(n));
+  fit.covariance.bottomRightCorner<3, 3>() =
+      variance * (moments.trace() * Matrix3d::Identity() - moments).inverse();
+  fit.spread = std::hypot(fit.sigma, spreadWithin(fit.covariance, fit.X_WC.translation() - fit.middle));
   return fit;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/math/transform.hpp"
+#include "tracking/depth/calibration/pose_spread.hpp"
 
 namespace abstand::tracking {
 
@@ -22,8 +22,12 @@ struct PoseFit {
   double rms{0.0};             ///< m, residual distances
   double worst{0.0};           ///< m
   std::size_t worst_point{0};  ///< counted from 0
-  /// m, standard deviation of an axis of a point: squared residuals over the 3 n - 6 degrees of freedom of n
-  /// points. Between the points the camera's pose is at least this accurate.
+  double sigma{0.0};  ///< m, of an axis of a point: squared residuals over the 3 n - 6 dof of n points
+  Vector3d middle{Vector3d::Zero()};  ///< m, world: mean of the points
+  Matrix6d covariance{
+      Matrix6d::Identity()};  ///< of the steps of movedAbout() about it, for independent errors
+  /// m, standard deviation along the worst axis of the origin of the camera's frame, and of points as far
+  /// from the middle, 1 m at least: sigma and the covariance, by spreadWithin().
   double spread{0.0};
 };
 

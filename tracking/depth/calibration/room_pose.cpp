@@ -6,6 +6,7 @@
 
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/cloud_registration.hpp"
+#include "tracking/depth/calibration/depth_noise.hpp"
 #include "tracking/depth/calibration/refuse.hpp"
 #include "tracking/depth/calibration/surface_rows.hpp"
 
@@ -28,9 +29,6 @@ constexpr double kRoomMaxRms = 0.02;  // m
 // noisy normals seem to determine what they do not; rooms with a floor and two walls 0.047 and more.
 constexpr double kRoomMinConstraint = 0.015;
 
-/// m, standard deviation of a Kinect's depth (kinect_noise.hpp), for weights.
-double roomNoiseAt(double z) { return 0.002 + 0.002 * z * z; }
-
 /// Comparison of a point with the surface of the other camera at its pixel.
 enum class Seen { kNot, kAgrees, kHidden, kThrough };
 
@@ -49,8 +47,8 @@ class RoomRows {
     row.n_W = X_WT.linear() * q->n_C;
     const Vector3d d = row.p_W - X_WT * q->p_C;
     row.distance = row.n_W.dot(d);
-    const double noise = std::max(roomNoiseAt(p.p_C.z()), roomNoiseAt(q->p_C.z()));
-    row.weight = std::pow(roomNoiseAt(1.0) / std::max(noise, roomNoiseAt(1.0)), 2);
+    const double noise = std::max(depthNoiseAt(p.p_C.z()), depthNoiseAt(q->p_C.z()));
+    row.weight = std::pow(depthNoiseAt(1.0) / std::max(noise, depthNoiseAt(1.0)), 2);
     if (std::abs(row.distance) < gate && n_p.dot(row.n_W) > kRoomAgree) return Seen::kAgrees;
     return row.distance > 0.0 ? Seen::kThrough : Seen::kHidden;
   }
@@ -201,14 +199,13 @@ RoomFit fitPoseToRoom(const RoomView& known, const RoomView& camera) {
   rows.compareAll(best);
   best.points = sum.rows;
   best.weakest = sum.rows > 0 ? weakestConstraint(sum.JTJ / sum.weights) : 0.0;
-  const double sigma2 = sum.squares / sum.weights;
-  best.rms = std::sqrt(sigma2);
+  best.rms = std::sqrt(sum.squares / sum.weights);
   const Transform moved = start.inverse() * best.X_WC;
   best.moved = moved.translation().norm();
   best.turned = Eigen::AngleAxisd(moved.linear()).angle();
   refuseDoubtful(best);
-  best.spread =
-      std::hypot(best.rms, spreadAt(sigma2 * sum.JTJ.inverse(), kUsedWithin), known.camera().spread);
+  const Vector3d to_camera = best.X_WC.translation() - sum.middle;
+  best.spread = std::hypot(best.rms, spreadWithin(covarianceOf(sum), to_camera), known.camera().spread);
   return best;
 }
 

@@ -13,8 +13,8 @@ struct RoomFit {
   double agreeing{0.0};   ///< share of the surface in free view of both cameras on which both agree
   double weakest{0.0};    ///< weakestConstraint() of the points
   double moved{0.0}, turned{0.0};  ///< m, rad, change from the start pose
-  /// m, standard deviation of an axis of a point seen by the camera: rms, the covariance of the pose, as for
-  /// surfaces (surface_pose.hpp), and the spread of the known camera.
+  /// m, standard deviation along the worst axis: rms and the covariance of the pose, as for surfaces
+  /// (surface_pose.hpp), and the spread of the known camera.
   double spread{0.0};
 };
 

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/depth/calibration/depth_noise.hpp"
 #include "tracking/depth/calibration/refuse.hpp"
+#include "tracking/depth/calibration/surface_ray.hpp"
 #include "tracking/depth/calibration/surface_rows.hpp"
 
 namespace abstand::tracking {
@@ -14,45 +16,34 @@ namespace {
 constexpr double kMinPoints = 150.0;
 constexpr double kMinExplained = 0.5;
 constexpr double kMinConstraint = 1e-3;     // smallest constraint of a dof, as a share of all rows
-constexpr std::size_t kMaxPixels = 100000;  // evaluated in all views together
-constexpr std::size_t kEvery = 5;           // uses every kEvery-th point until the best start is known
-constexpr double kAgree = 0.6;              // smallest cosine between the normals of image and surface
-constexpr double kFlat = 0.25;              // cosine to the ray; flatter surfaces are not measured accurately
-constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m
+constexpr double kMaxSpread = 0.1;          // m, the error that a start may have
+constexpr std::size_t kMaxPixels = 100000;  // evaluated in all views together, until the best start is known
+constexpr std::size_t kEvery = 5;           // uses every kEvery-th point until then
+constexpr double kLastPoints = 6000.0;      // on the bodies, in all views together, afterwards
+constexpr double kFirstGate = 0.06, kLastGate = 0.025;  // m, at least
+constexpr double kGateNoise = 3.0;                      // gate in standard deviations of the depth
+constexpr double kBesideBodies = 0.1;                   // m, of points that may belong to the bodies
 constexpr int kSteps = 25;
 constexpr double kSmallSurfaceStep = 1e-6;
-constexpr double kTouch = 1e-4;  // m; nearer than this the direction to the surface is not its normal
 constexpr std::size_t kStarts = 4;
 constexpr double kLastTolerance = 0.02;  // m, of the cost that selects among the results of the starts
 
 struct Measured {
-  Vector3d p_C, n_C;
+  Vector3d p_C;
+  double noise;  ///< m, standard deviation of the depth
   std::size_t view;
 };
 
-/// Points with normals where the image is smooth, on a grid that limits their number.
-std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const SurfaceView> views) {
+/// Every `step`-th pixel of each row and column.
+std::vector<Measured> measuredPoints(const DepthCamera& camera, std::span<const SurfaceView> views,
+                                     int step) {
   std::vector<Measured> points;
-  const std::size_t pixels = static_cast<std::size_t>(camera.width * camera.height) * views.size();
-  const int step = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixels) / kMaxPixels)));
-  const int beside = std::max(1, camera.width / 320);
   for (std::size_t k = 0; k < views.size(); ++k) {
     const DepthImage& image = views[k].image;
-    const auto at = [&](int u, int v) { return camera.at(u, v, static_cast<double>(image.at(u, v))); };
-    for (int v = beside; v + beside < image.height; v += step)
-      for (int u = beside; u + beside < image.width; u += step) {
-        const Vector3d p = at(u, v), left = at(u - beside, v), right = at(u + beside, v);
-        const Vector3d above = at(u, v - beside), below = at(u, v + beside);
-        const double max_step = 0.015 + 0.01 * p.z() * p.z();
-        bool smooth = p.z() > 0.0;
-        for (const Vector3d* q : {&left, &right, &above, &below})
-          smooth = smooth && q->z() > 0.0 && std::abs(q->z() - p.z()) < max_step;
-        if (!smooth) continue;
-        const Vector3d n = (below - above).cross(right - left);
-        const double cosine = -n.dot(p) / (n.norm() * p.norm());
-        // The negated form also rejects NaN.
-        if (!(std::abs(cosine) > kFlat)) continue;
-        points.push_back({p, (cosine > 0.0 ? 1.0 : -1.0) * n.normalized(), k});
+    for (int v = step / 2; v < image.height; v += step)
+      for (int u = step / 2; u < image.width; u += step) {
+        const double z = static_cast<double>(image.at(u, v));
+        if (z > 0.0) points.push_back({camera.at(u, v, z), depthNoiseAt(z), k});
       }
   }
   return points;
@@ -67,18 +58,20 @@ class Fit {
  public:
   Fit(const DepthCamera& camera, std::span<const geometry::Surface* const> bodies,
       std::span<const SurfaceView> views)
-      : bodies_(bodies), views_(views), points_(measuredPoints(camera, views)) {
+      : camera_(camera), bodies_(bodies), views_(views) {
     for (const geometry::Surface* body : bodies) boxes_.push_back(body->bounds());
+    const auto pixels = static_cast<double>(camera.width * camera.height) * static_cast<double>(views.size());
+    step_ = static_cast<int>(std::ceil(std::sqrt(pixels / kMaxPixels)));
+    points_ = measuredPoints(camera, views, step_);
   }
 
   /// Over every `stride`-th point.
   SurfaceSum at(const Transform& X_WC, double gate, std::size_t stride) const {
     std::vector<SurfaceRow> rows;
+    SurfaceRow row;
     for (std::size_t i = 0; i < points_.size(); i += stride) {
-      const Measured& m = points_[i];
-      SurfaceRow row;
-      row.p_W = X_WC * m.p_C;
-      if (nearest(X_WC.linear() * m.n_C, m.view, gate, row)) rows.push_back(row);
+      const double reach = std::max(gate, kGateNoise * points_[i].noise);
+      if (alongRay(points_[i], X_WC, reach, row)) rows.push_back(row);
     }
     return sumOf(rows);
   }
@@ -97,44 +90,49 @@ class Fit {
     return X_WC;
   }
 
+  /// For a pose near the best one: as many points beside the bodies as are useful, and no others.
+  void focus(const Transform& X_WC) {
+    const auto rows = static_cast<double>(at(X_WC, kLastGate, 1).rows);
+    const int step = static_cast<int>(std::lround(step_ * std::sqrt(rows / kLastPoints)));
+    points_ = measuredPoints(camera_, views_, std::clamp(step, 1, step_));
+    std::erase_if(points_, [&](const Measured& m) { return !isBesideBodies(m, X_WC); });
+  }
+
  private:
-  /// Completes the row by the surface within `gate` of its point with a consistent normal.
-  bool nearest(const Vector3d& n_image, std::size_t view, double gate, SurfaceRow& row) const {
-    const Vector3d& p_W = row.p_W;
-    double best = gate;
-    std::size_t body = bodies_.size();
+  bool isBesideBodies(const Measured& m, const Transform& X_WC) const {
+    const double reach = kBesideBodies + kGateNoise * m.noise;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      if (distanceToBox(boxes_[b], views_[m.view].X_WB[b].inverse() * (X_WC * m.p_C)) < reach) return true;
+    return false;
+  }
+
+  /// The row of a point and the first surface on its ray within `reach` of it. The noise of a point is along
+  /// its ray, so the row depends on it by its distance alone: rows of the nearest points of the surfaces, or
+  /// at the measured points, are biased by the noise.
+  bool alongRay(const Measured& m, const Transform& X_WC, double reach, SurfaceRow& row) const {
+    const Vector3d p_W = X_WC * m.p_C, ray_W = (p_W - X_WC.translation()).normalized();
+    double nearest = reach;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      const Vector3d p_B = views_[view].X_WB[b].inverse() * p_W;
-      if (distanceToBox(boxes_[b], p_B) >= best) continue;
-      const geometry::SurfacePoint found = bodies_[b]->closest(p_B);
-      if (found.distance >= best) continue;
-      best = found.distance;
-      body = b;
+      const Transform& X_WB = views_[m.view].X_WB[b];
+      const Transform X_BW = X_WB.inverse();
+      const Vector3d p_B = X_BW * p_W;
+      if (distanceToBox(boxes_[b], p_B) >= reach) continue;
+      const RayHit hit = meet(*bodies_[b], p_B, X_BW.linear() * ray_W, reach);
+      if (!(hit.t < nearest)) continue;
+      nearest = hit.t;
+      row.p_W = p_W + hit.t * ray_W;
+      row.n_W = X_WB.linear() * hit.n;
+      row.distance = -hit.t * row.n_W.dot(ray_W);
     }
-    if (body == bodies_.size()) return false;
-    const Transform& X_WB = views_[view].X_WB[body];
-    const Vector3d p_B = X_WB.inverse() * p_W;
-    const geometry::SurfacePoint found = bodies_[body]->closest(p_B);
-    row.distance = bodies_[body]->inside(p_B, found) ? -found.distance : found.distance;
-    const Vector3d n_B = std::abs(row.distance) > kTouch ? Vector3d((p_B - found.point) / row.distance)
-                                                         : slopeAt(*bodies_[body], p_B);
-    row.n_W = X_WB.linear() * n_B;
-    return row.n_W.dot(n_image) > kAgree;
+    return nearest < reach;
   }
 
-  static Vector3d slopeAt(const geometry::Surface& body, const Vector3d& p) {
-    constexpr double kStep = 5e-4;  // m
-    Vector3d slope;
-    for (int k = 0; k < 3; ++k)
-      slope[k] = body.signedDistance(p + kStep * Vector3d::Unit(k)) -
-                 body.signedDistance(p - kStep * Vector3d::Unit(k));
-    return slope.norm() > 0.0 ? slope.normalized() : Vector3d(Vector3d::UnitZ());
-  }
-
+  const DepthCamera& camera_;
   std::span<const geometry::Surface* const> bodies_;
   std::span<const SurfaceView> views_;
-  std::vector<Measured> points_;
   std::vector<geometry::Bounds> boxes_;
+  int step_{1};
+  std::vector<Measured> points_;
 };
 
 }  // namespace
@@ -143,7 +141,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
                              std::span<const SurfaceView> views, std::uint64_t seed) {
   ABSTAND_CHECK(!bodies.empty() && !views.empty() && camera.distortion.isZero(0.0));
   SurfaceSearch search(camera, bodies, views, seed);
-  const Fit fit(camera, bodies, views);
+  Fit fit(camera, bodies, views);
   SurfaceFit best;
   double smallest_cost = kInfinity;
   for (const Transform& start : search.search(kStarts)) {
@@ -153,6 +151,7 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
     smallest_cost = cost;
     best.X_WC = end;
   }
+  fit.focus(best.X_WC);
   best.X_WC = fit.from(best.X_WC, false);
   const SurfaceSum sum = fit.at(best.X_WC, kLastGate, 1);
   best.points = static_cast<std::size_t>(sum.weights);
@@ -174,9 +173,13 @@ SurfaceFit fitPoseToSurfaces(const DepthCamera& camera, std::span<const geometry
         "does, expected links "
         "that "
         "point to different sides");
-  const double sigma2 = sum.squares / (sum.weights - 6.0);
-  best.rms = std::sqrt(sigma2);
-  best.spread = std::hypot(best.rms, spreadAt(sigma2 * sum.JTJ.inverse(), kUsedWithin));
+  best.rms = std::sqrt(sum.squares / (sum.weights - 6.0));
+  best.spread = std::hypot(best.rms, spreadWithin(covarianceOf(sum), best.X_WC.translation() - sum.middle));
+  if (!(best.spread <= kMaxSpread))
+    refuse(
+        "--links: found a position uncertainty of %.0f mm, expected %.0f or less: the robot is too small in "
+        "the images, or too little of it is visible",
+        1e3 * best.spread, 1e3 * kMaxSpread);
   const Transform moved = camera.X_WC.inverse() * best.X_WC;
   best.moved = moved.translation().norm();
   best.turned = Eigen::AngleAxisd(moved.linear()).angle();

@@ -34,8 +34,22 @@ SurfaceSum sumOf(const std::vector<SurfaceRow>& rows) {
     sum.squares += weight * row.distance * row.distance;
     sum.JTJ += weight * J * J.transpose();
     sum.JTr += weight * row.distance * J;
+    const double influence = row.distance * weight / row.weight;
+    sum.all_weights += row.weight;
+    sum.influence_squares += row.weight * influence * influence;
+    sum.influence_slopes += weight * (1.0 - 3.0 * part * part) / (1.0 + part * part);
+    sum.all_JTJ += row.weight * J * J.transpose();
   }
   return sum;
+}
+
+Matrix6d covarianceOf(const SurfaceSum& sum) {
+  const auto rows = static_cast<double>(sum.rows);
+  const double slope = sum.influence_slopes / sum.all_weights;
+  const Matrix6d inverse = sum.all_JTJ.inverse();
+  if (!(rows > 6.0) || !(slope > 0.0) || !inverse.allFinite()) return Matrix6d::Constant(kInfinity);
+  const double variance = sum.influence_squares / sum.all_weights * rows / (rows - 6.0);
+  return variance / (slope * slope) * inverse;
 }
 
 std::optional<Vector6d> stepOf(const SurfaceSum& sum) {

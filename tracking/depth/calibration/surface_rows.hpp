@@ -23,11 +23,21 @@ struct SurfaceSum {
   Vector3d middle{Vector3d::Zero()};  ///< m, mean of the points
   Matrix6d JTJ{Matrix6d::Zero()};
   Vector6d JTr{Vector6d::Zero()};
+  /// Without the weights of Geman-McClure: sums of the rows' weights, of their normal matrices, and of the
+  /// squares and the derivatives by the distance of the weighted distances. For covarianceOf().
+  double all_weights{0.0}, influence_squares{0.0}, influence_slopes{0.0};
+  Matrix6d all_JTJ{Matrix6d::Zero()};
 };
 
 /// With Geman-McClure weights, whose scale follows from the median of the absolute distances, times the
 /// weights of the rows.
 SurfaceSum sumOf(const std::vector<SurfaceRow>& rows);
+
+/// Covariance of the pose by the steps of movedAbout() about `middle`, for independent errors of the rows.
+/// Far distances have little weight, which costs accuracy: with the weighted distances psi of N rows it is
+/// (sum psi^2 / (N - 6)) / (sum psi' / N)^2 (J^T J)^-1 (Huber 1981, chapter 7). Infinite if more than 6 rows
+/// do not determine the pose.
+Matrix6d covarianceOf(const SurfaceSum& sum);
 
 /// The damped Gauss-Newton step, so that an undetermined degree of freedom does not diverge; none if it is
 /// not finite. Not for a sum without rows.

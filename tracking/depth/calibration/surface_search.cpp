@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/random.hpp"
+#include "tracking/depth/calibration/depth_noise.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -60,12 +61,13 @@ void SurfaceSearch::forEachVisible(const Transform& X_WC, const Visit& visit) co
 
 double SurfaceSearch::cost(const Transform& X_WC, double tolerance) const {
   double sum = 0.0, count = 0.0;
-  forEachVisible(X_WC, [&](double behind, double) {
+  forEachVisible(X_WC, [&](double behind, double z) {
     count += 1.0;
-    if (std::isnan(behind) || behind < -tolerance)
+    const double allowed = std::max(tolerance, 2.0 * depthNoiseAt(z));
+    if (std::isnan(behind) || behind < -allowed)
       sum += kNotSeen;
     else
-      sum += std::min(1.0, behind * behind / (tolerance * tolerance));
+      sum += std::min(1.0, behind * behind / (allowed * allowed));
   });
   return count > 0.0 ? sum / count : 1.0;
 }

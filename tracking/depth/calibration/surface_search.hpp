@@ -25,7 +25,8 @@ class SurfaceSearch {
   /// Up to `max_count` poses with the lowest cost, best first, from some thousands around camera.X_WC: within
   /// kReach (m) and kTurn (rad) along and about each axis, then in decreasing ranges around the best ones.
   std::vector<Transform> search(std::size_t max_count);
-  /// Mean cost, 0 to 1, over the points that face the camera; `tolerance` in m.
+  /// Mean cost, 0 to 1, over the points that face the camera; `tolerance` in m, at least two standard
+  /// deviations of the depth.
   double cost(const Transform& X_WC, double tolerance) const;
   /// Share of matching points among those that face the camera at measured pixels and are not occluded.
   double explained(const Transform& X_WC) const;

@@ -18,7 +18,7 @@ struct DepthCamera {
   /// k1, k2, p1, p2, k3 of OpenCV's model.
   Eigen::Matrix<double, 5, 1> distortion{Eigen::Matrix<double, 5, 1>::Zero()};
   Transform X_WC{Transform::Identity()};  ///< camera in world
-  double spread{0.0};  ///< m, standard deviation of an axis of a point's position due to X_WC; 0: unknown
+  double spread{0.0};  ///< m, standard deviation along the worst axis due to X_WC; 0: unknown
 
   /// The point in the camera's frame at pixel (u, v) and depth z (m) along the optical axis. Without
   /// distortion.

@@ -38,16 +38,35 @@ TEST(PoseFromPoints, RecoversPose) {
   }
 }
 
-TEST(PoseFromPoints, SpreadMatchesPointNoise) {
+TEST(PoseFromPoints, SigmaMatchesPointNoise) {
   constexpr double kNoise = 0.004;  // m
   double sum = 0.0;
   constexpr int kSets = 200;
   for (int i = 0; i < kSets; ++i)
     sum += std::pow(
-        tracking::fitPose(matched(randomPose(7, 2.0), 5, kNoise, static_cast<std::uint64_t>(i) + 1)).spread,
+        tracking::fitPose(matched(randomPose(7, 2.0), 5, kNoise, static_cast<std::uint64_t>(i) + 1)).sigma,
         2);
   // 200 sets of 9 freedoms: the mean of their squares is within a tenth.
   EXPECT_NEAR(std::sqrt(sum / kSets), kNoise, 0.1 * kNoise);
+}
+
+TEST(PoseFromPoints, CovarianceMatchesMonteCarlo) {
+  constexpr double kNoise = 0.004;  // m
+  constexpr int kSets = 400;
+  const Transform truth = randomPose(7, 2.0);
+  Matrix3d squares = Matrix3d::Zero(), stated = Matrix3d::Zero();
+  double above = 0.0;
+  for (int i = 0; i < kSets; ++i) {
+    const tracking::PoseFit fit =
+        tracking::fitPose(matched(truth, 8, kNoise, static_cast<std::uint64_t>(i) + 1));
+    const Vector3d off = fit.X_WC.translation() - truth.translation();
+    squares += off * off.transpose();
+    stated += tracking::covarianceAt(fit.covariance, fit.X_WC.translation() - fit.middle);
+    above += off.norm() > 3.0 * fit.spread;
+  }
+  // 400 sets of mostly two bad directions: the mean square is within 15 % (three standard deviations).
+  EXPECT_NEAR(stated.trace() / squares.trace(), 1.0, 0.15);
+  EXPECT_LE(above, 0.01 * kSets);
 }
 
 TEST(PoseFromPoints, ReportsWorstPoint) {
