@@ -2,16 +2,18 @@
 #include "tracking/depth/calibration/room_view.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/depth/calibration/depth_noise.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-constexpr double kRoomPatch = 0.07;       // m, half the side of the fitted patch
+constexpr double kRoomPatch = 0.07;       // m, radius of the fitted patch, at least
 constexpr int kRoomLargestPatch = 8;      // pixels of the grid
-constexpr double kRoomSmoothShare = 0.8;  // of the patch's pixels
+constexpr double kRoomSmoothShare = 0.3;  // of the pixels of a square about the patch
 constexpr double kRoomGrazing = 0.17;     // cosine to the ray; flatter surfaces are not measured accurately
 
 /// m, distance from the plane or depth step within which a pixel belongs to a surface.
@@ -41,6 +43,7 @@ RoomPoint RoomView::pointAt(const DepthImage& image, int u, int v) const {
   const int reach =
       step_ * std::clamp(static_cast<int>(kRoomPatch * camera_.fx / (z * step_)), 2, kRoomLargestPatch);
   const int around = (2 * (reach / step_) + 1) * (2 * (reach / step_) + 1);
+  const double radius = std::max(kRoomPatch, 3.0 * depthNoiseAt(z));
   Vector3d mean = Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   int count = 0;
@@ -48,9 +51,9 @@ RoomPoint RoomView::pointAt(const DepthImage& image, int u, int v) const {
     for (int x = u - reach; x <= u + reach; x += step_) {
       if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
       const double beside = static_cast<double>(image.at(x, y));
-      // A plane seen at a grazing angle has depth steps, too.
-      if (beside <= 0.0 || std::abs(beside - z) > 3.0 * kRoomPatch + roomStepAt(z)) continue;
+      if (beside <= 0.0) continue;
       const Vector3d d = camera_.at(x, y, beside) - point.p_C;
+      if (d.squaredNorm() > radius * radius) continue;
       mean += d;
       squares += d * d.transpose();
       ++count;
