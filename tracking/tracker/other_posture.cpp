@@ -35,11 +35,14 @@ bool isIn(OtherPosture::Kind kind, const humanmodel::SkeletonFrame& frame, const
   return kind != OtherPosture::Kind::kChild || standsUpright(frame, rig);
 }
 
+double lowestFoot(const humanmodel::SkeletonFrame& frame) {
+  using enum humanmodel::Joint;
+  return std::min({frame[kAnkleLeft].z(), frame[kAnkleRight].z(), frame[kToeLeft].z(), frame[kToeRight].z()});
+}
+
 bool standsUpright(const humanmodel::SkeletonFrame& frame, const BodyRig& rig) {
   using enum humanmodel::Joint;
-  const double low =
-      std::min({frame[kAnkleLeft].z(), frame[kAnkleRight].z(), frame[kToeLeft].z(), frame[kToeRight].z()});
-  return frame[kHeadTop].z() - low > kUprightShare * rig.height && !raisesHands(frame);
+  return frame[kHeadTop].z() - lowestFoot(frame) > kUprightShare * rig.height && !raisesHands(frame);
 }
 
 bool raisesHands(const humanmodel::SkeletonFrame& frame) {

@@ -21,6 +21,9 @@ std::vector<OtherPosture> otherPostures(const Stature& stature);
 /// others are those of any body.
 bool isIn(OtherPosture::Kind kind, const humanmodel::SkeletonFrame& frame, const BodyRig& rig);
 
+/// m, height of the lowest ankle or toe above the floor z = 0.
+double lowestFoot(const humanmodel::SkeletonFrame& frame);
+
 /// Whether nearly the whole stature is between the lowest and the highest joint, and no hand is at the head.
 bool standsUpright(const humanmodel::SkeletonFrame& frame, const BodyRig& rig);
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "humanmodel/human_model.hpp"
 #include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
@@ -76,6 +77,13 @@ struct Stature {
   /// Of a person who stands with raised arms, up to `seen` (m).
   static Stature ofRaisedArms(double seen);
 };
+
+/// The mean body of a stature (m).
+inline humanmodel::HumanOptions usualBody(double height) {
+  humanmodel::HumanOptions body;
+  body.height = height;
+  return body;
+}
 
 /// Stature from the medians of a person's first images. Measured if more than half of the images show the
 /// whole person and the result is that of an upright adult; otherwise an interval, with the observed extent

@@ -33,9 +33,9 @@ struct KnownBody {
 /// decide (FacingTrial); see() returns the likelier one, and its reach includes the other one. Lengths and
 /// girths are fitted to the images explained well, and the person is tracked with these. A stature that is an
 /// interval is measured again as soon as the person stands upright in view, and a measured one as soon as the
-/// person is higher; the body is then fitted anew. One
-/// thread, and another one for fit_aside. May allocate in the first BodyPath::kMaxPoses images, and until it
-/// is fitted(), the stature known, and the facing direction decided.
+/// person is higher, with the feet on the floor, or a body of that stature explains the image better; the
+/// body is then fitted anew. One thread, and another one for fit_aside. May allocate in the first
+/// BodyPath::kMaxPoses images, and until it is fitted(), the stature known, and the facing direction decided.
 class TrackedPerson {
  public:
   struct Options {
@@ -79,6 +79,7 @@ class TrackedPerson {
   void settle();
 
  private:
+  static constexpr std::size_t kMeasured = 15;  ///< images
   /// Of the body that faces the camera at first, and of the one that faces away: by Facing::away.
   template <class T>
   using BySide = std::array<T, 2>;
@@ -118,7 +119,8 @@ class TrackedPerson {
   void endComparison();
   void compareAgain();
   bool renewBody(double t, std::span<const PersonImage> images);
-  bool remeasure(std::span<const PersonImage> images);
+  bool isTaller(const Stature& higher, double t, std::span<const PersonImage> images) const;
+  bool remeasure(double t, std::span<const PersonImage> images);
   bool mayRemeasure() const;
 
   Options options_;
