@@ -15,12 +15,18 @@ namespace {
 // raised arms, the right stature cost at most 0.72 times as much as the wrong one; of others, the wrong one
 // at least 0.95, and 0.8 with a hand at the head.
 constexpr double kOtherCost = 0.8;
-// Likewise of who stoops: measured 0.49 to 0.54; of boxers, who stand with bent legs, 0.79.
-constexpr double kLoweredCost = 0.65;
+// Likewise of who stoops: measured 0.49 to 0.54; of boxers, who stand with bent legs, 0.79. And of who
+// kneels: 0.30; of a real person of 1.54 m who stands, more than 0.5.
+constexpr double kLoweredCost = 0.65, kKneelingCost = 0.5;
 constexpr double kOtherStature = 0.1;  // m; the evidence of a body that is so wrong does not count
 constexpr double kHigher = 0.06;       // m, above the measured stature: hair, and the noise of a Kinect
 constexpr double kOnFloor = 0.10;      // m, of ankles and toes
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
+
+double likelierCost(OtherPosture::Kind kind) {
+  if (kind == OtherPosture::Kind::kKneeling) return kKneelingCost;
+  return kind == OtherPosture::Kind::kLowered ? kLoweredCost : kOtherCost;
+}
 
 }  // namespace
 
@@ -53,8 +59,8 @@ bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) 
     trial.tracker->allowChair(false);  // the upright body explains all points, too
     const TrackedBody& found = trial.track(t, images);
     trial.tracker->allowChair(true);
-    const double own_limit = other.kind == OtherPosture::Kind::kLowered ? kLoweredCost * assumed.cost : limit;
-    if (!found.found || found.misfit.cost >= own_limit || !isIn(other.kind, found.frame, *trial.rig))
+    if (!found.found || found.misfit.cost >= likelierCost(other.kind) * assumed.cost ||
+        !isIn(other.kind, found.frame, *trial.rig))
       continue;
     interval = {std::min(interval[0], other.stature.interval[0]),
                 std::max(interval[1], other.stature.interval[1])};
