@@ -18,14 +18,21 @@ constexpr double kOtherCost = 0.8;
 // Likewise of who stoops: measured 0.49 to 0.54; of boxers, who stand with bent legs, 0.79. And of who
 // kneels: 0.30; of a real person of 1.54 m who stands, more than 0.5.
 constexpr double kLoweredCost = 0.65, kKneelingCost = 0.5;
+// Share of the points that the assumed body does not explain, of which a lower posture leaves less: its arms
+// explain a bucket or a tray that somebody carries, and then leave 0.5 to 0.7 of them; true ones, 0.2 to 0.3.
+constexpr double kUnexplained = 0.5;
 constexpr double kOtherStature = 0.1;  // m; the evidence of a body that is so wrong does not count
 constexpr double kHigher = 0.06;       // m, above the measured stature: hair, and the noise of a Kinect
 constexpr double kOnFloor = 0.10;      // m, of ankles and toes
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
-double likelierCost(OtherPosture::Kind kind) {
-  if (kind == OtherPosture::Kind::kKneeling) return kKneelingCost;
-  return kind == OtherPosture::Kind::kLowered ? kLoweredCost : kOtherCost;
+/// Whether a body in this posture explains the image so much better than the assumed one.
+bool isLikelier(OtherPosture::Kind kind, const DepthMisfit& other, const DepthMisfit& assumed) {
+  using enum OtherPosture::Kind;
+  const double cost = kind == kKneeling ? kKneelingCost : kind == kLowered ? kLoweredCost : kOtherCost;
+  if (other.cost >= cost * assumed.cost) return false;
+  const bool is_upright = kind == kRaisedArms || kind == kChild;
+  return is_upright || 1.0 - other.explained < kUnexplained * (1.0 - assumed.explained);
 }
 
 }  // namespace
@@ -51,15 +58,14 @@ void TrackedPerson::makeMeasured() {
 bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) {
   if (stature_.source == Stature::Source::kGiven || !std::isfinite(stature_.seen)) return false;
   const DepthMisfit assumed = now_.track(t, images).misfit;
-  const double limit = kOtherCost * assumed.cost;
-  double best = limit;
+  double best = kInfinity;
   std::array<double, 2> interval{kInfinity, -kInfinity};
   for (const OtherPosture& other : otherPostures(stature_)) {
     BodyFollower trial = followerOf(usualBody(other.stature.used), other.stature, facing_.away);
     trial.tracker->allowChair(false);  // the upright body explains all points, too
     const TrackedBody& found = trial.track(t, images);
     trial.tracker->allowChair(true);
-    if (!found.found || found.misfit.cost >= likelierCost(other.kind) * assumed.cost ||
+    if (!found.found || !isLikelier(other.kind, found.misfit, assumed) ||
         !isIn(other.kind, found.frame, *trial.rig))
       continue;
     interval = {std::min(interval[0], other.stature.interval[0]),
@@ -69,7 +75,7 @@ bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) 
     stature_ = other.stature;
     now_ = std::move(trial);
   }
-  if (!stature_.known() && best < limit) stature_.interval = interval;
+  if (!stature_.known() && best < kInfinity) stature_.interval = interval;
   return true;
 }
 
