@@ -25,8 +25,8 @@ std::vector<PosedScene> posedScenes();
 /// People of other statures and shapes, postures, and views; no constant of the tracker was chosen with them,
 /// except with those who are curled up, lie on the front or sit.
 std::vector<PosedScene> heldOutScenes();
-/// People of 1.15 to 2.0 m, and such who stoop, kneel or raise their hands at first, so that their height in the
-/// images is not their stature.
+/// People of 1.15 to 2.0 m, and such who stoop, kneel or raise their hands at first, so that their height in
+/// the images is not their stature.
 std::vector<PosedScene> otherStatures();
 /// Five positions of both hands at or above the head, seen from eight sides: from the start (`hands_...`),
 /// and raised after a second (`raising_...`). 80 clips of 2.5 s.
