@@ -155,13 +155,32 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
   plan_.join();
 }
 
+double PeopleFinder::topOf(const Head& head) const { return static_cast<double>(plan_.cell(head.cell).top); }
+
+PeopleFinder::Place PeopleFinder::predicted(const Track& track, double t) {
+  return track.place + track.speed * std::min(t - track.seen, 0.3);
+}
+
+/// The nearest pair of a head and a person who has none yet, of those who were seen last, or of the others.
+PeopleFinder::Match PeopleFinder::nearestHead(double t, bool is_absent) {
+  Match nearest;
+  double best = kInfinity;
+  for (Track& track : tracks_) {
+    if (track.matched || (t - track.seen > kSureAbsence) != is_absent) continue;
+    const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
+    const bool is_compared = is_absent && isAtSide(track.place);
+    for (auto head = heads_.begin(); head != heads_.end(); ++head) {
+      if (is_compared && std::abs(topOf(*head) - track.top) > kSameHeight) continue;
+      const double distance = (head->place - predicted(track, t)).norm();
+      if (distance < std::min(best, gate)) best = distance, nearest = {&track, head};
+    }
+  }
+  return nearest;
+}
+
 void PeopleFinder::follow(double t) {
   std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
   for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
-  const auto topOf = [&](const Head& head) { return static_cast<double>(plan_.cell(head.cell).top); };
-  const auto predicted = [&](const Track& track) {
-    return Place(track.place + track.speed * std::min(t - track.seen, 0.3));
-  };
   const auto meet = [&](Track& track, const Place& place, bool has_head, double top) {
     const double dt = t - track.seen;
     track.top = std::max(top, track.top - kTopFalls * dt);
@@ -173,33 +192,17 @@ void PeopleFinder::follow(double t) {
     track.here = true;
     track.matched = has_head;
   };
-  // Matches heads and persons greedily, nearest pair first, before those who were not seen for a while.
-  for (const bool is_absent : {false, true}) {
-    for (;;) {
-      Track* best_track = nullptr;
-      std::size_t best_head = 0;
-      double best = kInfinity;
-      for (Track& track : tracks_) {
-        if (track.matched || (t - track.seen > kSureAbsence) != is_absent) continue;
-        const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
-        for (std::size_t h = 0; h < heads_.size(); ++h) {
-          if (is_absent && isAtSide(track.place) && std::abs(topOf(heads_[h]) - track.top) > kSameHeight)
-            continue;
-          const double distance = (heads_[h].place - predicted(track)).norm();
-          if (distance < std::min(best, gate)) best = distance, best_track = &track, best_head = h;
-        }
-      }
-      if (!best_track) break;
-      const Head& head = heads_[best_head];
-      meet(*best_track, middleOfBody(plan_, head.place), true, topOf(head));
-      heads_.erase(heads_.begin() + static_cast<std::ptrdiff_t>(best_head));
+  // Heads and persons greedily, nearest pair first, before those who were not seen for a while.
+  for (const bool is_absent : {false, true})
+    for (auto match = nearestHead(t, is_absent); match.track; match = nearestHead(t, is_absent)) {
+      meet(*match.track, middleOfBody(plan_, match.head->place), true, topOf(*match.head));
+      heads_.erase(match.head);
     }
-  }
   // Persons without a visible head stay with the surface at their last position.
   for (Track& track : tracks_) {
     if (track.matched || t - track.head_seen > options_.without_head) continue;
     if (t - track.seen > kSureAbsence && isAtSide(track.place)) continue;
-    const Place place = middleOfBody(plan_, predicted(track));
+    const Place place = middleOfBody(plan_, predicted(track, t));
     bool is_free = true;
     for (const Track& other : tracks_)
       is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);

@@ -114,6 +114,14 @@ class PeopleFinder {
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
   void follow(double t);
+  /// `track` is null if there is none.
+  struct Match {
+    Track* track{nullptr};
+    std::vector<Head>::iterator head{};
+  };
+  Match nearestHead(double t, bool is_absent);
+  static Place predicted(const Track& track, double t);
+  double topOf(const Head& head) const;
   bool isAtSide(const Place& place) const;
   void addHeads(double t, const DepthImage& image);
   bool hasOwnBody(const Head& head, const DepthImage& image);
