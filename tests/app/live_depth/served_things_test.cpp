@@ -25,10 +25,7 @@ tracking::DepthCamera lookingAtTheSlide() {
   camera.fx = camera.fy = 200.0;
   camera.cx = 80.0;
   camera.cy = 60.0;
-  camera.X_WC.linear().col(0) = Vector3d::UnitY();
-  camera.X_WC.linear().col(1) = -Vector3d::UnitZ();
-  camera.X_WC.linear().col(2) = -Vector3d::UnitX();
-  camera.X_WC.translation() = Vector3d(kAway, 0.0, 0.5);
+  camera.X_WC = tracking::lookingAt({kAway, 0.0, 0.5}, {0.0, 0.0, 0.5});
   return camera;
 }
 

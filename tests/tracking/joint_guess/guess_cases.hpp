@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
 #include "tracking/bvh/bvh_recording.hpp"
 #include "tracking/joint_guess/joint_choice.hpp"
@@ -125,13 +126,16 @@ struct Named {
 inline void PrintTo(const Named& n, std::ostream* out) { *out << n.file; }
 
 /// Tests of real captures; the files are listed in shape_guess_test.cpp.
-class RealShape : public ::testing::TestWithParam<Named> {};
-
-/// Of a real capture.
-inline std::filesystem::path captureFile(const std::string& name) {
-  return name.starts_with("01_") || name.starts_with("Boxing") ? testing::debianBvh(name)
-                                                               : testing::sharedData("mocap/bvh/" + name);
-}
+struct RealShape : ::testing::TestWithParam<Named> {
+  void SetUp() override {
+    const bool is_debian = name.starts_with("01_") || name.starts_with("Boxing");
+    const auto file = is_debian ? testing::debianBvh(name) : testing::sharedData("mocap/bvh/" + name);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    text = readFile(file);
+  }
+  const std::string name = GetParam().file;
+  std::string text;
+};
 
 inline JointMatch matchByNames(const BvhPoints& points) {
   return chooseJointMap(loadJointMaps(testing::projectFile("data/joint_maps")), points.names());

@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "core/base/text_file.hpp"
 #include "tests/tracking/joint_guess/guess_cases.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
 #include "tracking/joint_guess/point_tree.hpp"
@@ -78,10 +77,7 @@ TEST(JointGuess, PointsWithoutHierarchyAreGuessedByMotion) {
 // Without the hierarchy, bones are distances that stay the same.
 TEST_P(RealShape, PointsWithoutHierarchyMatchNames) {
   using J = humanmodel::Joint;
-  const std::string name = GetParam().file;
-  const auto file = captureFile(name);
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
-  BvhPoints points(readFile(file), name);
+  BvhPoints points(text, name);
   const JointMatch named = matchByNames(points);
   std::vector<PointFrame> frames;
   for (PointFrame frame; frames.size() < 600 && points.next(frame);) frames.push_back(frame);

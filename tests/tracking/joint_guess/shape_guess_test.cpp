@@ -5,7 +5,6 @@
 #include <random>
 
 #include "core/base/error.hpp"
-#include "core/base/text_file.hpp"
 #include "tests/tracking/joint_guess/guess_cases.hpp"
 #include "tests/tracking/small_human.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
@@ -141,10 +140,6 @@ TEST(JointGuess, AnyTreeIsGuessedOrRejected) {
 
 // The names of real captures are taken away: the shape must find the joints that the names say.
 TEST_P(RealShape, ShapeMatchesNames) {
-  const std::string name = GetParam().file;
-  const auto file = captureFile(name);
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
-  const std::string text = readFile(file);
   const Recording named = read(text);
   const Recording r = read(renamed(text, [](int i) { return "n" + std::to_string(i); }));
   for (const auto& note : r.report.notes) RecordProperty("note", note);
@@ -188,14 +183,11 @@ struct CutCapture {
 // Without arms the same legs are found on the same sides; without legs, arms are not taken for them.
 TEST_P(RealShape, LegsOfBodyWithoutArms) {
   using J = humanmodel::Joint;
-  const std::string name = GetParam().file;
-  const auto file = captureFile(name);
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
-  BvhPoints points(readFile(file), name);
+  BvhPoints points(text, name);
   const JointMatch named = matchByNames(points);
   const auto at = [](const JointMatch& m, J j) { return m.joint[static_cast<std::size_t>(j)]; };
   for (const bool has_legs : {true, false}) {
-    BvhPoints again(readFile(file), name);
+    BvhPoints again(text, name);
     const CutCapture cut(again, has_legs
                                     ? std::vector{at(named, J::kShoulderLeft), at(named, J::kShoulderRight)}
                                     : std::vector{at(named, J::kHipLeft), at(named, J::kHipRight)});
