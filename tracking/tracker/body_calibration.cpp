@@ -139,18 +139,22 @@ std::optional<BodyCalibration::PlausibleStatures> BodyCalibration::plausibleStat
     double height, plain, likely;
   };
   std::vector<Cost> costs;
+  const auto note = [&](double height, std::vector<RigPose>& poses) {
+    humanmodel::HumanOptions body = start;
+    body.height = height;
+    const double unusual = (height - kMeanStature) / kStatureDeviation;
+    const double cost = costOf(body, kStatureSteps, poses);
+    costs.push_back({height, cost, cost * (1.0 + kUnusualStature * unusual * unusual)});
+  };
   // From the stature of the poses outwards, so that each fit starts from one of nearly the same size.
+  const auto is_within = [&](double height) { return height >= limits[0] && height <= limits[1]; };
+  if (!is_within(*start.height)) return std::nullopt;
+  std::vector<RigPose> at_start = poses();
+  note(*start.height, at_start);
   for (const double step : {kStatureStep, -kStatureStep}) {
-    std::vector<RigPose> poses = this->poses();
-    for (double height = *start.height; height >= limits[0] && height <= limits[1]; height += step) {
-      humanmodel::HumanOptions body = start;
-      body.height = height;
-      const double unusual = (height - kMeanStature) / kStatureDeviation;
-      const double cost = costOf(body, kStatureSteps, poses);
-      costs.push_back({height, cost, cost * (1.0 + kUnusualStature * unusual * unusual)});
-    }
+    std::vector<RigPose> poses = at_start;
+    for (double height = *start.height + step; is_within(height); height += step) note(height, poses);
   }
-  if (costs.empty()) return std::nullopt;
   const auto by_plain = [](const Cost& a, const Cost& b) { return a.plain < b.plain; };
   const auto by_likely = [](const Cost& a, const Cost& b) { return a.likely < b.likely; };
   const Cost best = *std::min_element(costs.begin(), costs.end(), by_plain),

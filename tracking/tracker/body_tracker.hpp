@@ -83,6 +83,7 @@ class BodyTracker {
     std::optional<double> yaw;     ///< rad
     std::optional<bool> on_front;  ///< of a person who lies; nullopt: both are tried
   };
+  static constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  ///< of a search
   void loseSight();
   void searchAgain(double t);
   void find();

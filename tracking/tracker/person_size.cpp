@@ -20,10 +20,10 @@ constexpr double kOtherCost = 0.8;
 constexpr double kLoweredCost = 0.65, kKneelingCost = 0.5;
 // Share of the points that the assumed body does not explain, of which a lower posture leaves less: its arms
 // explain a bucket or a tray that somebody carries, and then leave 0.5 to 0.7 of them; true ones, 0.2 to 0.3.
-constexpr double kUnexplained = 0.5;
+constexpr double kLeavesUnexplained = 0.5;
 constexpr double kOtherStature = 0.1;  // m; the evidence of a body that is so wrong does not count
 constexpr double kHigher = 0.06;       // m, above the measured stature: hair, and the noise of a Kinect
-constexpr double kOnFloor = 0.10;      // m, of ankles and toes
+constexpr double kFeetOnFloor = 0.10;  // m, of ankles and toes
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
 /// Whether a body in this posture explains the image so much better than the assumed one.
@@ -32,7 +32,7 @@ bool isLikelier(OtherPosture::Kind kind, const DepthMisfit& other, const DepthMi
   const double cost = kind == kKneeling ? kKneelingCost : kind == kLowered ? kLoweredCost : kOtherCost;
   if (other.cost >= cost * assumed.cost) return false;
   const bool is_upright = kind == kRaisedArms || kind == kChild;
-  return is_upright || 1.0 - other.explained < kUnexplained * (1.0 - assumed.explained);
+  return is_upright || 1.0 - other.explained < kLeavesUnexplained * (1.0 - assumed.explained);
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ bool TrackedPerson::mayRemeasure() const {
 /// are on the floor, or the body of the higher stature explains the image better.
 bool TrackedPerson::isTaller(const Stature& higher, double t, std::span<const PersonImage> images) const {
   const TrackedBody& body = now_.tracker->body();
-  if (lowestFoot(body.frame) < kOnFloor) return true;
+  if (lowestFoot(body.frame) < kFeetOnFloor) return true;
   BodyFollower trial = followerOf(usualBody(higher.used), higher, facing_.away);
   trial.tracker->expectFacing(yawOf(body.pose));
   const TrackedBody& found = trial.track(t, images);

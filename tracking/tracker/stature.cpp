@@ -20,6 +20,15 @@ std::string metres(double m) {
   return text;
 }
 
+/// Of a person who `does` something and is therefore lower than the stature, which is about `used` (m).
+Stature ofLower(double seen, double used, const char* does) {
+  return {Stature::Source::kInterval,
+          std::min(used, Stature::kTallest),
+          {seen, Stature::kTallest},
+          std::string("the person ") + does + " and is " + metres(seen) + " high in the images",
+          seen};
+}
+
 }  // namespace
 
 VerticalExtent verticalExtent(std::span<const PersonImage> images) {
@@ -64,28 +73,14 @@ Stature Stature::given(double height) { return {Source::kGiven, height, {height,
 Stature Stature::ofChild(double seen) { return {Source::kMeasured, seen, {seen, seen}, {}, seen}; }
 
 Stature Stature::ofSeated(double seen) {
-  return {Source::kInterval,
-          std::clamp(seen / kSeatedShare, kUsual, kTallest),
-          {seen, kTallest},
-          "the person sits and is " + metres(seen) + " high in the images",
-          seen};
+  return ofLower(seen, std::max(seen / kSeatedShare, kUsual), "sits");
 }
 
 Stature Stature::ofKneeling(double seen) {
-  return {Source::kInterval,
-          std::clamp(seen / kKneelingShare, kUsual, kTallest),
-          {seen, kTallest},
-          "the person kneels and is " + metres(seen) + " high in the images",
-          seen};
+  return ofLower(seen, std::max(seen / kKneelingShare, kUsual), "kneels");
 }
 
-Stature Stature::ofLowered(double seen) {
-  return {Source::kInterval,
-          std::min(seen + kLowered, kTallest),
-          {seen, kTallest},
-          "the person does not stand upright and is " + metres(seen) + " high in the images",
-          seen};
-}
+Stature Stature::ofLowered(double seen) { return ofLower(seen, seen + kLowered, "does not stand upright"); }
 
 Stature Stature::ofRaisedArms(double seen) {
   return {Source::kInterval,
