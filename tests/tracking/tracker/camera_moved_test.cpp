@@ -12,12 +12,17 @@ namespace camera_moved_test {
 
 constexpr double kPushed = 0.8, kFrame = 1.0 / 30.0;  // s
 
-/// A person in a room; the camera looks down by `push` (rad) more from kPushed on.
-ClipTrack trackedWith(double push) {
+/// A person in a room; the camera looks down by `push` and to the right by `aside` (rad) more from kPushed
+/// on.
+ClipTrack trackedWith(double push, double aside = 0.0) {
   const std::vector<testing::Posture> postures{{.t = 0.0}, {.t = 1.5, .reach = 0.4}};
-  auto clip = testing::simulate(
-      {.recording = {}, .room = true, .width = 160, .push_at = kPushed - 1e-6, .push = push},
-      testing::posedFrames(postures), {});
+  auto clip = testing::simulate({.recording = {},
+                                 .room = true,
+                                 .width = 160,
+                                 .push_at = kPushed - 1e-6,
+                                 .push = push,
+                                 .push_aside = aside},
+                                testing::posedFrames(postures), {});
   return trackClip(*clip.stream, {});
 }
 
@@ -37,6 +42,14 @@ TEST(CameraMoved, IsSaidAndNobodyIsFoundFromThenOn) {
     }
   EXPECT_EQ(before, track.people[0].found);
   EXPECT_GT(before, 15u);
+}
+
+// In front of a wall: the middle of the image hardly changes.
+TEST(CameraMoved, IsSaidOfOneThatIsTurnedAside) {
+  for (const double degrees : {-3.0, 2.0, 6.0, 12.0}) {
+    const ClipTrack track = trackedWith(0.0, unit::deg(degrees));
+    EXPECT_NEAR(track.cameras.at(0).moved_at, kPushed, 2.5 * kFrame) << degrees;
+  }
 }
 
 TEST(CameraMoved, IsNotSaidOfOneThatStands) {

@@ -126,7 +126,9 @@ SimulatedClip seenClip(const ClipPlan& plan, std::vector<humanmodel::SkeletonFra
     tracking::DepthRender render(camera);
     render.clear();
     Transform X_WC = camera.X_WC;
-    if (frames[i].t >= plan.push_at) X_WC.rotate(Eigen::AngleAxisd(-plan.push, Vector3d::UnitX()));
+    if (frames[i].t >= plan.push_at)
+      X_WC.rotate(Eigen::AngleAxisd(-plan.push, Vector3d::UnitX()) *
+                  Eigen::AngleAxisd(plan.push_aside, Vector3d::UnitY()));
     const Transform X_CW = X_WC.inverse();
     for (const tracking::SkinPart& part : skin->wrap(frames[i])) render.draw(part.mesh, X_CW);
     if (plan.room) drawRoom(plan, camera.X_WC, X_CW, render);

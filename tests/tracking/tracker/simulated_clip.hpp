@@ -37,6 +37,7 @@ struct ClipPlan {
   bool room{false};  ///< a floor, and a wall 1.5 m behind the origin
   int width{320};
   double push_at{kInfinity}, push{0.0};  ///< s, rad: from then on the camera looks down by that much more
+  double push_aside{0.0};                ///< rad, and to the right
   std::vector<HeldBox> held{};
 };
 

@@ -72,6 +72,9 @@ ClipResult resultOf(const TableClip& named, double& images_a_second) {
   SimulatedClip clip = named.make();
   const tracking::ClipTrack track = trackOf(*clip.stream);
   images_a_second = static_cast<double>(track.images) / track.seconds;
+  for (const tracking::CameraShare& camera : track.cameras)
+    if (std::isfinite(camera.moved_at))
+      std::fprintf(stderr, "%s: a camera that stands still was taken for moved\n", named.name.c_str());
   ClipResult result{{}, 0, clip.truth.size()};
   if (track.people.empty()) return result;
   result.errors = compare(track.people[0].frames, clip.truth);

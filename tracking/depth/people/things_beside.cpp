@@ -14,7 +14,7 @@ constexpr std::size_t kFewestPixels = 30;  // of a piece that counts
 constexpr std::uint8_t kForgetAfter = 5;   // images
 constexpr float kNewest = 0.1f;            // weight of the newest depth
 // m, highest point: lower people may lie; higher ones stand. Hands are raised higher by people who sit.
-constexpr double kLowestTop = 1.0, kStandingTop = 1.5;
+constexpr double kSeatedTop = 1.0, kStandingTop = 1.5;
 constexpr double kOnFloor = 0.2;      // m, lowest point of what stands on the floor
 constexpr double kSeatHeight = 0.45;  // m; the legs of a chair may be too thin to be seen
 constexpr double kHighestLeg = 1.15;  // m; the hip of somebody 1.92 m tall is seen up to 1.08 m
@@ -137,7 +137,7 @@ void ThingsBeside::find(const DepthImage& image, const FloorPlane& floor, std::s
   const SurfacePiece* trunk = trunkOf(image, cell_of, place);
   if (!trunk) return;
   const double top = extentOf(*trunk, image, floor).high;
-  if (top < kLowestTop) return;
+  if (top < kSeatedTop) return;
   const bool stands = top > kStandingTop;
   for (std::size_t i = 0; i < image.z.size(); ++i) is_thing_[i] = image.z[i] > 0.0f && has(i, image.z[i]);
   for (int round = 0; round < kRounds; ++round)
