@@ -188,6 +188,7 @@ int trackRecording(const CommandLine& line, const TrackArguments& args, tracking
         "--scene: found a recording without a camera pose, expected a camera file "
         "with T_WC (--camera)");
   cameras.compareClocks(options);
+  if (options.known) options.known = cameras.compareThings(options.known);
   return trackCameras(line, args, cameras, options, pictures);
 }
 

@@ -2,10 +2,15 @@
 
 #include <cmath>
 
+#include "app/cli/things_report.hpp"
+#include "tracking/tracker/known_objects.hpp"
+
 namespace abstand::cli {
 namespace {
 
 const std::string kPrefix = "scene: ";
+
+constexpr double kOtherBand = 0.03;  // m, from which on another displacement is said
 
 }  // namespace
 
@@ -33,7 +38,14 @@ std::vector<std::string> LiveThings::news(std::span<const tracking::ShownThings>
   if (!things_) return {};
   std::vector<std::string> news = things_->news();
   said_shown_.resize(shown.size(), 1);
+  said_bands_.resize(shown.size(), 0.0);
   for (std::size_t c = 0; c < shown.size(); ++c) {
+    const double band = shown[c].areShown() ? shown[c].displaced().band() : 0.0;
+    if (band >= said_bands_[c] + kOtherBand) {
+      said_bands_[c] = band;
+      news.push_back(names[c] + " shows the robots and objects " +
+                     tracking::bandReason(shown[c].displaced()));
+    }
     if (shown[c].areShown() == (said_shown_[c] != 0)) continue;
     said_shown_[c] = shown[c].areShown();
     const std::string share = names[c] + format(" shows the robots and objects in %.0f %% of their pixels",
@@ -52,9 +64,7 @@ std::vector<std::string> LiveThings::news(std::span<const tracking::ShownThings>
 
 nlohmann::ordered_json LiveThings::json(const tracking::ShownThings& shown) const {
   if (!things_) return {};
-  const double share = shown.share();
-  return {{"removed", shown.areShown()},
-          {"shown", std::isfinite(share) ? nlohmann::ordered_json(share) : nlohmann::ordered_json()}};
+  return thingsJson(shown.areShown(), shown.share(), shown.displaced());
 }
 
 std::string LiveThings::text(std::span<const tracking::ShownThings> shown) const {
@@ -63,8 +73,8 @@ std::string LiveThings::text(std::span<const tracking::ShownThings> shown) const
   for (std::size_t c = 0; c < shown.size(); ++c) {
     text += c > 0 ? "; " : " ";
     text += shown[c].areShown() ? "removed" : "not removed";
-    if (std::isfinite(shown[c].share()))
-      text += format(", found in %.0f %% of their pixels", 100.0 * shown[c].share());
+    if (const std::string found = thingsText(shown[c].share(), shown[c].displaced()); !found.empty())
+      text += ", " + found;
   }
   return text + "\n";
 }

@@ -37,6 +37,7 @@ class LiveThings {
  private:
   std::optional<live_depth::ServedThings> things_;
   std::vector<std::uint8_t> said_shown_;  ///< of each camera
+  std::vector<double> said_bands_;        ///< m, of each camera
   std::vector<std::string> reported_;
 };
 

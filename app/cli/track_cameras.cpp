@@ -1,7 +1,9 @@
 #include "app/cli/track_cameras.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "app/cli/things_report.hpp"
 #include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
 
@@ -66,6 +68,18 @@ void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
   }
 }
 
+tracking::KnownThings TrackCameras::compareThings(const tracking::KnownThings& known) {
+  double band = 0.0;
+  for (const tracking::ClipCamera& camera : cameras_) {
+    const auto atClock = [&](double t, const tracking::DepthCamera& view) {
+      return known(t + camera.offset, view);
+    };
+    things_.push_back(tracking::compareWithKnown(*camera.stream, atClock));
+    if (things_.back().show()) band = std::max(band, things_.back().displaced.band());
+  }
+  return tracking::withBand(known, band);
+}
+
 nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) const {
   auto all = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
@@ -74,6 +88,8 @@ nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) cons
     camera["clock_offset"] = cameras_[i].offset;
     camera["clock_known"] = static_cast<bool>(clock_known_[i]);
     camera["clock_reason"] = clock_reasons_[i];
+    if (!things_.empty())
+      camera["things"] = thingsJson(true, things_[i].pixels.share(), things_[i].displaced);
   }
   return all;
 }
@@ -92,6 +108,16 @@ std::string TrackCameras::text(const tracking::ClipTrack& track) const {
 
 std::vector<std::string> TrackCameras::warnings(const tracking::ClipTrack& track) const {
   std::vector<std::string> out;
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    const tracking::ObjectsInImages& things = things_[i];
+    const std::string name = format("scene: camera %zu shows the robots and objects ", i + 1);
+    if (const std::string reason = tracking::bandReason(things.displaced); things.show() && !reason.empty())
+      out.push_back(name + reason);
+    if (!things.show() && std::isfinite(things.pixels.share()))
+      out.push_back(name + format("in %.0f %% of their pixels: they are not where the scene has them, or the "
+                                  "camera is not (T_WC), and people behind these places are not seen",
+                                  100.0 * things.pixels.share()));
+  }
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     const tracking::CameraShare& share = track.cameras.at(i);
     if (!clock_known_[i])

@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/known_objects.hpp"
 
 namespace abstand::cli {
 
@@ -24,6 +24,10 @@ class TrackCameras {
   /// Estimates the clocks that were not given. Tracks the first seconds of each recording.
   void compareClocks(const tracking::ClipTrackerOptions& options);
 
+  /// Compares the robots and objects of a scene with the images of each camera. Returns the images of
+  /// `known` with the band around them that their largest displacement needs. Throws ParseError.
+  tracking::KnownThings compareThings(const tracking::KnownThings& known);
+
   std::span<const tracking::ClipCamera> cameras() const { return cameras_; }
   /// Facts of the first recording.
   const tracking::DepthFacts& facts() const { return streams_.front()->facts(); }
@@ -31,7 +35,7 @@ class TrackCameras {
   nlohmann::ordered_json json(const tracking::ClipTrack& track) const;
   /// A line for each of several recordings; empty for one.
   std::string text(const tracking::ClipTrack& track) const;
-  /// Reservations about clocks and absent images, one sentence each.
+  /// Reservations about clocks, displaced things and absent images, one sentence each.
   std::vector<std::string> warnings(const tracking::ClipTrack& track) const;
 
  private:
@@ -40,6 +44,7 @@ class TrackCameras {
   std::vector<tracking::ClipCamera> cameras_;
   std::vector<std::string> clock_reasons_;  ///< for each recording
   std::vector<bool> clock_known_;
+  std::vector<tracking::ObjectsInImages> things_;  ///< in each recording; empty: none are known
 };
 
 }  // namespace abstand::cli

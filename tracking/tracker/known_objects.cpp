@@ -1,6 +1,8 @@
 #include "tracking/tracker/known_objects.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <memory>
 
 namespace abstand::tracking {
 namespace {
@@ -22,23 +24,46 @@ void KnownPixels::add(const DepthImage& image, const DepthImage& known) {
   }
 }
 
-bool KnownPixels::show() const {
+double KnownPixels::share() const {
   const std::size_t all = there + through;
-  return all >= kFewestPixels && static_cast<double>(there) >= kShown * static_cast<double>(all);
+  return all > 0 ? static_cast<double>(there) / static_cast<double>(all) : kNaN;
 }
 
-KnownPixels compareWithKnown(DepthStream& stream, const KnownThings& known) {
-  KnownPixels pixels;
+bool KnownPixels::show() const { return there + through >= kFewestPixels && share() >= kShown; }
+
+ObjectsInImages compareWithKnown(DepthStream& stream, const KnownThings& known) {
+  ObjectsInImages objects;
   DepthFrame frame;
   const std::size_t count = stream.times().size(), compared = std::min(count, kComparedImages);
   for (std::size_t i = 0; i < compared; ++i) {
     stream.seek(i * count / compared);
     if (!stream.next(frame)) break;
     const DepthImage* image = known(frame.t, stream.camera());
-    if (image && image->z.size() == frame.image.z.size()) pixels.add(frame.image, *image);
+    if (!image || image->z.size() != frame.image.z.size()) continue;
+    objects.pixels.add(frame.image, *image);
+    objects.displaced.add(frame.image, *image, stream.camera());
   }
   stream.seek(0);
-  return pixels;
+  return objects;
+}
+
+KnownThings withBand(KnownThings known, double band) {
+  if (!(band > 0.0)) return known;
+  return [known = std::move(known), banded = std::make_shared<BandedThings>(), band](
+             double t, const DepthCamera& camera) -> const DepthImage* {
+    const DepthImage* things = known(t, camera);
+    return things ? &banded->around(*things, camera, band) : nullptr;
+  };
+}
+
+std::string bandReason(const DisplacedThings& displaced) {
+  if (!(displaced.band() > 0.0)) return {};
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "up to %.0f mm from where the scene has them, so distances to them are as uncertain; what is "
+                "within %.0f mm of them belongs to nobody",
+                1e3 * displaced.displacement(), 1e3 * displaced.band());
+  return text;
 }
 
 }  // namespace abstand::tracking

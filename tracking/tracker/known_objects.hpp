@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/displaced_things.hpp"
 
 namespace abstand::tracking {
 
@@ -10,12 +11,28 @@ struct KnownPixels {
   std::size_t there{0};    ///< the measured depth is theirs
   std::size_t through{0};  ///< the camera sees something behind them
   void add(const DepthImage& image, const DepthImage& known);
+  /// Of those that nothing nearer hides; NaN: there is none.
+  double share() const;
   /// Enough pixels, and most of those that nothing nearer hides show the objects.
   bool show() const;
 };
 
-/// The pixels of up to kComparedImages images, evenly spread over the recording. Throws ParseError.
-KnownPixels compareWithKnown(DepthStream& stream, const KnownThings& known);
+/// Known objects in the images of a camera.
+struct ObjectsInImages {
+  KnownPixels pixels;
+  DisplacedThings displaced;
+  /// Where they are said to be, or displaced.
+  bool show() const { return pixels.show() || displaced.areNear(); }
+};
+
+/// Up to kComparedImages images, evenly spread over the recording. Throws ParseError.
+ObjectsInImages compareWithKnown(DepthStream& stream, const KnownThings& known);
 inline constexpr std::size_t kComparedImages = 12;
+
+/// The images of `known`, with a band (m) around the objects (BandedThings).
+KnownThings withBand(KnownThings known, double band);
+
+/// The rest of a sentence on objects that the images show elsewhere; empty: there is no band.
+std::string bandReason(const DisplacedThings& displaced);
 
 }  // namespace abstand::tracking

@@ -15,7 +15,10 @@ constexpr double kForgotten = 10.0;
 
 LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
                          const LiveTrackerOptions& options)
-    : options_(options), cameras_(cameras.begin(), cameras.end()), shown_(cameras.size()) {
+    : options_(options),
+      cameras_(cameras.begin(), cameras.end()),
+      shown_(cameras.size()),
+      banded_(cameras.size()) {
   requireCameras(cameras.size(), poses_known);
   track_.camera = cameras_.front();
   for (const DepthCamera& camera : cameras_)
@@ -45,7 +48,8 @@ bool LiveTracker::decideWorld(const DepthMoment& moment) {
 const DepthImage* LiveTracker::knownFor(const DepthMoment& moment, const DepthCamera& camera) {
   const auto c = static_cast<std::size_t>(&camera - cameras_.data());
   const DepthImage* known = options_.known(moment.t, camera);
-  return shown_[c].see(moment.t, moment.frames[c]->image, known) ? known : nullptr;
+  if (!shown_[c].see(moment.t, moment.frames[c]->image, known, camera) || !known) return nullptr;
+  return &banded_[c].around(*known, camera, shown_[c].displaced().band());
 }
 
 std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {

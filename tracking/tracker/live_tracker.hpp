@@ -64,6 +64,7 @@ class LiveTracker {
   std::optional<CameraStand> stand_;  ///< as long as the world is not decided
   std::vector<DepthCamera> cameras_;
   std::vector<ShownThings> shown_;  ///< of each camera
+  std::vector<BandedThings> banded_;
   std::optional<PeopleViews> views_;
   ClipTrack track_;
   std::map<int, Follower> followers_;

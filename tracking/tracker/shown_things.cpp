@@ -2,14 +2,16 @@
 
 namespace abstand::tracking {
 
-bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known) {
+bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known, const DepthCamera& camera) {
   if (!known || t < next_) return shown_;
   next_ = t + kEvery;
   KnownPixels pixels;
   pixels.add(image, *known);
   there_ = kForget * there_ + static_cast<double>(pixels.there);
   all_ = kForget * all_ + static_cast<double>(pixels.there + pixels.through);
-  if (all_ >= kPixels) shown_ = share() >= (shown_ ? kElsewhere : kThere);
+  displaced_.forget(kForget);
+  displaced_.add(image, *known, camera);
+  if (all_ >= kPixels) shown_ = share() >= (shown_ ? kElsewhere : kThere) || displaced_.areNear();
   return shown_;
 }
 

@@ -10,14 +10,17 @@ namespace abstand::tracking {
 /// where they are said to be would be, too. Initially they count as shown. One thread. Does not allocate.
 class ShownThings {
  public:
-  /// `known`: the things, rendered for the image at `t` (s, increasing); null: not known at present, which
-  /// compares nothing. The image and it have the same size. Returns whether the things are shown.
-  bool see(double t, const DepthImage& image, const DepthImage* known);
+  /// `known`: the things, rendered for the image of `camera` at `t` (s, increasing); null: not known at
+  /// present, which compares nothing. The image and it have the same size. Returns whether the things are
+  /// shown.
+  bool see(double t, const DepthImage& image, const DepthImage* known, const DepthCamera& camera);
 
   bool areShown() const { return shown_; }
   /// Share of the compared pixels without a nearer surface that have the depth of the things; NaN: nothing
   /// was compared. Earlier images count less.
   double share() const;
+  /// How far from their place; things that are displaced, but near, are shown.
+  const DisplacedThings& displaced() const { return displaced_; }
 
   static constexpr double kEvery = 0.2;       ///< s between two compared images
   static constexpr double kForget = 0.9;      ///< weight of the images before, at each one
@@ -27,7 +30,8 @@ class ShownThings {
 
  private:
   double there_{0.0}, all_{0.0};  ///< pixels
-  double next_{-kInfinity};       ///< s
+  DisplacedThings displaced_;
+  double next_{-kInfinity};  ///< s
   bool shown_{true};
 };
 

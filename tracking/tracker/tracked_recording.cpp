@@ -26,7 +26,9 @@ std::string toMillimetre(double m) {
 /// Whether known objects are removed from the images, and why.
 struct Removal {
   bool remove{false};
-  std::string note;  ///< empty: none are known
+  std::string note;       ///< empty: none are known
+  double band{0.0};       ///< m, around them
+  std::string warning{};  ///< empty: the images do not contradict
 };
 
 Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::filesystem::path& path) {
@@ -39,14 +41,20 @@ Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::f
       throw ParseError({path.string()},
                        "found depth images without a camera pose, expected a camera with T_WC, "
                        "to remove the scene's robots and objects from them");
-    return {true, things + "removed from the images, as specified"};
   }
   if (!pose_known) return {false, things + "not removed from the images, because the camera pose is unknown"};
-  if (!stream.camera().distortion.isZero(0.0))
+  if (!objects.remove && !stream.camera().distortion.isZero(0.0))
     return {false, things + "not removed from the images, because the lens distortion is not removed"};
-  const bool remove = compareWithKnown(stream, objects.known).show();
-  return {remove, things + (remove ? "removed from the images, which show them"
-                                   : "not removed from the images, which do not show them")};
+  const ObjectsInImages shown = compareWithKnown(stream, objects.known);
+  if (!shown.show() && !objects.remove)
+    return {false, things + "not removed from the images, which do not show them"};
+  Removal removal{
+      true, things + "removed from the images, " + (objects.remove ? "as specified" : "which show them")};
+  if (!shown.show()) return removal;
+  removal.band = shown.displaced.band();
+  if (const std::string reason = bandReason(shown.displaced); !reason.empty())
+    removal.warning = "the images show the scene's robots and objects " + reason;
+  return removal;
 }
 
 std::string assumedFacing(const Facing& facing) {
@@ -223,7 +231,7 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
   ClipTrackerOptions tracker;
   tracker.person.height = height;
   const Removal removal = removalOf(objects, *stream, path);
-  if (removal.remove) tracker.known = objects.known;
+  if (removal.remove) tracker.known = withBand(objects.known, removal.band);
   tracker.progress = monitor.progress;
   tracker.interrupted = [&monitor] {
     return interruptRequested() || (monitor.cancelled && monitor.cancelled());
@@ -243,6 +251,7 @@ Recording openAnyRecording(const std::filesystem::path& path, const RecordingOpt
     monitor.fitted(std::make_shared<const FittedClip>(std::move(clip)));
   }
   if (!removal.note.empty()) recording.report.notes.push_back(removal.note);
+  if (!removal.warning.empty()) recording.report.warnings.push_back(removal.warning);
   if (std::string others = othersWarning(track, 0); !others.empty())
     recording.report.warnings.push_back(std::move(others));
   return recording;

@@ -268,6 +268,18 @@ TEST(LiveTracker, ThingsThatAreKnownAreNotPartsOfPeople) {
   EXPECT_LT(JointErrors::mean(removed.errors.raw), JointErrors::mean(kept.errors.raw));
 }
 
+/// A robot whose joint values are not accurate: the whole beam hides, and is no part of the person, nor in
+/// the hand.
+TEST(LiveTracker, ThingsThatAreDisplacedHide) {
+  const BesideABeam displaced(Vector3d(0.0, 0.0, 0.08)), exact(Vector3d::Zero());
+  EXPECT_EQ(exact.shown[0].displaced().band(), 0.0);
+  EXPECT_TRUE(displaced.shown[0].areShown());
+  EXPECT_GE(displaced.shown[0].displaced().band(), 0.08);
+  EXPECT_EQ(displaced.errors.lost, 0u);
+  EXPECT_LE(JointErrors::mean(displaced.errors.raw), kOfLiveBody);
+  EXPECT_GE(displaced.errors.tracked.within(), 0.99);
+}
+
 // A beam that is said to be 0.5 m above its place is not removed there, where the person's head is.
 TEST(LiveTracker, ThingsThatAreElsewhereAreNotRemoved) {
   const BesideABeam wrong(Vector3d(0.0, 0.0, 0.5)), kept(Vector3d::Zero(), false);

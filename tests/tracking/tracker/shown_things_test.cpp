@@ -20,11 +20,20 @@ DepthImage imageOf(int left, int columns, float empty) {
 
 struct ShownThingsTest : ::testing::Test {
   const DepthImage known = imageOf(20, 20, 0.0f);
+  DepthCamera camera = [] {
+    DepthCamera small;
+    small.width = kWidth;
+    small.height = kHeight;
+    small.fx = small.fy = 70.0;
+    small.cx = 39.5;
+    small.cy = 29.5;
+    return small;
+  }();
   ShownThings shown;
   double t{0.0};
   bool see(const DepthImage& image, int images = 20) {
     bool are_shown = false;
-    for (int k = 0; k < images; ++k) are_shown = shown.see(t += 1.0 / 30.0, image, &known);
+    for (int k = 0; k < images; ++k) are_shown = shown.see(t += 1.0 / 30.0, image, &known, camera);
     return are_shown;
   }
 };
@@ -51,7 +60,7 @@ TEST_F(ShownThingsTest, WhatHidesThemCountsNeither) {
 
 TEST_F(ShownThingsTest, UnknownThingsCompareNothing) {
   const DepthImage image = imageOf(50, 20, kWall);
-  for (int k = 0; k < 100; ++k) EXPECT_TRUE(shown.see(0.1 * k, image, nullptr));
+  for (int k = 0; k < 100; ++k) EXPECT_TRUE(shown.see(0.1 * k, image, nullptr, camera));
   EXPECT_TRUE(std::isnan(shown.share()));
 }
 
