@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracking/depth/calibration/pose_spread.hpp"
-
 namespace abstand::tracking {
 namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 // In units of stepAt(): first most changes count, finally only those that are noise.
 constexpr std::array<double, 12> kScales{16.0, 16.0, 8.0, 8.0, 4.0, 4.0, 2.0, 2.0, 1.0, 1.0, 1.0, 1.0};
@@ -16,6 +17,15 @@ constexpr double kAlong = 0.1;     // cosine: surfaces seen more nearly along th
 // that fills the image: what the surfaces do not determine, as a translation along a wall, is not found in
 // the noise of their normals.
 constexpr double kStill = 0.01;
+
+/// `step`: translation (m) and rotation vector (rad), in the axes of the result.
+Transform movedBy(const Vector6d& step, const Transform& X_BN) {
+  const Vector3d turn = step.tail<3>();
+  Transform moved = Transform::Identity();
+  moved.translate(Vector3d(step.head<3>()));
+  if (const double angle = turn.norm(); angle > 0.0) moved.rotate(Eigen::AngleAxisd(angle, turn / angle));
+  return moved * X_BN;
+}
 
 /// Depth steps along the ray of p per m along the normal.
 double stepsPerMetre(const Vector3d& n, const Vector3d& p) {
@@ -90,7 +100,7 @@ void CameraMotionFit::improve(std::span<const float> now, double scale, Transfor
   JTJ.diagonal().array() += still;
   JTr += still * motion;
   const Vector6d step = -JTJ.ldlt().solve(JTr);
-  if (step.allFinite()) X_BN = movedAbout(Vector3d::Zero(), X_BN, step);
+  if (step.allFinite()) X_BN = movedBy(step, X_BN);
 }
 
 CameraMotionFit::Change CameraMotionFit::changeBy(const Transform& X_BN, std::span<const float> now) const {
