@@ -188,7 +188,11 @@ int trackRecording(const CommandLine& line, const TrackArguments& args, tracking
         "--scene: found a recording without a camera pose, expected a camera file "
         "with T_WC (--camera)");
   cameras.compareClocks(options);
-  if (options.known) options.known = cameras.compareThings(options.known);
+  if (robots)
+    options.known = cameras.compareThings(
+        {options.known,
+         [&](double t, const tracking::DepthCamera& camera) { return robots->robotsAt(t, camera); },
+         {}});
   return trackCameras(line, args, cameras, options, pictures);
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
+#include "tracking/tracker/doubtful_cameras.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -28,7 +29,11 @@ std::vector<std::unique_ptr<tracking::LiveDepth>> opened(const std::vector<LiveS
 }  // namespace
 
 LiveCameras::LiveCameras(const std::vector<LiveSource>& sources)
-    : moments_(opened(sources)), has_failed_(sources.size(), false), has_hung_(sources.size(), false) {
+    : moments_(opened(sources)),
+      has_failed_(sources.size(), false),
+      has_hung_(sources.size(), false),
+      is_apart_(sources.size(), false),
+      is_late_(sources.size(), false) {
   for (const LiveSource& source : sources) names_.push_back(source.name);
 }
 
@@ -60,6 +65,16 @@ std::vector<std::string> LiveCameras::news(std::span<const tracking::CameraShare
     news.push_back(names_[c] + format(": found the same image repeated since %.2f s, expected new ones: it "
                                       "hangs, and is not used until then",
                                       shares[c].hung_at));
+  }
+  for (std::size_t c = 0; c < std::min(size(), shares.size()); ++c) {
+    if (!is_apart_[c] && std::isfinite(shares[c].apart_since)) {
+      is_apart_[c] = true;
+      news.push_back(names_[c] + " " + tracking::apartReason(shares[c]));
+    }
+    if (!is_late_[c] && std::isfinite(shares[c].late_since)) {
+      is_late_[c] = true;
+      news.push_back(names_[c] + " " + tracking::lateReason(shares[c]));
+    }
   }
   for (std::size_t c = 0; size() > 1 && c < size(); ++c) {
     const std::string failure = failureOf(c, shares);

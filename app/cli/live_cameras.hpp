@@ -13,7 +13,7 @@ struct LiveSource {
   tracking::DepthStreamOptions stream;
 };
 
-/// Opened cameras, and what happens to them: an end or a movement is reported once, as soon as it is known.
+/// Opened cameras, and what happens to them: each fault is reported once, as soon as it is known.
 /// One thread.
 class LiveCameras {
  public:
@@ -29,8 +29,8 @@ class LiveCameras {
   std::vector<tracking::DepthCamera> cameras() const;
   const tracking::DepthFacts& facts() const { return moments_.camera(0).facts(); }  ///< of the first
 
-  /// One sentence for each camera that hangs since the last call, and for each of several that has ended or
-  /// was moved.
+  /// One sentence for each camera that hangs since the last call, and for each of several that has ended, was
+  /// moved, disagrees with the others or is late.
   std::vector<std::string> news(std::span<const tracking::CameraShare> shares);
   const std::vector<std::string>& reported() const { return reported_; }
   /// True if no camera has usable images any more.
@@ -49,7 +49,7 @@ class LiveCameras {
 
   std::vector<std::string> names_;
   tracking::LiveMoments moments_;
-  std::vector<bool> has_failed_, has_hung_;  ///< it was reported
+  std::vector<bool> has_failed_, has_hung_, is_apart_, is_late_;  ///< it was reported
   std::vector<std::string> reported_;
 };
 

@@ -33,6 +33,11 @@ tracking::KnownThings LiveThings::known() {
   return [this](double, const tracking::DepthCamera& camera) { return things_->at(camera); };
 }
 
+tracking::KnownThings LiveThings::atRest() {
+  if (!things_) return {};
+  return [this](double, const tracking::DepthCamera& camera) { return things_->atRest(camera); };
+}
+
 std::vector<std::string> LiveThings::news(std::span<const tracking::ShownThings> shown,
                                           std::span<const std::string> names) {
   if (!things_) return {};

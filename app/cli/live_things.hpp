@@ -24,6 +24,7 @@ class LiveThings {
   void update(std::chrono::steady_clock::time_point came);
   /// For LiveTrackerOptions.
   tracking::KnownThings known();
+  tracking::KnownThings atRest();
   /// What changed since the last call, one sentence each. `names`: of the cameras.
   std::vector<std::string> news(std::span<const tracking::ShownThings> shown,
                                 std::span<const std::string> names);

@@ -169,9 +169,12 @@ int runLiveTrack(const CommandLine& line, const LiveTrackArguments& args) {
     throw UsageError(
         "--scene: found a camera without a pose, expected a camera file with T_WC "
         "(--camera; abstand calibrate makes one)");
-  tracking::LiveTracker tracker(
-      cameras.cameras(), facts.pose_known,
-      {.person = args.person, .keep = !args.out.empty(), .known = things.known(), .watch = args.watch});
+  tracking::LiveTracker tracker(cameras.cameras(), facts.pose_known,
+                                {.person = args.person,
+                                 .keep = !args.out.empty(),
+                                 .known = things.known(),
+                                 .at_rest = things.atRest(),
+                                 .watch = args.watch});
   if (!line.quiet) std::cerr << "track: looking through " << cameras.names() << std::endl;
   const LiveOutcome outcome =
       follow(line, {cameras, things, tracker, sender ? &*sender : nullptr}, args.seconds);

@@ -68,16 +68,17 @@ void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
   }
 }
 
-tracking::KnownThings TrackCameras::compareThings(const tracking::KnownThings& known) {
+tracking::KnownThings TrackCameras::compareThings(const tracking::KnownObjects& objects) {
   double band = 0.0;
   for (const tracking::ClipCamera& camera : cameras_) {
-    const auto atClock = [&](double t, const tracking::DepthCamera& view) {
-      return known(t + camera.offset, view);
+    const auto atClock = [&camera](const tracking::KnownThings& things) -> tracking::KnownThings {
+      return [&](double t, const tracking::DepthCamera& view) { return things(t + camera.offset, view); };
     };
-    things_.push_back(tracking::compareWithKnown(*camera.stream, atClock));
+    things_.push_back(
+        tracking::compareWithKnown(*camera.stream, {atClock(objects.known), atClock(objects.robots), {}}));
     if (things_.back().show()) band = std::max(band, things_.back().displaced.band());
   }
-  return tracking::withBand(known, band);
+  return tracking::withBand(objects.known, band);
 }
 
 nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) const {

@@ -24,9 +24,9 @@ class TrackCameras {
   /// Estimates the clocks that were not given. Tracks the first seconds of each recording.
   void compareClocks(const tracking::ClipTrackerOptions& options);
 
-  /// Compares the robots and objects of a scene with the images of each camera. Returns the images of
-  /// `known` with the band around them that their largest displacement needs. Throws ParseError.
-  tracking::KnownThings compareThings(const tracking::KnownThings& known);
+  /// Compares the robots and objects of a scene with the images of each camera. Returns the images of all
+  /// with the band around them that their largest displacement needs. Throws ParseError.
+  tracking::KnownThings compareThings(const tracking::KnownObjects& objects);
 
   std::span<const tracking::ClipCamera> cameras() const { return cameras_; }
   /// Facts of the first recording.

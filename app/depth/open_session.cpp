@@ -10,9 +10,13 @@ std::unique_ptr<session::Session> openSession(scene_file::SceneDescription scene
   same.cache = options.cache;
   same.monitor = options.monitor;
   std::unique_ptr<RobotView> things;
-  options.known = [&](double t, const tracking::DepthCamera& camera) {
+  const auto view = [&]() -> RobotView& {
     if (!things) things = std::make_unique<RobotView>(scene, same);
-    return &things->at(t, camera);
+    return *things;
+  };
+  options.known.known = [&](double t, const tracking::DepthCamera& camera) { return &view().at(t, camera); };
+  options.known.robots = [&](double t, const tracking::DepthCamera& camera) {
+    return view().robotsAt(t, camera);
   };
   return std::make_unique<session::Session>(scene, options);
 }

@@ -21,12 +21,21 @@ SceneThings::SceneThings(const session::Session& session, bool with_people) : sc
     bool is_person = false;
     for (const auto& human : session.description().humans) is_person |= human.name == object.spec.group;
     if (is_person && !with_people) continue;
+    bool is_robot = false;
+    for (const auto& mechanism : session.description().mechanisms)
+      is_robot |= mechanism.name == object.spec.group;
+    is_robot_.push_back(is_robot);
     meshes_.emplace_back(k, object.spec.structure->surface->mesh(kSagitta));
   }
 }
 
 void SceneThings::draw(const Transform& X_CW, tracking::DepthRender& render) const {
   for (const auto& [k, mesh] : meshes_) render.draw(mesh, X_CW * scene_.objects()[k].X_WB);
+}
+
+void SceneThings::drawRobots(const Transform& X_CW, tracking::DepthRender& render) const {
+  for (std::size_t k = 0; k < meshes_.size(); ++k)
+    if (is_robot_[k]) drawAt(k, X_CW * object(k).X_WB, render);
 }
 
 RobotView::RobotView(scene_file::SceneDescription scene, const session::SessionOptions& options)
@@ -38,6 +47,15 @@ const tracking::DepthImage& RobotView::at(double t, const tracking::DepthCamera&
   render_->clear();
   things_.draw(camera.X_WC.inverse(), *render_);
   return render_->image();
+}
+
+const tracking::DepthImage* RobotView::robotsAt(double t, const tracking::DepthCamera& camera) {
+  if (session_.description().mechanisms.empty()) return nullptr;
+  robots_.emplace(camera);
+  session_.applyMotion(t);
+  robots_->clear();
+  things_.drawRobots(camera.X_WC.inverse(), *robots_);
+  return &robots_->image();
 }
 
 }  // namespace abstand::depth

@@ -49,7 +49,8 @@ void ServedThings::connect(const std::string& file, const serve::Address& server
 void ServedThings::update(double now) {
   if (!window_) return;
   if (window_->update(*record_, now))
-    for (auto& [camera, view] : views_) view.is_current = false;
+    for (Views* views : {&views_, &at_rest_})
+      for (auto& [camera, view] : *views) view.is_current = false;
   const bool answers = !record_->status(now).stale();
   note({}, answers, now);
   for (const auto& mechanism : session_.description().mechanisms) {
@@ -83,8 +84,22 @@ void ServedThings::draw(const Transform& X_CW, tracking::DepthRender& render) co
     for (const Transform& X_WB : window_->poses(k)) things_.drawAt(k, X_CW * X_WB, render);
 }
 
+const tracking::DepthImage* ServedThings::atRest(const tracking::DepthCamera& camera) {
+  if (!isKnown() || !window_) return at(camera);
+  View& view = at_rest_.try_emplace(&camera, camera).first->second;
+  if (!view.is_current) {
+    const Transform X_CW = camera.X_WC.inverse();
+    view.render.clear();
+    view.is_current = true;
+    for (std::size_t k = 0; k < things_.size(); ++k)
+      if (things_.isRobot(k) && window_->poses(k).size() == 1)
+        things_.drawAt(k, X_CW * window_->poses(k).front(), view.render);
+  }
+  return &view.render.image();
+}
+
 const tracking::DepthImage* ServedThings::at(const tracking::DepthCamera& camera) {
-  if (window_ && !knowledge_[{}].is_known) return nullptr;
+  if (!isKnown()) return nullptr;
   View& view = views_.try_emplace(&camera, camera).first->second;
   if (!view.is_current) {
     view.render.clear();

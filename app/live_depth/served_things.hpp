@@ -27,6 +27,9 @@ class ServedThings {
   /// m; the image of `camera`, which is the same object in each call, valid until the next update(). Null if
   /// nothing is known. Throws UsageError for a camera with distortion.
   const tracking::DepthImage* at(const tracking::DepthCamera& camera);
+  /// The same of robots that did not move in the last PoseWindow::kWindow alone, or of all objects without a
+  /// server. Null: nothing is known.
+  const tracking::DepthImage* atRest(const tracking::DepthCamera& camera);
 
   /// One sentence for each robot whose pose became unknown, or known again, since the last call, and for the
   /// server. What changes within kSaidAfter is not said.
@@ -46,6 +49,8 @@ class ServedThings {
     tracking::DepthRender render;
     bool is_current{false};
   };
+  using Views = std::map<const tracking::DepthCamera*, View>;
+  bool isKnown() { return !window_ || knowledge_[{}].is_known; }
   void connect(const std::string& file, const serve::Address& server);
   void note(const std::string& robot, bool is_known, double now);
   void draw(const Transform& X_CW, tracking::DepthRender& render) const;
@@ -55,7 +60,7 @@ class ServedThings {
   std::string server_;                          ///< its address
   std::map<std::string, Knowledge> knowledge_;  ///< of each robot; the empty name: of the server
   std::vector<std::string> news_;
-  std::map<const tracking::DepthCamera*, View> views_;
+  Views views_, at_rest_;
   std::shared_ptr<viewer::LiveRecord> record_;  ///< null: no server
   std::optional<PoseWindow> window_;
   std::unique_ptr<viewer::ViewerLink> link_;

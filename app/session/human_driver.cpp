@@ -16,10 +16,11 @@ namespace abstand::session {
 namespace {
 
 std::optional<tracking::Recording> recordingOf(const scene_file::HumanDescription& d,
-                                               const tracking::KnownThings& known,
+                                               const tracking::KnownObjects& known,
                                                const tracking::TrackMonitor& monitor) {
   if (d.recording.file.empty()) return std::nullopt;
-  const tracking::KnownObjects objects{known, d.recording.cut_things};
+  tracking::KnownObjects objects = known;
+  objects.remove = d.recording.cut_things;
   tracking::Recording recording =
       tracking::openAnyRecording(d.recording.file, d.recording.options, std::nullopt, objects, monitor);
   tracking::requirePerson(recording.report, d.recording.file.string());
@@ -62,7 +63,7 @@ scene::PoseState poseState(humanmodel::PartState s) {
 
 }  // namespace
 
-HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::KnownThings& known,
+HumanDriver::HumanDriver(const scene_file::HumanDescription& d, const tracking::KnownObjects& known,
                          const tracking::TrackMonitor& monitor)
     : recording_(recordingOf(d, known, monitor)),
       model_(modelOf(d, recording_)),

@@ -4,7 +4,7 @@
 #include "app/scene_file/scene_description.hpp"
 #include "core/scene/scene.hpp"
 #include "humanmodel/poser.hpp"
-#include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/known_objects.hpp"
 #include "tracking/tracker/track_monitor.hpp"
 
 namespace abstand::session {
@@ -15,7 +15,7 @@ class HumanDriver {
   /// Reads the recording (if any) and builds the model. `known`: depth images of known objects, for a depth
   /// camera in the scene. Throws ParseError, UsageError, and Interrupted if the monitor ends the tracking.
   explicit HumanDriver(const scene_file::HumanDescription& description,
-                       const tracking::KnownThings& known = {}, const tracking::TrackMonitor& monitor = {});
+                       const tracking::KnownObjects& known = {}, const tracking::TrackMonitor& monitor = {});
   HumanDriver(const HumanDriver&) = delete;
   HumanDriver& operator=(const HumanDriver&) = delete;
 

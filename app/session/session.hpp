@@ -31,8 +31,8 @@ struct SessionOptions {
   bool keep_fits{false};  ///< HumanDriver::fitted() of depth recordings
   /// Called with the number of structures before the first is looked up or built.
   std::function<void(std::size_t structures)> planned;
-  tracking::KnownThings known;  ///< images of the robots as seen by a camera, for depth recordings that
-                                ///< request it
+  tracking::KnownObjects known;  ///< images of the robots as seen by a camera, for depth recordings that
+                                 ///< request it
   std::optional<double> rest, horizon, budget;  ///< override the scene's `skipping`, as in QueryCulling
   std::optional<bool> remember;                 ///< likewise
   std::optional<double> far_tolerance;          ///< likewise

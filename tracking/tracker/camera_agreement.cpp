@@ -39,6 +39,11 @@ void CameraAgreement::see(const DepthMoment& moment, const KnownThings& known) {
   }
 }
 
+void CameraAgreement::forgetBefore(double t) {
+  for (Pair& pair : pairs_) std::erase_if(pair.seen, [t](const SeenTwice& one) { return one.t < t; });
+  std::erase_if(hangs_, [t](const CameraFault& hang) { return hang.until < t; });
+}
+
 void CameraAgreement::refuseSame(const DepthMoment& moment, Pair& pair) {
   if (pair.differs) return;
   pair.differs = moment.frames[pair.first]->image.z != moment.frames[pair.second]->image.z;

@@ -18,6 +18,8 @@ class CameraAgreement {
   /// `moment.t` (s) increases; `known` may be empty. Throws UsageError if the first images of two cameras are
   /// the same: it is one recording.
   void see(const DepthMoment& moment, const KnownThings& known);
+  /// Leaves out what was seen before `t` (s) in faults() from now on.
+  void forgetBefore(double t);
   /// What the moments so far show, by camera. Two people whom one camera sees each are not compared, unless
   /// both cameras see through the person of the other one.
   std::vector<CameraFault> faults() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -47,6 +48,14 @@ inline double doubtAt(std::span<const CameraFault> faults, double t) {
   for (const CameraFault& fault : faults)
     if (fault.kind == CameraFault::Kind::kApart && !fault.certain && fault.holds(t))
       most = std::max(most, fault.apart);
+  return most;
+}
+
+/// s: the largest difference in time of a camera that is late or early at `t` (s).
+inline double lateAt(std::span<const CameraFault> faults, double t) {
+  double most = 0.0;
+  for (const CameraFault& fault : faults)
+    if (fault.kind == CameraFault::Kind::kLate && fault.holds(t)) most = std::max(most, std::abs(fault.late));
   return most;
 }
 

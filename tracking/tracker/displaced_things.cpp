@@ -31,13 +31,17 @@ double nearestOf(const DepthImage& image, const DepthCamera& camera, int u, int 
 
 }  // namespace
 
-void DisplacedThings::add(const DepthImage& image, const DepthImage& known, const DepthCamera& camera) {
+bool DisplacedThings::add(const DepthImage& image, const DepthImage& known, const DepthCamera& camera,
+                          double kept) {
   ABSTAND_CHECK(known.z.size() == image.z.size());
   const int stride = std::max(1, image.width / kOfRow);
+  bool is_first = true;
   for (int v = 0; v < image.height; v += stride) {
     for (int u = 0; u < image.width; u += stride) {
       const double depth = known.at(u, v), z = image.at(u, v);
       if (depth <= 0.0 || z <= 0.0 || z < depth - kFarthest) continue;
+      if (is_first) forget(kept);
+      is_first = false;
       const double distance = nearestOf(image, camera, u, v, depth, stride);
       points_ += 1.0;
       depths_ += depth;
@@ -45,12 +49,13 @@ void DisplacedThings::add(const DepthImage& image, const DepthImage& known, cons
         near_[std::min(static_cast<std::size_t>(distance / kFarthest * kBins), kBins - 1)] += 1.0;
     }
   }
+  return !is_first;
 }
 
-void DisplacedThings::forget(double weight) {
-  for (double& bin : near_) bin *= weight;
-  points_ *= weight;
-  depths_ *= weight;
+void DisplacedThings::forget(double kept) {
+  for (double& bin : near_) bin *= kept;
+  points_ *= kept;
+  depths_ *= kept;
 }
 
 double DisplacedThings::share() const {

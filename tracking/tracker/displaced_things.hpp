@@ -15,10 +15,9 @@ namespace abstand::tracking {
 /// Does not allocate.
 class DisplacedThings {
  public:
-  /// `known` (m; 0: none): the things, rendered for `image`, which has the same size as `camera`'s.
-  void add(const DepthImage& image, const DepthImage& known, const DepthCamera& camera);
-  /// Earlier images count by `weight` times as much.
-  void forget(double weight);
+  /// `known` (m; 0: none): the things, rendered for `image`, which has the same size as `camera`'s. Earlier
+  /// images count by `kept` times as much, if any point is compared, which is returned.
+  bool add(const DepthImage& image, const DepthImage& known, const DepthCamera& camera, double kept = 1.0);
 
   /// Share of the points that are within kFarthest of a measured one; NaN: no point was compared.
   double share() const;
@@ -36,12 +35,14 @@ class DisplacedThings {
   static constexpr double kFewest = 100.0;
   static constexpr double kQuantile = 0.9;
   static constexpr double kMargin = 0.02;  ///< m
-  /// m, at depth z (m): 1.2 times what robots in their place had from 1.6 to 4.8 m away, 17 to 52 mm, by
-  /// the depth steps of a Kinect and the edges that it does not see.
+  /// m, at depth z (m): somewhat more than what robots in their place had from 1.6 to 4.8 m away, 14 to 48
+  /// mm, by the depth steps of a Kinect and the edges that it does not see.
   static double noiseAt(double z) { return 0.006 + 0.012 * z; }
 
  private:
   static constexpr std::size_t kBins = 30;
+  void forget(double kept);
+
   std::array<double, kBins> near_{};  // points by distance, up to kFarthest
   double points_{0.0}, depths_{0.0};  // number, and the sum of their depths (m)
 };

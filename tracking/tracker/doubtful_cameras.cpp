@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "humanmodel/joint_covariance.hpp"
 
@@ -15,13 +16,6 @@ const SkeletonFrame& lastFrameUntil(std::span<const SkeletonFrame> frames, doubl
   const auto after = std::upper_bound(frames.begin(), frames.end(), t,
                                       [](double time, const SkeletonFrame& frame) { return time < frame.t; });
   return after == frames.begin() ? frames.front() : *std::prev(after);
-}
-
-double lateAt(std::span<const CameraFault> faults, double t) {
-  double most = 0.0;
-  for (const CameraFault& fault : faults)
-    if (fault.kind == CameraFault::Kind::kLate && fault.holds(t)) most = std::max(most, std::abs(fault.late));
-  return most;
 }
 
 /// m, that a joint is from its places `late` (s) before and after.
@@ -59,6 +53,10 @@ void stateFault(const CameraFault& fault, double begin, CameraShare& share) {
 
 }  // namespace
 
+void stateFaults(std::span<const CameraFault> faults, double begin, std::span<CameraShare> shares) {
+  for (const CameraFault& fault : faults) stateFault(fault, begin, shares[fault.camera]);
+}
+
 void widenByFaults(std::span<const CameraFault> faults, ClipTrack& track) {
   for (ClipPerson& person : track.people)
     for (SkeletonFrame& frame : person.frames) {
@@ -70,7 +68,27 @@ void widenByFaults(std::span<const CameraFault> faults, ClipTrack& track) {
         if (frame.has(joint)) humanmodel::addRadius(frame, joint, doubt + moved);
       }
     }
-  for (const CameraFault& fault : faults) stateFault(fault, track.begin, track.cameras.at(fault.camera));
+  stateFaults(faults, track.begin, track.cameras);
+}
+
+std::string apartReason(const CameraShare& share) {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "disagrees with the others by %.2f m since %.2f s: it was pushed, or its pose is wrong; "
+                "its images are not used then%s",
+                share.apart, share.apart_since,
+                share.apart_certain ? ""
+                                    : ", and all joints are uncertain by this distance, as another "
+                                      "camera may be the wrong one");
+  return text;
+}
+
+std::string lateReason(const CameraShare& share) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "is %.2f s %s since %.2f s: all joints are uncertain by what they move in that time",
+                std::abs(share.late), share.late > 0.0 ? "late" : "early", share.late_since);
+  return text;
 }
 
 }  // namespace abstand::tracking

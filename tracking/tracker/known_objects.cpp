@@ -31,20 +31,21 @@ double KnownPixels::share() const {
 
 bool KnownPixels::show() const { return there + through >= kFewestPixels && share() >= kShown; }
 
-ObjectsInImages compareWithKnown(DepthStream& stream, const KnownThings& known) {
-  ObjectsInImages objects;
+ObjectsInImages compareWithKnown(DepthStream& stream, const KnownObjects& objects) {
+  ObjectsInImages in_images;
   DepthFrame frame;
   const std::size_t count = stream.times().size(), compared = std::min(count, kComparedImages);
   for (std::size_t i = 0; i < compared; ++i) {
     stream.seek(i * count / compared);
     if (!stream.next(frame)) break;
-    const DepthImage* image = known(frame.t, stream.camera());
-    if (!image || image->z.size() != frame.image.z.size()) continue;
-    objects.pixels.add(frame.image, *image);
-    objects.displaced.add(frame.image, *image, stream.camera());
+    const DepthImage* all = objects.known(frame.t, stream.camera());
+    if (!all || all->z.size() != frame.image.z.size()) continue;
+    in_images.pixels.add(frame.image, *all);
+    const DepthImage* robots = objects.robots ? objects.robots(frame.t, stream.camera()) : nullptr;
+    in_images.displaced.add(frame.image, robots ? *robots : *all, stream.camera());
   }
   stream.seek(0);
-  return objects;
+  return in_images;
 }
 
 KnownThings withBand(KnownThings known, double band) {

@@ -1,10 +1,19 @@
 // Whether depth images show objects whose poses are known.
 #pragma once
 
+#include <optional>
+
 #include "tracking/tracker/clip_tracker.hpp"
 #include "tracking/tracker/displaced_things.hpp"
 
 namespace abstand::tracking {
+
+/// Objects to remove from depth images.
+struct KnownObjects {
+  KnownThings known;           ///< may be empty
+  KnownThings robots;          ///< those whose displacement is measured; empty, or null images: all of them
+  std::optional<bool> remove;  ///< unset: if the images show them (compareWithKnown())
+};
 
 /// Pixels at which known objects would be seen.
 struct KnownPixels {
@@ -19,14 +28,14 @@ struct KnownPixels {
 
 /// Known objects in the images of a camera.
 struct ObjectsInImages {
-  KnownPixels pixels;
-  DisplacedThings displaced;
+  KnownPixels pixels;         ///< of all
+  DisplacedThings displaced;  ///< of the robots, if there are any
   /// Where they are said to be, or displaced.
   bool show() const { return pixels.show() || displaced.areNear(); }
 };
 
 /// Up to kComparedImages images, evenly spread over the recording. Throws ParseError.
-ObjectsInImages compareWithKnown(DepthStream& stream, const KnownThings& known);
+ObjectsInImages compareWithKnown(DepthStream& stream, const KnownObjects& objects);
 inline constexpr std::size_t kComparedImages = 12;
 
 /// The images of `known`, with a band (m) around the objects (BandedThings).

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "humanmodel/joint_covariance.hpp"
+#include "tracking/tracker/doubtful_cameras.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -28,6 +29,8 @@ LiveTracker::LiveTracker(std::span<const DepthCamera> cameras, bool poses_known,
     track_.world = cameras.size() == 1 ? "the camera pose is taken from its file"
                                        : "the camera poses are taken from their files";
     views_.emplace(cameras_, CameraShare::kHung);
+    if (cameras.size() > 1)
+      agreement_ = std::make_unique<LiveAgreement>(cameras_, options_.person, options_.person.fit_aside);
   } else {
     track_.world = "undetermined: no image";
     stand_.emplace(cameras_.front(), options_.person.height);
@@ -48,8 +51,22 @@ bool LiveTracker::decideWorld(const DepthMoment& moment) {
 const DepthImage* LiveTracker::knownFor(const DepthMoment& moment, const DepthCamera& camera) {
   const auto c = static_cast<std::size_t>(&camera - cameras_.data());
   const DepthImage* known = options_.known(moment.t, camera);
-  if (!shown_[c].see(moment.t, moment.frames[c]->image, known, camera) || !known) return nullptr;
-  return &banded_[c].around(*known, camera, shown_[c].displaced().band());
+  const DepthImage* at_rest = options_.at_rest ? options_.at_rest(moment.t, camera) : nullptr;
+  if (!shown_[c].see(moment.t, moment.frames[c]->image, known, at_rest, camera) || !known) return nullptr;
+  return known_now_[c] = &banded_[c].around(*known, camera, shown_[c].displaced().band());
+}
+
+/// What the cameras show of each other. Who was found with a camera that was wrong, is lost.
+void LiveTracker::judgeCameras(double t) {
+  const std::span<const CameraFault> now = agreement_->faults();
+  for (const CameraFault& fault : now) {
+    const bool is_new = std::none_of(faults_.begin(), faults_.end(), [&](const CameraFault& old) {
+      return old.camera == fault.camera && old.kind == fault.kind && old.since == fault.since;
+    });
+    if (is_new && fault.leavesOut()) loseSince(track_, fault.since);
+  }
+  faults_.assign(now.begin(), now.end());
+  for (std::size_t c = 0; c < cameras_.size(); ++c) views_->leaveOut(c, !isUsable(faults_, c, t));
 }
 
 std::span<const LiveTracker::Seen> LiveTracker::see(const DepthFrame& frame) {
@@ -60,11 +77,17 @@ std::span<const LiveTracker::Seen> LiveTracker::see(const DepthMoment& moment) {
   seen_.clear();
   ++track_.images;
   if (!decideWorld(moment)) return seen_;
+  if (agreement_) judgeCameras(moment.t);
+  known_now_.assign(cameras_.size(), nullptr);
   if (options_.known)
     views_->see(moment, [&](double, const DepthCamera& camera) { return knownFor(moment, camera); });
   else
     views_->see(moment, {});
   loseSince(track_, views_->note(track_.cameras));
+  if (agreement_) {
+    agreement_->offer(moment, known_now_);
+    stateFaults(faults_, 0.0, track_.cameras);
+  }
   if (!views_->empty()) track_.lag = std::max(track_.lag, moment.lag);
   views_->each([&](int id, std::size_t first, std::span<const PersonImage> images) {
     follow(moment, id, first, images);
@@ -87,7 +110,11 @@ void LiveTracker::follow(const DepthMoment& moment, int id, std::size_t first,
     Seen& seen = seen_.emplace_back(Seen{id, body, body->frame});
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       humanmodel::addSpread(seen.frame, static_cast<humanmodel::Joint>(j), track_.camera.spread);
-    if (images.size() > 1) widenByLag(moment.lag, follower.before, seen.frame);
+    if (images.size() > 1) widenByLag(moment.lag + lateAt(faults_, moment.t), follower.before, seen.frame);
+    const double doubt = doubtAt(faults_, moment.t);
+    for (std::size_t j = 0; doubt > 0.0 && j < humanmodel::kJointCount; ++j)
+      if (seen.frame.has(static_cast<humanmodel::Joint>(j)))
+        humanmodel::addRadius(seen.frame, static_cast<humanmodel::Joint>(j), doubt);
     follower.before = seen.frame;
     if (options_.keep) person.frames.back() = seen.frame;
   }

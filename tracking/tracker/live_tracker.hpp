@@ -7,20 +7,24 @@
 
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/live_agreement.hpp"
 #include "tracking/tracker/shown_things.hpp"
 
 namespace abstand::tracking {
 
 struct LiveTrackerOptions {
   TrackedPerson::Options person;
-  bool keep{true};    ///< keep the frames of all people, for track()
-  KnownThings known;  ///< removed from the images that show them (ShownThings); may be empty
+  bool keep{true};      ///< keep the frames of all people, for track()
+  KnownThings known;    ///< removed from the images that show them (ShownThings); may be empty
+  KnownThings at_rest;  ///< those of them whose displacement is measured; may be empty
   std::function<void(const ClipMoment&)> watch;  ///< may be empty
 };
 
 /// Single pass over live images of one or several cameras: each person is first measured, then tracked with
-/// the usual body of that stature, and after some seconds with the fitted one. One thread. Allocates while a
-/// person is measured and fitted, and if frames are kept.
+/// the usual body of that stature, and after some seconds with the fitted one. Several cameras are compared
+/// with each other (LiveAgreement): the images of one that disagrees are not used, and the spread of the
+/// joints grows as in recordings. One thread, and those of LiveAgreement and TrackedPerson if options.person
+/// says fit_aside. Allocates while a person is measured and fitted, and if frames are kept.
 class LiveTracker {
  public:
   /// `cameras`: those of the images, 1 to BodyObservation::kMaxViews; `poses_known`: their X_WC are in one
@@ -57,6 +61,7 @@ class LiveTracker {
   };
   bool decideWorld(const DepthMoment& moment);
   const DepthImage* knownFor(const DepthMoment& moment, const DepthCamera& camera);
+  void judgeCameras(double t);
   void follow(const DepthMoment& moment, int id, std::size_t first, std::span<const PersonImage> images);
   void forget(double t);
 
@@ -65,7 +70,10 @@ class LiveTracker {
   std::vector<DepthCamera> cameras_;
   std::vector<ShownThings> shown_;  ///< of each camera
   std::vector<BandedThings> banded_;
+  std::vector<const DepthImage*> known_now_;  ///< in the images of the last moment; null: nothing
   std::optional<PeopleViews> views_;
+  std::unique_ptr<LiveAgreement> agreement_;  ///< null: there is one camera
+  std::vector<CameraFault> faults_;
   ClipTrack track_;
   std::map<int, Follower> followers_;
   std::map<int, std::size_t> place_;  ///< index in track_.people of each person

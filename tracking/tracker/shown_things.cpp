@@ -2,16 +2,17 @@
 
 namespace abstand::tracking {
 
-bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known, const DepthCamera& camera) {
+bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known, const DepthImage* at_rest,
+                      const DepthCamera& camera) {
   if (!known || t < next_) return shown_;
   next_ = t + kEvery;
   KnownPixels pixels;
   pixels.add(image, *known);
   there_ = kForget * there_ + static_cast<double>(pixels.there);
   all_ = kForget * all_ + static_cast<double>(pixels.there + pixels.through);
-  displaced_.forget(kForget);
-  displaced_.add(image, *known, camera);
-  if (all_ >= kPixels) shown_ = share() >= (shown_ ? kElsewhere : kThere) || displaced_.areNear();
+  const bool is_measured = at_rest && displaced_.add(image, *at_rest, camera, kForget);
+  if (all_ >= kPixels)
+    shown_ = share() >= (shown_ ? kElsewhere : kThere) || (is_measured && displaced_.areNear());
   return shown_;
 }
 

@@ -12,8 +12,10 @@ class ShownThings {
  public:
   /// `known`: the things, rendered for the image of `camera` at `t` (s, increasing); null: not known at
   /// present, which compares nothing. The image and it have the same size. Returns whether the things are
-  /// shown.
-  bool see(double t, const DepthImage& image, const DepthImage* known, const DepthCamera& camera);
+  /// shown. `at_rest`: those whose displacement is measured, as what moves is known at several places; null:
+  /// none.
+  bool see(double t, const DepthImage& image, const DepthImage* known, const DepthImage* at_rest,
+           const DepthCamera& camera);
 
   bool areShown() const { return shown_; }
   /// Share of the compared pixels without a nearer surface that have the depth of the things; NaN: nothing

@@ -8,8 +8,8 @@
 #include "tracking/depth/formats/depth_sources.hpp"
 #include "tracking/recording/part_joints.hpp"
 #include "tracking/registry/open_recording.hpp"
+#include "tracking/tracker/doubtful_cameras.hpp"
 #include "tracking/tracker/fitted_clip.hpp"
-#include "tracking/tracker/known_objects.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -45,7 +45,7 @@ Removal removalOf(const KnownObjects& objects, DepthStream& stream, const std::f
   if (!pose_known) return {false, things + "not removed from the images, because the camera pose is unknown"};
   if (!objects.remove && !stream.camera().distortion.isZero(0.0))
     return {false, things + "not removed from the images, because the lens distortion is not removed"};
-  const ObjectsInImages shown = compareWithKnown(stream, objects.known);
+  const ObjectsInImages shown = compareWithKnown(stream, objects);
   if (!shown.show() && !objects.remove)
     return {false, things + "not removed from the images, which do not show them"};
   Removal removal{
@@ -178,22 +178,8 @@ std::vector<std::string> cameraWarnings(const ClipTrack& track) {
                     share.moved_at);
       warnings.push_back(name + text);
     }
-    if (std::isfinite(share.apart_since)) {
-      std::snprintf(text, sizeof text,
-                    " disagrees with the others by %.2f m since %.2f s: it was pushed, or its pose is wrong; "
-                    "its images are not used then%s",
-                    share.apart, share.apart_since,
-                    share.apart_certain ? ""
-                                        : ", and all joints are uncertain by this distance, as another "
-                                          "camera may be the wrong one");
-      warnings.push_back(name + text);
-    }
-    if (std::isfinite(share.late_since)) {
-      std::snprintf(text, sizeof text,
-                    " is %.2f s %s since %.2f s: all joints are uncertain by what they move in that time",
-                    std::abs(share.late), share.late > 0.0 ? "late" : "early", share.late_since);
-      warnings.push_back(name + text);
-    }
+    if (std::isfinite(share.apart_since)) warnings.push_back(name + " " + apartReason(share));
+    if (std::isfinite(share.late_since)) warnings.push_back(name + " " + lateReason(share));
     if (static_cast<double>(share.repeated) > kManyRepeated * static_cast<double>(share.images)) {
       std::snprintf(text, sizeof text, " repeats the image before in %zu of %zu images: it hangs",
                     share.repeated, share.images);

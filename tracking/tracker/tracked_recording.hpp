@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tracking/recording/recording.hpp"
-#include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/known_objects.hpp"
 #include "tracking/tracker/track_monitor.hpp"
 
 namespace abstand::tracking {
@@ -34,12 +34,6 @@ std::vector<std::string> cameraWarnings(const ClipTrack& track);
 
 /// True for a depth recording: a folder, or a file of depth images, clouds or arrays.
 bool isDepthRecording(const std::filesystem::path& path);
-
-/// Objects to remove from depth images.
-struct KnownObjects {
-  KnownThings known;           ///< may be empty
-  std::optional<bool> remove;  ///< unset: if the images show them (compareWithKnown())
-};
 
 /// openRecording(); for a depth recording its first person, tracked. `height` (m): stature of the body;
 /// otherwise measured. A note of the report states whether known objects were removed from the images. If

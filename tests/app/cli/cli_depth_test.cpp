@@ -237,6 +237,35 @@ TEST_F(Cli, RunCutsOutThingsThatTheImagesShow) {
               ::testing::Contains(what + "removed from the images, which show them"));
 }
 
+// 8 cm beside its place, as a robot of which a joint is known inaccurately: distances to it are as uncertain.
+TEST_F(Cli, RunSaysWhatImagesShowBesideItsPlace) {
+  const auto sceneWithBoxAt = [&](const std::string& name, const std::string& y) {
+    return write(name, "abstand: 1\nhumans:\n  - {name: p, height: 1.75, recording: {file: " +
+                           projectFile("data/scenes/hug_reach.bvh").string() +
+                           "}}\nobjects:\n  - {name: box, shape: {cuboid: {size: [0.2, 0.2, 1.5]}}, pose: "
+                           "{xyz: [0.3, " +
+                           y + ", 0.75]}}\npairs: {default: between_groups}\n");
+  };
+  const std::string clip = (folder_.path() / "clip").string();
+  ASSERT_EQ(run("render-depth " + sceneWithBoxAt("there.yaml", "0.55") +
+                " --body skin --width 320 --end 0.4 --no-cache --eye 2.8,0,1.2 --look 0,0,0.9 --out " + clip)
+                .code,
+            0);
+  const auto said = [&](const std::string& scene) {
+    const json ran = runJson("run " + scene + " --recording " + clip);
+    return std::count_if(ran["reservations"].begin(), ran["reservations"].end(), [](const json& one) {
+      return one["kind"] == "recording" &&
+             one["text"].get<std::string>().find("mm from where the scene has them") != std::string::npos;
+    });
+  };
+  EXPECT_EQ(said(sceneWithBoxAt("there.yaml", "0.55")), 0);
+  EXPECT_EQ(said(sceneWithBoxAt("beside.yaml", "0.63")), 1);
+  const json things =
+      runJson("track " + clip + " --scene " + sceneWithBoxAt("beside.yaml", "0.63"))["cameras"][0]["things"];
+  EXPECT_NEAR(things["displacement"].get<double>(), 0.08, 0.02);
+  EXPECT_GT(things["band"].get<double>(), 0.08);
+}
+
 TEST_F(Cli, RenderDepthPlacesSeveralCameras) {
   const std::string render = "render-depth --recording " + projectFile("data/scenes/hug_reach.bvh").string() +
                              " --width 320 --end 0 --no-cache ";

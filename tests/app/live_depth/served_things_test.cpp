@@ -81,6 +81,21 @@ TEST_F(ServedThingsTest, BallIsWhereTheServerHasIt) {
   EXPECT_THAT(things->news(), IsEmpty());
 }
 
+TEST_F(ServedThingsTest, BallAtRestIsRenderedAlone) {
+  const auto things = openThings();
+  ASSERT_TRUE(isAt(*things, 0.4));
+  const auto shown = [](const tracking::DepthImage* image) {
+    return std::count_if(image->z.begin(), image->z.end(), [](float z) { return z > 0.0f; });
+  };
+  const auto ball = shown(things->atRest(camera));
+  EXPECT_NEAR(static_cast<double>(ball), 314.0, 30.0) << "the disc, without the plate";
+  EXPECT_GT(shown(things->at(camera)), ball);
+  EXPECT_TRUE(runUntil([&] {
+    things->update(viewer::steadySeconds());
+    return shown(things->atRest(camera)) == 0;
+  })) << "it moves: it is not compared with one of its places";
+}
+
 TEST_F(ServedThingsTest, MovingBallIsEverywhereItWasLately) {
   const auto things = openThings();
   const auto rows = [&] {

@@ -9,7 +9,7 @@
 #include "tests/tracking/tracker/posed_person.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
-#include "tracking/tracker/clip_tracker.hpp"
+#include "tracking/tracker/live_tracker.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
 namespace abstand::tracking {
@@ -78,6 +78,32 @@ ClipTrack trackedWith(std::vector<DepthImage> side) {
              other = recordingAt(kSide, std::move(side));
   const std::array<ClipCamera, 2> cameras{{{front.get(), 0.0}, {other.get(), 0.0}}};
   return trackClips(cameras, {});
+}
+
+/// The same, live: what was sent, and the track.
+struct LiveResult {
+  std::vector<humanmodel::SkeletonFrame> sent;
+  ClipTrack track;
+  double known_at{kInfinity};  ///< s, from then on that the second camera disagrees
+};
+
+LiveResult liveWith(std::vector<DepthImage> side) {
+  const auto front = recordingAt(kFront, imagesFrom(kFront, kLook)),
+             other = recordingAt(kSide, std::move(side));
+  const std::array<ClipCamera, 2> streams{{{front.get(), 0.0}, {other.get(), 0.0}}};
+  const std::array<DepthCamera, 2> cameras{front->camera(), other->camera()};
+  LiveTrackerOptions options;
+  options.person.height = 1.75;
+  options.person.fit_body = false;
+  LiveTracker tracker(cameras, true, options);
+  DepthMoments moments(streams);
+  LiveResult result;
+  for (DepthMoment moment; moments.next(moment);) {
+    for (const LiveTracker::Seen& seen : tracker.see(moment)) result.sent.push_back(seen.frame);
+    if (std::isfinite(tracker.shares()[1].apart_since)) result.known_at = std::min(result.known_at, moment.t);
+  }
+  result.track = tracker.track();
+  return result;
 }
 
 JointErrors errorsOf(const char* name, const ClipTrack& track) {
@@ -171,6 +197,69 @@ TEST(CameraFaults, RepeatedImagesAreNotUsed) {
 TEST(CameraFaults, SameImagesOfTwoCamerasAreRefused) {
   std::vector<DepthImage> front = imagesFrom(kFront, kLook);
   EXPECT_THROW(trackedWith(std::move(front)), UsageError);
+}
+
+// s: a span of 0.5 s, half its window, and the next judgement. What was sent before is wrong; it is taken
+// back in what is kept.
+constexpr double kJudged = 1.05;
+
+TEST(LiveCameraFaults, AreNoneOfCalibratedCameras) {
+  const LiveResult live = liveWith(imagesFrom(kSide, kLook));
+  EXPECT_EQ(live.track.cameras.at(1).without, 0u);
+  EXPECT_EQ(live.track.cameras[1].apart_since, kInfinity);
+  EXPECT_GE(testing::compare(live.sent, clipFrom(kFront, kLook).truth).tracked.within(), kWithinReach);
+}
+
+TEST(LiveCameraFaults, PushedAsideIsLeftOut) {
+  for (const double degrees : {4.0, 10.0}) {
+    const LiveResult live = liveWith(pushedTo(kSide, turned(kSide, unit::deg(degrees))));
+    const CameraShare& share = live.track.cameras.at(1);
+    EXPECT_NEAR(share.apart_since, kWrong, 4.0 * kImage) << degrees;
+    EXPECT_NEAR(share.apart, 2.8 * unit::deg(degrees), 0.06) << degrees;
+    EXPECT_GT(share.without, 0u);
+    EXPECT_LE(live.known_at, kWrong + kJudged) << degrees;
+    std::vector<humanmodel::SkeletonFrame> later;
+    for (const humanmodel::SkeletonFrame& frame : live.sent)
+      if (frame.t > kWrong + kJudged) later.push_back(frame);
+    const JointErrors errors = testing::compare(later, clipFrom(kFront, kLook).truth);
+    EXPECT_GE(errors.tracked.within(), kWithinReach) << degrees;
+    const JointErrors kept = testing::compare(live.track.people.at(0).frames, clipFrom(kFront, kLook).truth);
+    EXPECT_GE(kept.tracked.within(), kWithinReach) << degrees;
+  }
+}
+
+TEST(LiveCameraFaults, WrongPoseMakesAllJointsUncertain) {
+  const LiveResult live = liveWith(imagesFrom(kSide, turned(kSide, unit::deg(6.0))));
+  const CameraShare& share = live.track.cameras.at(1);
+  EXPECT_EQ(share.apart_since, 0.0);
+  EXPECT_FALSE(share.apart_certain);
+  for (const humanmodel::SkeletonFrame& frame : live.sent)
+    if (frame.t > kJudged + 0.5) EXPECT_GT(frame.spread[0] * humanmodel::kSpreadQuantile, 0.2) << frame.t;
+}
+
+/// The thread of its own comes to the same, if it may compare as many moments.
+TEST(LiveCameraFaults, AreFoundOnAThreadOfItsOwn) {
+  const auto faultsOf = [](bool aside) {
+    const auto front = recordingAt(kFront, imagesFrom(kFront, kLook)),
+               other = recordingAt(kSide, pushedTo(kSide, turned(kSide, unit::deg(6.0))));
+    const std::array<ClipCamera, 2> streams{{{front.get(), 0.0}, {other.get(), 0.0}}};
+    const std::array<DepthCamera, 2> cameras{front->camera(), other->camera()};
+    const std::array<const DepthImage*, 2> nothing{};
+    LiveAgreement agreement(cameras, {}, aside);
+    DepthMoments moments(streams);
+    for (DepthMoment moment; moments.next(moment);) {
+      agreement.offer(moment, nothing);
+      while (agreement.isBusy()) std::this_thread::yield();
+    }
+    const std::span<const CameraFault> faults = agreement.faults();
+    return std::vector<CameraFault>(faults.begin(), faults.end());
+  };
+  const std::vector<CameraFault> aside = faultsOf(true), at_once = faultsOf(false);
+  ASSERT_EQ(aside.size(), 1u);
+  ASSERT_EQ(at_once.size(), 1u);
+  EXPECT_EQ(aside[0].camera, 1u);
+  EXPECT_EQ(aside[0].since, at_once[0].since);
+  EXPECT_EQ(aside[0].apart, at_once[0].apart);
 }
 
 }  // namespace camera_faults_test

@@ -245,6 +245,7 @@ struct BesideABeam {
         image = depthOf(known_at, t, camera);
         return &image;
       };
+    options.at_rest = options.known;
     tracking::LiveTracker tracker({&clip.stream->camera(), 1}, true, options);
     std::vector<humanmodel::SkeletonFrame> seen;
     tracking::DepthFrame frame;

@@ -33,7 +33,7 @@ struct ShownThingsTest : ::testing::Test {
   double t{0.0};
   bool see(const DepthImage& image, int images = 20) {
     bool are_shown = false;
-    for (int k = 0; k < images; ++k) are_shown = shown.see(t += 1.0 / 30.0, image, &known, camera);
+    for (int k = 0; k < images; ++k) are_shown = shown.see(t += 1.0 / 30.0, image, &known, &known, camera);
     return are_shown;
   }
 };
@@ -60,7 +60,7 @@ TEST_F(ShownThingsTest, WhatHidesThemCountsNeither) {
 
 TEST_F(ShownThingsTest, UnknownThingsCompareNothing) {
   const DepthImage image = imageOf(50, 20, kWall);
-  for (int k = 0; k < 100; ++k) EXPECT_TRUE(shown.see(0.1 * k, image, nullptr, camera));
+  for (int k = 0; k < 100; ++k) EXPECT_TRUE(shown.see(0.1 * k, image, nullptr, nullptr, camera));
   EXPECT_TRUE(std::isnan(shown.share()));
 }
 
