@@ -40,7 +40,7 @@ class HeldThings {
  private:
   /// Unexplained surface that is connected to a hand.
   struct Surface {
-    std::size_t points{0};  ///< 0: none
+    std::size_t points{0};  ///< clearly not on the body
     Vector3d middle{Vector3d::Zero()};
     double lowest{kInfinity};  ///< m, z
     double extent{0.0};        ///< m
