@@ -124,10 +124,12 @@ std::vector<std::string> TrackCameras::warnings(const tracking::ClipTrack& track
     if (!clock_known_[i])
       out.push_back(format("camera %zu: its clock is assumed equal to that of the first, %s (--clock)", i + 1,
                            clock_reasons_[i].c_str()));
+    const bool is_left_out =
+        std::isfinite(share.apart_since) || std::isfinite(share.moved_at) || std::isfinite(share.hung_at);
     if (static_cast<double>(share.without) > kManyWithout * static_cast<double>(track.images))
-      out.push_back(
-          format("camera %zu: no image at %zu of %zu times: parts visible to it alone are hidden then", i + 1,
-                 share.without, track.images));
+      out.push_back(format("camera %zu: %s at %zu of %zu times: parts visible to it alone are hidden then",
+                           i + 1, is_left_out ? "no image, or none that is used," : "no image", share.without,
+                           track.images));
     if (share.images > 0 && share.people == 0)
       out.push_back(format("camera %zu: found no person in %zu images", i + 1, share.images));
   }

@@ -36,11 +36,17 @@ void CameraAgreement::see(const DepthMoment& moment, const KnownThings& known) {
     if (!moment.is_new[pair.first] || !moment.is_new[pair.second]) continue;
     refuseSame(moment, pair);
     compare(moment.t, pair);
+    pair.through.push_back(
+        throughAt(moment.t, cameras_[pair.first].labelled(), cameras_[pair.second].labelled()));
   }
 }
 
 void CameraAgreement::forgetBefore(double t) {
-  for (Pair& pair : pairs_) std::erase_if(pair.seen, [t](const SeenTwice& one) { return one.t < t; });
+  const auto isBefore = [t](const auto& one) { return one.t < t; };
+  for (Pair& pair : pairs_) {
+    std::erase_if(pair.seen, isBefore);
+    std::erase_if(pair.through, isBefore);
+  }
   std::erase_if(hangs_, [t](const CameraFault& hang) { return hang.until < t; });
 }
 
@@ -81,11 +87,13 @@ void CameraAgreement::compare(double t, Pair& pair) const {
   }
 }
 
-std::vector<SeenTwice> CameraAgreement::usable(const Pair& pair, std::span<const CameraFault> faults) const {
-  std::vector<SeenTwice> seen;
-  for (const SeenTwice& one : pair.seen)
-    if (isUsable(faults, pair.first, one.t) && isUsable(faults, pair.second, one.t)) seen.push_back(one);
-  return seen;
+template <class Seen>
+std::vector<Seen> CameraAgreement::usable(const Pair& pair, const std::vector<Seen>& seen,
+                                          std::span<const CameraFault> faults) {
+  std::vector<Seen> used;
+  for (const Seen& one : seen)
+    if (isUsable(faults, pair.first, one.t) && isUsable(faults, pair.second, one.t)) used.push_back(one);
+  return used;
 }
 
 /// The one that disagrees with more cameras at that time, or that jumped. Otherwise the one that found people
@@ -119,21 +127,16 @@ CameraFault CameraAgreement::blamed(const Pair& pair, const ApartSpan& span,
   return fault;
 }
 
-std::vector<CameraFault> CameraAgreement::faults() const {
-  std::vector<CameraFault> faults = hangs_;
-  for (std::size_t c = 0; c < cameras_.size(); ++c)
-    if (const double t = cameras_[c].movedAt(); std::isfinite(t))
-      faults.push_back({.kind = CameraFault::Kind::kMoved, .camera = c, .since = t});
-  std::vector<std::vector<ApartSpan>> spans;
-  for (const Pair& pair : pairs_) spans.push_back(apartSpans(usable(pair, faults)));
-  const std::size_t before = faults.size();
+/// `spans`: of each pair.
+void CameraAgreement::addApart(const std::vector<std::vector<ApartSpan>>& spans,
+                               std::vector<CameraFault>& faults) const {
   for (std::size_t p = 0; p < pairs_.size(); ++p)
     for (const ApartSpan& span : spans[p]) {
-      CameraFault fault = blamed(pairs_[p], span, spans);
-      const auto same = std::find_if(
-          faults.begin() + static_cast<std::ptrdiff_t>(before), faults.end(), [&](const CameraFault& other) {
-            return other.camera == fault.camera && other.since < fault.until && fault.since < other.until;
-          });
+      const CameraFault fault = blamed(pairs_[p], span, spans);
+      const auto same = std::find_if(faults.begin(), faults.end(), [&](const CameraFault& other) {
+        return other.kind == CameraFault::Kind::kApart && other.camera == fault.camera &&
+               other.since < fault.until && fault.since < other.until;
+      });
       if (same == faults.end()) {
         faults.push_back(fault);
         continue;
@@ -143,15 +146,38 @@ std::vector<CameraFault> CameraAgreement::faults() const {
       same->apart = std::max(same->apart, fault.apart);
       same->certain = same->certain && fault.certain;
     }
+}
+
+void CameraAgreement::addLate(std::vector<CameraFault>& faults) const {
   for (const Pair& pair : pairs_) {
     if (pair.first != 0) continue;  // whose clock is that of all
-    for (const LateSpan& span : lateSpans(usable(pair, faults)))
+    for (const LateSpan& span : lateSpans(usable(pair, pair.seen, faults)))
       faults.push_back({.kind = CameraFault::Kind::kLate,
                         .camera = pair.second,
                         .since = span.since,
                         .until = span.until,
                         .late = span.late});
   }
+}
+
+std::vector<CameraFault> CameraAgreement::faults() const {
+  std::vector<CameraFault> faults = hangs_;
+  for (std::size_t c = 0; c < cameras_.size(); ++c)
+    if (const double t = cameras_[c].movedAt(); std::isfinite(t))
+      faults.push_back({.kind = CameraFault::Kind::kMoved, .camera = c, .since = t});
+  std::vector<std::vector<ApartSpan>> spans, through;
+  for (const Pair& pair : pairs_) spans.push_back(apartSpans(usable(pair, pair.seen, faults)));
+  addApart(spans, faults);
+  addLate(faults);
+  for (const Pair& pair : pairs_) {
+    // People who move are elsewhere for a camera that is late.
+    const bool is_late = std::any_of(faults.begin(), faults.end(), [&](const CameraFault& fault) {
+      return fault.kind == CameraFault::Kind::kLate &&
+             (fault.camera == pair.first || fault.camera == pair.second);
+    });
+    through.push_back(is_late ? std::vector<ApartSpan>{} : throughSpans(usable(pair, pair.through, faults)));
+  }
+  addApart(through, faults);
   return faults;
 }
 

@@ -4,12 +4,15 @@
 #include "tracking/tracker/apart_spans.hpp"
 #include "tracking/tracker/camera_fault.hpp"
 #include "tracking/tracker/lone_camera.hpp"
+#include "tracking/tracker/through_spans.hpp"
 
 namespace abstand::tracking {
 
 /// Tracks people with each camera alone, and compares the places: those of one person tracked by two
 /// calibrated cameras differ by centimetres. A fit to the images of all would lie between them, or follow one
-/// of them, and explain both badly, as it does where things hide a person. One thread; allocates.
+/// of them, and explain both badly, as it does where things hide a person. Where a body is not explained well
+/// by one camera, and of errors in height, what one camera measures and the other one sees through tells it
+/// (ThroughAt). One thread; allocates.
 class CameraAgreement {
  public:
   /// At least two cameras with poses in one world; they must outlive this object.
@@ -28,13 +31,18 @@ class CameraAgreement {
   struct Pair {
     std::size_t first, second;
     std::vector<SeenTwice> seen{};
+    std::vector<ThroughAt> through{};
     std::size_t same{0};  ///< images from the start that are equal
     bool differs{false};  ///< later ones are not counted
   };
   static void refuseSame(const DepthMoment& moment, Pair& pair);
   void noteHang(std::size_t camera, double t);
   void compare(double t, Pair& pair) const;
-  std::vector<SeenTwice> usable(const Pair& pair, std::span<const CameraFault> faults) const;
+  template <class Seen>
+  static std::vector<Seen> usable(const Pair& pair, const std::vector<Seen>& seen,
+                                  std::span<const CameraFault> faults);
+  void addApart(const std::vector<std::vector<ApartSpan>>& spans, std::vector<CameraFault>& faults) const;
+  void addLate(std::vector<CameraFault>& faults) const;
   CameraFault blamed(const Pair& pair, const ApartSpan& span,
                      const std::vector<std::vector<ApartSpan>>& spans) const;
 

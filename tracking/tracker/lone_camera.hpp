@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tracking/tracker/people_views.hpp"
+#include "tracking/tracker/seen_through.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 
 namespace abstand::tracking {
@@ -23,6 +24,8 @@ class LoneCamera {
   /// Whether the last image shows free space where this person would be: most of the joints are more than
   /// kBehind in front of what is seen there.
   bool seesThrough(const humanmodel::SkeletonFrame& person) const;
+  /// The last image, with its people.
+  LabelledImage labelled() const { return {&moment_.frames.front()->image, camera_, views_.labels(0)}; }
   /// s, CameraWatch::movedAt() and unchangedSince().
   double movedAt() const { return views_.movedAt(0); }
   double unchangedSince() const { return views_.unchangedSince(0); }

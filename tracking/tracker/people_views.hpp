@@ -69,6 +69,10 @@ class PeopleViews {
   bool isMoved(std::size_t camera) const { return std::isfinite(movedAt(camera)); }
   /// At the last moment.
   bool isHung(std::size_t camera) const;
+  /// For each pixel of a camera's last image, not 0 for people (PeopleImage::label).
+  std::span<const std::uint8_t> labels(std::size_t camera) const {
+    return views_[camera].finder.people().label;
+  }
   /// Id of a person of the last moment in the images of one camera; -1: it does not see the person.
   int idOf(int person, std::size_t camera) const;
   bool empty() const { return sightings_.empty(); }
