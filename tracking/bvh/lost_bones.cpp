@@ -10,10 +10,12 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kShortSpine = 0.34;   // of a leg
-constexpr double kShortHand = 0.5;     // of a forearm
-constexpr double kWristBone = 0.5;     // of the forearm, as in CMU's ASF
-constexpr double kNoOffset = 1e-6;     // of the leg
+constexpr double kShortSpine = 0.34;  // of a leg
+constexpr double kShortHand = 0.5;    // of a forearm
+constexpr double kWristBone = 0.5;    // of the forearm, as in CMU's ASF
+/// Of the leg, 14 mm for 0.8 m: what rounding and re-export leave of an OFFSET of 0. In files that have these
+/// bones, necks and collars begin 0.10 of a leg and more from the chest.
+constexpr double kNoOffset = 0.018;
 constexpr double kMaxLimbCost = 14.0;  // of a leg and of an arm, as in a guess by shape
 
 class BoneRepair {
@@ -40,7 +42,8 @@ class BoneRepair {
         const auto leg = chooseLimb(legs, LimbKind::kLeg), arm = chooseLimb(arms, LimbKind::kArm);
         if (!leg || !arm || leg->cost > kMaxLimbCost || arm->cost > kMaxLimbCost) continue;
         if (repairThorax(legs, arms.a.from, leg->upper + leg->lower)) {
-          for (const TreeBranch* side : {&arms.a, &arms.b}) repairHand(*side, *arm);
+          const double no_offset = kNoOffset * (leg->upper + leg->lower);
+          for (const TreeBranch* side : {&arms.a, &arms.b}) repairHand(*side, *arm, no_offset);
           return std::move(found_);
         }
       }
@@ -51,11 +54,11 @@ class BoneRepair {
   BvhJoint& joint(int i) { return h_.joints[static_cast<std::size_t>(i)]; }
 
   /// True if all children, at least `fewest`, coincide with the joint and stay there.
-  bool hasOnlyZeroOffsets(int i, std::size_t fewest, double limb) {
+  bool hasNoOffsets(int i, std::size_t fewest, double no_offset) {
     const auto& children = children_[static_cast<std::size_t>(i)];
     return children.size() >= fewest && std::all_of(children.begin(), children.end(), [&](int c) {
              const auto& channels = joint(c).channels;
-             return joint(c).offset.norm() <= kNoOffset * limb &&
+             return joint(c).offset.norm() <= no_offset &&
                     std::none_of(channels.begin(), channels.end(),
                                  [](BvhChannel channel) { return channel <= BvhChannel::kZPosition; });
            });
@@ -65,13 +68,13 @@ class BoneRepair {
     const double own = joint(i).offset.norm();
     if (!(own > 0.0) || !(length > 0.0)) return false;
     const Vector3d bone = length / own * joint(i).offset;
-    for (const int c : children_[static_cast<std::size_t>(i)]) joint(c).offset = bone;
+    for (const int c : children_[static_cast<std::size_t>(i)]) joint(c).offset += bone;
     found_.push_back({joint(i).name, length, is_hand});
     return true;
   }
 
   bool repairThorax(const BranchPair& legs, int chest, double leg) {
-    if (!hasOnlyZeroOffsets(chest, 3, leg)) return false;
+    if (!hasNoOffsets(chest, 3, kNoOffset * leg)) return false;
     std::vector<double> bones;
     double spine = 0.0;
     for (int i = chest; i != legs.a.from && i >= 0; i = joint(i).parent) {
@@ -83,11 +86,11 @@ class BoneRepair {
     return putIn(chest, nearestQuantile(bones, 0.5), false);
   }
 
-  void repairHand(const TreeBranch& side, const LimbChoice& arm) {
+  void repairHand(const TreeBranch& side, const LimbChoice& arm, double no_offset) {
     const int wrist = side.nodes[arm.last];
     const double hand = side.length - side.along[arm.last],
                  forearm = side.along[arm.last] - side.along[arm.middle];
-    if (hasOnlyZeroOffsets(wrist, 1, forearm) && hand < kShortHand * forearm)
+    if (hasNoOffsets(wrist, 1, no_offset) && hand < kShortHand * forearm)
       putIn(wrist, kWristBone * forearm, true);
   }
 

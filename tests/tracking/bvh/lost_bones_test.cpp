@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "core/base/text_file.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/small_human.hpp"
@@ -63,6 +65,40 @@ TEST(LostBones, CmuCapturesRegainThoraxAndWrists) {
       EXPECT_EQ((after.frames[0][j] - before.frames[0][j]).norm(), 0.0);
     for (const auto j : {humanmodel::Joint::kShoulderLeft, humanmodel::Joint::kNeck})
       EXPECT_NEAR((after.frames[0][j] - before.frames[0][j]).norm(), c.thorax, kBone) << c.file;
+  }
+}
+
+/// The capture with `offset` at the necks and collars that begin where the chest does, in units of the file.
+std::string withOffsets(std::string bvh, const std::string& offset) {
+  for (const char* name : {"JOINT Neck\n", "JOINT lowerneck\n", "JOINT LeftShoulder\n",
+                           "JOINT RightShoulder\n", "JOINT LeftCollar\n", "JOINT RightCollar\n"}) {
+    const auto joint = bvh.find(name);
+    if (joint == std::string::npos) continue;
+    const auto from = bvh.find("OFFSET", joint), to = bvh.find('\n', from);
+    double x = 1.0, y = 1.0, z = 1.0;
+    std::istringstream(bvh.substr(from + 6, to - from)) >> x >> y >> z;
+    if (Vector3d(x, y, z).norm() == 0.0) bvh.replace(from, to - from, "OFFSET " + offset);
+  }
+  return bvh;
+}
+
+TEST(LostBones, SmallOffsetsDoNotHideLostBones) {
+  constexpr double kStature = 0.025;  // m: the result of Captures, and the OFFSET itself
+  for (const Capture& c : kCaptures) {
+    const auto file = pathOf(c.file);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    std::string text = readFile(file);
+    std::erase(text, '\r');
+    // Units of 5.6 cm.
+    for (const char* offset : {"0 0.000001 0", "0 0.0001 0", "0.003 -0.002 0.004", "0 0.01 0", "0 0.05 0",
+                               "0 -0.05 0", "0.02 0.2 0.02"}) {
+      const Recording r = readBvhRecording(withOffsets(text, offset), c.file, {});
+      EXPECT_THAT(r.report.repairs, ::testing::SizeIs(3)) << c.file << " " << offset;
+      EXPECT_NEAR(r.report.stature, c.after, kStature) << c.file << " " << offset;
+    }
+    // 34 mm, which somebody has measured.
+    EXPECT_THAT(readBvhRecording(withOffsets(text, "0 0.6 0"), c.file, {}).report.repairs, IsEmpty())
+        << c.file;
   }
 }
 
