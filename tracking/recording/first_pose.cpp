@@ -15,6 +15,9 @@ using humanmodel::SkeletonFrame;
 
 constexpr double kDegree = kPi / 180.0;
 constexpr double kStraight = 25.0 * kDegree, kExact = 8.0 * kDegree, kTurned = 20.0 * kDegree;
+/// Legs of a rest pose spread and lean with the root (CMU: 20 degrees outwards), but their knees are exactly
+/// straight, unlike those of a person.
+constexpr double kLeaning = 45.0 * kDegree, kExactKnee = 3.0 * kDegree;
 /// An arm holds the pose within kHeld, and within kWavering and kSlow (rad/s) of the first frame.
 constexpr double kHeld = 5.0 * kDegree, kWavering = 1.0 * kDegree, kSlow = 1.0;
 /// s; the pose is left within this time, in a step or a blend of some frames.
@@ -47,6 +50,15 @@ bool pointsAlong(const SkeletonFrame& f, const Limb& limb, const Vector3d& direc
          angleOf(f[limb.last] - f[limb.middle], direction) < off;
 }
 
+bool isDown(const SkeletonFrame& f, const Limb& leg) {
+  return pointsAlong(f, leg, -Vector3d::UnitZ(), kStraight);
+}
+
+bool isExactlyStraight(const SkeletonFrame& f, const Limb& leg) {
+  return pointsAlong(f, leg, -Vector3d::UnitZ(), kLeaning) &&
+         angleOf(f[leg.middle] - f[leg.first], f[leg.last] - f[leg.middle]) < kExactKnee;
+}
+
 /// `off`: largest angle of the arms off the level line of the shoulders.
 bool isTPose(const SkeletonFrame& f, double off) {
   if (!f.has(Joint::kShoulderLeft) || !f.has(Joint::kShoulderRight)) return false;
@@ -55,8 +67,8 @@ bool isTPose(const SkeletonFrame& f, double off) {
   level.z() = 0.0;
   return angleOf(left, level) < kStraight && pointsAlong(f, kArms[0], level, off) &&
          pointsAlong(f, kArms[1], -level, off) &&
-         std::all_of(kLegs.begin(), kLegs.end(),
-                     [&](const Limb& leg) { return pointsAlong(f, leg, -Vector3d::UnitZ(), kStraight); });
+         (std::ranges::all_of(kLegs, [&](const Limb& leg) { return isDown(f, leg); }) ||
+          std::ranges::all_of(kLegs, [&](const Limb& leg) { return isExactlyStraight(f, leg); }));
 }
 
 /// Angle (rad) by which the arm that turns more differs between two frames.

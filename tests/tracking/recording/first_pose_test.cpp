@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "core/base/text_file.hpp"
 #include "humanmodel/human_model.hpp"
 #include "tests/support/paths.hpp"
+#include "tracking/bvh/bvh_recording.hpp"
 #include "tracking/recording/recording.hpp"
 #include "tracking/registry/open_recording.hpp"
 
@@ -103,6 +107,61 @@ TEST(FirstPose, OtherPosesAreNotNamed) {
   bent.set(Joint::kAnkleLeft, bent[Joint::kKneeLeft] + Vector3d(-0.4, 0.0, 0.0));
   EXPECT_FALSE(leadingTPose(std::vector{bent, hanging}));
   EXPECT_FALSE(leadingTPose(std::vector{SkeletonFrame{}, hanging}));
+}
+
+/// `frame` with legs that lean by `thigh` and `calf` (rad off vertical) to their sides.
+SkeletonFrame astride(SkeletonFrame frame, double thigh, double calf) {
+  for (const double side : {1.0, -1.0}) {
+    const auto at = [&](Joint left) {
+      return static_cast<Joint>(static_cast<int>(left) + (side > 0 ? 0 : 4));
+    };
+    const auto leaning = [&](double angle) {
+      return Vector3d(0.0, side * std::sin(angle), -std::cos(angle));
+    };
+    frame.set(at(Joint::kKneeLeft), frame[at(Joint::kHipLeft)] + 0.42 * leaning(thigh));
+    frame.set(at(Joint::kAnkleLeft), frame[at(Joint::kKneeLeft)] + 0.42 * leaning(calf));
+  }
+  return frame;
+}
+
+TEST(FirstPose, LegsMayLeanIfKneesAreExactlyStraight) {
+  constexpr double kDegree = kPi / 180.0;
+  const auto named = [](double thigh, double calf) {
+    std::vector<SkeletonFrame> frames = at(100.0, {kT, kT, kHanging, kHanging});
+    for (auto& f : frames) f = astride(f, thigh * kDegree, calf * kDegree);
+    return leadingTPose(frames).has_value();
+  };
+  EXPECT_TRUE(named(20.0, 20.0));
+  EXPECT_TRUE(named(20.0, 10.0));
+  EXPECT_TRUE(named(30.0, 30.0));
+  EXPECT_TRUE(named(42.0, 41.0));
+  EXPECT_FALSE(named(30.0, 25.0)) << "the bent knees of a person";
+  EXPECT_FALSE(named(50.0, 50.0)) << "a split";
+}
+
+/// The BVH file with its rest pose, where the root is, before the motion.
+std::string withRestPose(const std::string& bvh) {
+  const auto begin = bvh.find('\n', bvh.find("Frame Time:")) + 1;
+  std::istringstream values(bvh.substr(begin, bvh.find('\n', begin) - begin));
+  std::string rest;
+  int i = 0;
+  for (std::string value; values >> value; ++i) rest += (i < 6 ? value : "0") + " ";
+  return bvh.substr(0, begin) + rest + "\n" + rest + "\n" + bvh.substr(begin);
+}
+
+/// In this capture the root leans forward to one side: a leg of the rest pose is 26 degrees off vertical.
+TEST(FirstPose, RestPoseOfLeaningRootIsNamed) {
+  const auto file = testing::sharedData("mocap/bvh/cmu_12_01_walk_motionbuilder.bvh");
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+  std::string walk = readFile(file);
+  std::erase(walk, '\r');
+  // Without the T-pose that the conversion has added; the number of frames is not that of the header.
+  const auto begin = walk.find('\n', walk.find("Frame Time:")) + 1;
+  walk.erase(begin, walk.find('\n', begin) + 1 - begin);
+  EXPECT_THAT(readBvhRecording(walk, "w.bvh", {}).report.warnings,
+              ::testing::Not(Contains(HasSubstr("T-pose"))));
+  EXPECT_THAT(readBvhRecording(withRestPose(walk), "w.bvh", {}).report.warnings,
+              Contains(HasSubstr("frames 1 to 2 are a T-pose")));
 }
 
 /// Conversions of the CMU data base begin with one; other captures do not.
