@@ -7,6 +7,7 @@
 #include "tracking/joint_guess/guess_check.hpp"
 #include "tracking/joint_guess/guess_fill.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/joint_guess/neck_choice.hpp"
 #include "tracking/joint_guess/point_tree.hpp"
 #include "tracking/recording/map_misses.hpp"
 
@@ -44,6 +45,7 @@ JointChoice choiceByNames(const SkeletonSample& skeleton) {
   choice.match = guessByNames(skeleton.names, !skeleton.parents.empty());
   choice.match.map = kByNames;
   choice.is_guess = true;
+  raiseNeck(skeleton.parents, skeleton.rest, choice.match);
   choice.notes = removeImplausible(choice.match, pickAll(skeleton, choice.match));
   choice.reason = std::to_string(limbJoints(choice.match)) +
                   " of 12 joints of the limbs by sides and segments in their names";
@@ -55,6 +57,7 @@ JointChoice choiceByShape(const SkeletonSample& skeleton) {
       skeleton.parents.empty() ? guessByMotion(skeleton.names, skeleton.frames) : guessByShape(skeleton);
   JointChoice choice;
   choice.match = std::move(guess.match);
+  raiseNeck(skeleton.parents, skeleton.rest, choice.match);
   choice.match.map = kByShape;
   choice.is_guess = true;
   choice.reason = std::move(guess.reason);

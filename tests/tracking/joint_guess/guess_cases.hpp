@@ -38,6 +38,15 @@ inline std::string renamed(const std::string& bvh, const std::function<std::stri
   return out;
 }
 
+/// Names of the joints without end sites, in the order of renamed().
+inline std::vector<std::string> namesOf(const std::string& bvh) {
+  std::istringstream in(bvh);
+  std::vector<std::string> names;
+  for (std::string word; in >> word && word != "MOTION";)
+    if (word == "ROOT" || word == "JOINT") names.emplace_back() = (in >> word, word);
+  return names;
+}
+
 /// Largest distance of a limb joint between two readings of one file, in all frames, m.
 inline double limbsApart(const Recording& a, const Recording& b) {
   double apart = 0.0;

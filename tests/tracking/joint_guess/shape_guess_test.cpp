@@ -8,6 +8,7 @@
 #include "tests/tracking/joint_guess/guess_cases.hpp"
 #include "tests/tracking/small_human.hpp"
 #include "tracking/joint_guess/name_guess.hpp"
+#include "tracking/joint_guess/neck_choice.hpp"
 #include "tracking/joint_guess/shape_guess.hpp"
 #include "tracking/recording/required_person.hpp"
 
@@ -147,6 +148,48 @@ TEST_P(RealShape, ShapeMatchesNames) {
   EXPECT_LE(limbsApart(named, r), GetParam().apart) << ::testing::PrintToString(r.report.warnings);
   EXPECT_NEAR(r.report.stature, named.report.stature, 0.1);
   EXPECT_THAT(r.report.missing_parts, IsEmpty());
+}
+
+// Of CMU's two joints of the neck the upper one is its base.
+TEST_P(RealShape, NeckMatchesNames) {
+  const auto names = namesOf(text);
+  const auto nameAt = [&](int i) { return names[static_cast<std::size_t>(i)]; };
+  const std::string neck = usedFor(read(text), humanmodel::Joint::kNeck);
+  const Recording by_shape = read(renamed(text, [](int i) { return "n" + std::to_string(i); }));
+  EXPECT_EQ(nameAt(std::stoi(usedFor(by_shape, humanmodel::Joint::kNeck).substr(1))), neck);
+  const Recording by_names = read(renamed(text, [&](int i) { return "q_" + nameAt(i) + "_q"; }));
+  EXPECT_EQ(usedFor(by_names, humanmodel::Joint::kNeck), "q_" + neck + "_q");
+}
+
+TEST(JointGuess, LowNeckIsRaisedToShoulders) {
+  // Pelvis, shoulders at 0.5, neck joints at these heights, head at 0.7.
+  const auto neckOf = [](std::vector<double> heights) {
+    std::vector<int> parents{-1, 0, 0};
+    std::vector<Vector3d> rest{{0, 0, 0}, {0, 0.2, 0.5}, {0, -0.2, 0.5}};
+    heights.push_back(0.7);
+    for (const double z : heights) {
+      parents.push_back(rest.size() == 3 ? 0 : static_cast<int>(rest.size()) - 1);
+      rest.push_back({0, 0, z});
+    }
+    JointMatch match;
+    match.joint.fill(-1);
+    const auto set = [&](humanmodel::Joint j, int i) { match.joint[static_cast<std::size_t>(j)] = i; };
+    set(humanmodel::Joint::kPelvis, 0);
+    set(humanmodel::Joint::kShoulderLeft, 1);
+    set(humanmodel::Joint::kShoulderRight, 2);
+    set(humanmodel::Joint::kNeck, 3);
+    set(humanmodel::Joint::kHead, static_cast<int>(rest.size()) - 1);
+    raiseNeck(parents, rest, match);
+    return rest[static_cast<std::size_t>(match.joint[static_cast<std::size_t>(humanmodel::Joint::kNeck)])]
+        .z();
+  };
+  EXPECT_EQ(neckOf({0.42, 0.54}), 0.54) << "CMU";
+  EXPECT_EQ(neckOf({0.30, 0.42, 0.54, 0.6}), 0.54);
+  EXPECT_EQ(neckOf({0.52, 0.56}), 0.52) << "the first joint is the base";
+  EXPECT_EQ(neckOf({0.47, 0.51}), 0.47) << "shoulders are raised a little";
+  EXPECT_EQ(neckOf({0.44, 0.58}), 0.58) << "also CMU";
+  EXPECT_EQ(neckOf({0.42, 0.66}), 0.42) << "the next one is farther";
+  EXPECT_EQ(neckOf({0.30}), 0.30) << "there is no other";
 }
 
 /// The skeleton of a capture without the joints below `cut`.
