@@ -8,6 +8,7 @@
 #include "core/base/error.hpp"
 #include "core/math/quantile.hpp"
 #include "tracking/markers/marker_solution.hpp"
+#include "tracking/markers/stature_check.hpp"
 #include "tracking/recording/derived_joints.hpp"
 
 namespace abstand::tracking {
@@ -196,6 +197,10 @@ MarkerReport MarkerTrack::solveInto(RawRecording& raw, const RecordingOptions& o
     if (is_stated) raw.unit = unit;
     return none;
   }
+  if (stature)
+    if (std::string wrong = doubtOfStature({usualRig(), match_->markers, t, moments, *stature});
+        !wrong.empty())
+      raw.warnings.push_back({0, std::move(wrong)});
   for (auto& f : solution.frames)
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
       if (f.state[j] != humanmodel::JointState::kMissing) {
