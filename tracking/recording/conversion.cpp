@@ -7,6 +7,7 @@
 #include "core/base/message_line.hpp"
 #include "core/text/message_text.hpp"
 #include "tracking/recording/derived_joints.hpp"
+#include "tracking/recording/exchanged_limbs.hpp"
 #include "tracking/recording/first_pose.hpp"
 #include "tracking/recording/part_joints.hpp"
 #include "tracking/recording/stated_twist.hpp"
@@ -188,10 +189,29 @@ void reportSides(const RawRecording& raw, RecordingReport& report) {
   report.sides.found = mirrored ? "mirrored" : "agree";
   report.sides.reason = "the left hip is left of the toe direction in " + std::to_string(sides.agree) +
                         " of " + std::to_string(all) + " frames";
-  if (mirrored)
+}
+
+/// Warns of left and right exchanged in the whole body, or in a part of it.
+void warnOfSides(const RawRecording& raw, RecordingReport& report) {
+  const std::string advice =
+      raw.is_canonical ? "; exchange their names in the file"
+                       : "; exchange their names in the file, or in a joint map (--write-map, --joint-map)";
+  const bool mirrored = report.sides.found == "mirrored";
+  if (const auto opposed = opposedShoulders(raw.frames)) {
+    const std::string which = report.sides.found == "unknown" ? "arms or in the legs"
+                              : mirrored                      ? "legs"
+                                                              : "arms";
+    report.sides.reason += "; the shoulders are the other way round than the hips";
+    report.warnings.push_back("left and right seem exchanged in the " + which +
+                              ": the left shoulder is on the side of the right hip in " +
+                              std::to_string(opposed->frames) + " of " + std::to_string(opposed->of) +
+                              " frames" + advice);
+  } else if (mirrored) {
     report.warnings.push_back(
         "left and right seem swapped: the left hip is right of the toe direction; set mirror to "
         "'axes' if the axes of the file are left-handed, 'sides' if the names are exchanged");
+  }
+  for (const std::string& sentence : exchangedLimbs(raw.frames)) report.warnings.push_back(sentence + advice);
 }
 
 /// Exchanges the names of left and right.
@@ -335,6 +355,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   reportParts(raw, raw.frames, report);
   report.gaps = countGaps(raw.frames);
   reportSides(raw, report);
+  warnOfSides(raw, report);
   report.swaps = countSideSwaps(raw.frames);
   if (report.swaps > 0)
     add("the hips turn by more than 90 degrees between two frames " + std::to_string(report.swaps) +
