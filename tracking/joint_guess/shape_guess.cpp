@@ -18,6 +18,10 @@ constexpr double kLegPerArm = 0.491 / 0.332, kTrunkPerLeg = 0.288 / 0.491;
 constexpr double kLegPerArmDeviation = 0.2, kTrunkPerLegDeviation = 0.3;
 constexpr double kUpperBodyPerLeg = 0.470 / 0.491, kUpperBodyPerLegDeviation = 0.2;  // hips to vertex
 constexpr double kNeckPerUpperBody = 0.288 / 0.470;
+/// Height of the shoulders above the hips, share of that of the vertex; trees end at different places there.
+constexpr double kShouldersPerUpperBody = kNeckPerUpperBody, kShouldersPerUpperBodyDeviation = 0.15;
+constexpr double kHanging =
+    0.1;  // share of the trunk, by which a head ends above its longest branch with hair
 constexpr double kOtherLimbs = 0.5;  // length of further pairs of branches, share of the legs
 constexpr double kAway = 0.3;        // cosine between the legs and the direction away from the arms' joint
 constexpr std::size_t kMaxNearChest = 2;  // joints between those that arms and head leave
@@ -158,6 +162,10 @@ class ShapeSearch {
     const auto head = headOf(r);
     if (!head) return std::nullopt;
     r.head = *head;
+    // Arms begin where shoulders are, hair at the head. Not part of the limit, as conventions differ by much.
+    const double vertex =
+        (at(rest(), r.head.nodes.back()) - middleOf(r.legs)).dot(trunk) / trunk.squaredNorm();
+    r.cost += oddness(1.0 / vertex, kShouldersPerUpperBody, kShouldersPerUpperBodyDeviation);
     return r;
   }
 
@@ -241,18 +249,26 @@ class ShapeSearch {
     const auto& children = tree_.children(joint);
     for (std::size_t i = 0; i < std::min<std::size_t>(children.size(), 4 * kMaxBranches); ++i) {
       if (children[i] == chest_child || tree_.isBelow(hips, children[i])) continue;
-      TreeBranch b = tree_.branch(children[i]);
-      if (b.nodes.empty() || b.from < 0) continue;
       const auto shares = [&](const TreeBranch& arm) {
         return tree_.isBelow(arm.nodes.front(), children[i]);
       };
       if (shares(r.arms->pair.a) || shares(r.arms->pair.b)) continue;
+      TreeBranch b = headFrom(children[i], up);
+      if (b.nodes.empty() || b.from < 0) continue;
       const double height = (at(rest(), b.nodes.back()) - at(rest(), r.chest)).dot(up);
       if (height <= highest) continue;
       highest = height;
       best = std::move(b);
     }
     return best;
+  }
+
+  /// The longest branch, or that to the highest joint if hair hangs down below it.
+  TreeBranch headFrom(int child, const Vector3d& up) const {
+    TreeBranch longest = tree_.branch(child), highest = tree_.highestBranch(child, up);
+    if (longest.nodes.empty() || highest.nodes.empty()) return longest;
+    const double above = (at(rest(), highest.nodes.back()) - at(rest(), longest.nodes.back())).dot(up);
+    return above > kHanging * up.squaredNorm() ? highest : longest;
   }
 
   const SkeletonSample& s_;

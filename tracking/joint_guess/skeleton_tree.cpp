@@ -8,9 +8,10 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kCoincident = 0.02;   // share of a branch's length
-constexpr double kSameLength = 0.12;   // share by which left and right of a person may differ
-constexpr std::size_t kMaxSteps = 64;  // joints looked at for the next ones
+constexpr double kCoincident = 0.02;    // share of a branch's length
+constexpr double kSameLength = 0.12;    // share by which left and right of a person may differ
+constexpr std::size_t kMaxBelow = 300;  // joints of a branch among which the highest is searched
+constexpr std::size_t kMaxSteps = 64;   // joints looked at for the next ones
 
 /// The same lengths, as far as both go.
 bool isSymmetric(const TreeBranch& a, const TreeBranch& b) {
@@ -61,6 +62,30 @@ TreeBranch SkeletonTree::branch(int child) const {
     along += own_[static_cast<std::size_t>(i)];
     if (along - last <= kCoincident * out.length) continue;
     out.nodes.push_back(i);
+    out.along.push_back(along);
+    last = along;
+  }
+  return out;
+}
+
+TreeBranch SkeletonTree::highestBranch(int child, const Vector3d& up) const {
+  const auto height = [&](int i) { return p_[static_cast<std::size_t>(i)].dot(up); };
+  std::vector<int> below{child};
+  for (std::size_t i = 0; i < below.size(); ++i)
+    for (const int next : children(below[i]))
+      if (below.size() < kMaxBelow) below.push_back(next);
+  const int highest = *std::ranges::max_element(below, {}, height);
+  std::vector<int> path;
+  for (int i = highest; i != child; i = parents_[static_cast<std::size_t>(i)]) path.push_back(i);
+  path.push_back(child);
+  TreeBranch out;
+  out.from = parents_[static_cast<std::size_t>(child)];
+  for (const int i : path) out.length += own_[static_cast<std::size_t>(i)];
+  double along = 0.0, last = 0.0;
+  for (auto i = path.rbegin(); i != path.rend() && out.nodes.size() < kMaxBranchNodes; ++i) {
+    along += own_[static_cast<std::size_t>(*i)];
+    if (along - last <= kCoincident * out.length) continue;
+    out.nodes.push_back(*i);
     out.along.push_back(along);
     last = along;
   }

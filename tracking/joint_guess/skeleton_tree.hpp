@@ -38,6 +38,8 @@ class SkeletonTree {
   std::vector<BranchPair> partlySymmetricPairs() const;
   /// The branch that begins with the joint `child`.
   TreeBranch branch(int child) const;
+  /// The same, but to the joint that is highest along `up`.
+  TreeBranch highestBranch(int child, const Vector3d& up) const;
   const std::vector<int>& children(int joint) const { return children_[static_cast<std::size_t>(joint)]; }
   /// True if `joint` is `ancestor` or lies below it.
   bool isBelow(int joint, int ancestor) const;

@@ -85,6 +85,77 @@ TEST(JointGuess, HandsMayDiffer) {
   }
 }
 
+/// The whole figure with two tails of hair of three bones; `down`: share of its bones that hang down.
+Figure withHair(double first, double second, bool hangs) {
+  Figure figure = wholeFigure({Figure{{7, {0, 18, 0}, true}}, Figure{{7, {0, -18, 0}, true}}});
+  // The head is the last joint of the trunk, at depth 4.
+  auto end = std::ranges::find_if(
+      figure, [](const FigureJoint& j) { return j.depth == 5 && j.is_site && j.offset.z() == 18.0; });
+  Figure hair;
+  for (const double y : {1.0, -1.0}) {
+    const auto bone = [&](double length) {
+      return hangs ? Vector3d(0, 0, -length) : Vector3d(0, y * length, 0);
+    };
+    append(hair, {{5, {0, 6 * y, 0}}, {6, bone(first)}, {7, bone(second)}, {8, bone(2), true}});
+  }
+  figure.insert(end + 1, hair.begin(), hair.end());
+  return figure;
+}
+
+// Arms leave the trunk at the height of shoulders.
+TEST(JointGuess, TailsOfHairAreNoArms) {
+  for (const bool hangs : {true, false})
+    for (const double first : {15.0, 22.0, 30.0, 36.0})
+      for (const double second : {15.0, 25.0, 36.0}) {
+        const Recording r = read(figureBvh(withHair(first, second, hangs)));
+        EXPECT_EQ(r.report.joint_map, "guessed from the shape") << first << " " << second;
+        EXPECT_EQ(usedFor(r, humanmodel::Joint::kNeck), "b12") << first << " " << second;
+        EXPECT_EQ(usedFor(r, humanmodel::Joint::kHead), "b13") << first << " " << second;
+        EXPECT_EQ(usedFor(r, humanmodel::Joint::kShoulderLeft), "b21") << first << " " << second;
+        EXPECT_EQ(usedFor(r, humanmodel::Joint::kWristRight), "b27") << first << " " << second;
+      }
+}
+
+/// The capture with hair on its head in the axes of its rest pose: two tails to the sides, or hanging.
+std::string withHairOnHead(const std::string& bvh, const Vector3d& up, const Vector3d& left, double thigh) {
+  std::string text = bvh;
+  const auto head = text.find("JOINT Head");
+  const auto after = text.find('\n', text.find("CHANNELS", head)) + 1;
+  std::string hair;
+  for (const double side : {1.0, -1.0}) {
+    const auto bone = [](const Vector3d& p) {
+      return "\n{\nOFFSET " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
+             std::to_string(p.z()) + "\n";
+    };
+    const Vector3d first = 0.15 * side * thigh * left, next = -0.6 * thigh * up;
+    hair += "JOINT hair" + bone(first) + "CHANNELS 0\nJOINT hair" + bone(next) + "CHANNELS 0\nJOINT hair" +
+            bone(next) + "CHANNELS 0\nEnd Site" + bone(0.01 * next) + "}\n}\n}\n}\n";
+  }
+  return text.insert(after, hair);
+}
+
+TEST(JointGuess, RealCapturesWithHairKeepTheirArms) {
+  struct Capture {
+    const char* file;
+    Vector3d up, left;
+    double thigh;  ///< units of the file
+  };
+  for (const Capture& c : {Capture{"bvhtoolbox_walk01.bvh", Vector3d::UnitY(), Vector3d::UnitX(), 44.0},
+                           Capture{"mocapbank_test.bvh", Vector3d::UnitY(), Vector3d::UnitX(), 48.0},
+                           Capture{"xsens_names_pybvh_test2.bvh", Vector3d::UnitY(), Vector3d::UnitX(), 44.0},
+                           Capture{"fair1_wave_hello.bvh", Vector3d::UnitZ(), Vector3d::UnitX(), 11.5}}) {
+    const auto file = testing::sharedData(std::string("mocap/bvh/") + c.file);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    std::string bvh = readFile(file);
+    std::erase(bvh, '\r');
+    const Recording named = read(bvh);
+    const Recording r = read(
+        renamed(withHairOnHead(bvh, c.up, c.left, c.thigh), [](int i) { return "n" + std::to_string(i); }));
+    EXPECT_EQ(r.report.joint_map, "guessed from the shape") << c.file;
+    EXPECT_LE(limbsApart(named, r), kSame) << c.file;
+  }
+}
+
 TEST(JointGuess, AnimalsAndMachinesAreNoPersons) {
   Figure dog{{0, {0, 0, 0}}};
   for (const double side : {1.0, -1.0})
