@@ -337,6 +337,7 @@ Recording convert(RawRecording raw, const RecordingOptions& options) {
   if (is_stated && !raw.unit_is_guess) report.units.doubt = doubtOf(raw, stature);
   add(report.units.doubt.empty() ? unit.warning : report.units.doubt);
   add(up.warning);
+  if (raw.up && options.up == "auto") add(doubtOfUp(up.axis, unit.scale, raw.frames));
   report.units.name = unit.name;
   report.units.reason = unit.reason;
   report.scale = unit.scale;

@@ -1,5 +1,6 @@
 #include "tracking/recording/up_axis.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -16,6 +17,10 @@ constexpr std::array<const char*, 6> kAxes{"x", "y", "z", "-x", "-y", "-z"};
 constexpr double kSteady = 0.6;
 /// Cosine between trunk and legs of a standing rest pose.
 constexpr double kStanding = 0.7;
+/// Cosines of a person who stands along an axis: in most frames, and of the mean direction.
+constexpr double kStandsAlong = 0.7, kMeanAlong = 0.9, kMostFrames = 0.95;
+/// m; of the lowest foot above the floor at 0.
+constexpr double kFeetOnFloor = 0.3;
 
 /// Mean of the lowest known joints, otherwise nullopt.
 std::optional<Vector3d> foot(const humanmodel::SkeletonFrame& f) {
@@ -41,6 +46,21 @@ std::string nearestAxis(const Vector3d& d) {
   int k = 0;
   d.cwiseAbs().maxCoeff(&k);
   return kAxes[static_cast<std::size_t>(d[k] < 0.0 ? k + 3 : k)];
+}
+
+Vector3d directionOf(const std::string& axis) {
+  return axis.front() == '-' ? Vector3d(-Vector3d::Unit(axis[1] - 'x'))
+                             : Vector3d(Vector3d::Unit(axis[0] - 'x'));
+}
+
+/// Smallest coordinate of ankles and toes along a direction; infinity: none is known.
+double lowestFootAlong(const std::vector<humanmodel::SkeletonFrame>& frames, const Vector3d& up) {
+  using J = humanmodel::Joint;
+  double lowest = kInfinity;
+  for (const auto& f : frames)
+    for (const J j : {J::kAnkleLeft, J::kAnkleRight, J::kToeLeft, J::kToeRight})
+      if (f.has(j)) lowest = std::min(lowest, up.dot(f[j]));
+  return lowest;
 }
 
 /// The up axis of the rest pose, if it is standing.
@@ -89,6 +109,28 @@ UpChoice chooseUp(const std::string& wanted, const humanmodel::SkeletonFrame& re
   return {axis, measured + ", although the rest pose stands along " + *rest_axis,
           "the up axis is set to " + axis + " from the motion, although the rest pose stands along " +
               *rest_axis + ": give the axis if the person is lying"};
+}
+
+std::string doubtOfUp(const std::string& stated, double scale,
+                      const std::vector<humanmodel::SkeletonFrame>& frames) {
+  std::vector<Vector3d> directions;
+  for (const auto i : sampleIndices(frames.size()))
+    if (const auto d = feetToHead(frames[i])) directions.push_back(*d);
+  if (directions.empty()) return {};
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& d : directions) mean += d / static_cast<double>(directions.size());
+  const std::string axis = nearestAxis(mean);
+  const Vector3d up = directionOf(axis);
+  const auto along =
+      std::ranges::count_if(directions, [&](const Vector3d& d) { return up.dot(d) > kStandsAlong; });
+  if (axis == stated || up.dot(mean) < kMeanAlong ||
+      static_cast<double>(along) < kMostFrames * static_cast<double>(directions.size()))
+    return {};
+  const double foot = scale * lowestFootAlong(frames, up);
+  if (!(std::abs(foot) <= kFeetOnFloor)) return {};
+  return "the person lies along " + axis + " of the file in all frames, with the lowest foot at " + axis +
+         " = " + text::rounded(foot, 2) + " m, but " + stated + " is its up axis: if " + axis +
+         " is up, give it (--up " + axis + ", in scenes `up: " + axis + "`)";
 }
 
 Matrix3d rotationToZUp(const std::string& axis) {

@@ -97,6 +97,58 @@ TEST(Recording, AcceptsUpFromUserAndReportsLyingPerson) {
   EXPECT_THROW(read(lying, {.up = "w"}), UsageError);
 }
 
+/// Frames of the small human as JSON lines with Abstand's names, turned by `R`, 1 m ahead of the origin.
+std::string jsonOf(const Matrix3d& R) {
+  const Recording r = read({.frames = 30});
+  std::string text;
+  for (const auto& f : r.frames) {
+    std::string joints;
+    for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+      if (!f.has(static_cast<humanmodel::Joint>(j))) continue;
+      const Vector3d p = R * (f.p[j] + Vector3d(1.0, 0.0, 0.0));
+      joints += (joints.empty() ? "\"" : ", \"") +
+                std::string(humanmodel::jointName(static_cast<humanmodel::Joint>(j))) + "\": [" +
+                std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + "]";
+    }
+    text += "{\"t\": " + std::to_string(f.t) + ", \"joints\": {" + joints + "}}\n";
+  }
+  return text;
+}
+
+/// Formats with an axis of their own are read with it, but a whole recording of somebody who would stand
+/// along another one is doubtful.
+TEST(Recording, DoubtsStatedUpAxis) {
+  const testing::ScratchFolder folder;
+  const auto warnings = [&](const Matrix3d& R, const RecordingOptions& options = {}) {
+    return openRecording(folder.write("own.jsonl", jsonOf(R)), options).report.warnings;
+  };
+  EXPECT_THAT(warnings(Matrix3d::Identity()), IsEmpty());
+  for (const char* axis : {"x", "y", "-x", "-y"}) {
+    const Matrix3d R = rotationToZUp(axis).transpose();
+    const std::string up = axis;
+    EXPECT_THAT(warnings(R),
+                Contains(HasSubstr("the person lies along " + up + " of the file in all frames")));
+    EXPECT_THAT(warnings(R),
+                Contains(HasSubstr("but z is its up axis: if " + up + " is up, give it (--up " + up)));
+    EXPECT_THAT(warnings(R, {.up = axis}), Not(Contains(HasSubstr("lies along")))) << axis;
+    EXPECT_THAT(warnings(R, {.up = "z"}), Not(Contains(HasSubstr("lies along")))) << "the user says so";
+  }
+  // Somebody who lies obliquely to the axes, or not with the feet at 0.
+  const Matrix3d R_lying = Eigen::AngleAxisd(0.25 * kPi, Vector3d::UnitZ()) * rotationToZUp("y").transpose();
+  EXPECT_THAT(warnings(R_lying), Not(Contains(HasSubstr("lies along"))));
+}
+
+TEST(Recording, RealUpAxesAreNotDoubted) {
+  for (const char* name :
+       {"kinect/irds_kinect_v2/215_18_0_1_1_stand.csv", "kinect/irds_kinect_v2/217_18_0_1_1_wheelchair.csv",
+        "kinect/uiprmd_kinect_v2/m05_s01_e01_positions.txt", "depth/utd_mhad/a18_s1_t1/skeleton.csv",
+        "mocap/c3d/PiG/PiG_Motion3_FF.c3d", "mocap/trc/motek/T.trc"}) {
+    const auto file = testing::sharedData(name);
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file;
+    EXPECT_THAT(openRecording(file).report.warnings, Not(Contains(HasSubstr("lies along")))) << name;
+  }
+}
+
 TEST(Recording, DerivesMissingJoints) {
   const auto z = [](const Recording& r, humanmodel::Joint j) { return r.frames.front()[j].z(); };
   const auto state = [](const Recording& r, humanmodel::Joint j) {
