@@ -78,13 +78,23 @@ class ShapeSearch {
     return bestOf(legReadings(pairs));
   }
 
+  /// Where the limbs of a reading begin, for messages.
+  std::string limbsOf(const ShapeReading& r) const {
+    const auto pair = [&](const Limbs& limbs) {
+      return text::inQuotes(nameOf(limbs.pair.a.nodes[limbs.choice.first])) + " and " +
+             text::inQuotes(nameOf(limbs.pair.b.nodes[limbs.choice.first]));
+    };
+    return "legs from " + pair(r.legs) + (r.arms ? " with arms from " + pair(*r.arms) : std::string());
+  }
+
   std::optional<ShapeReading> bestOf(std::vector<ShapeReading> readings) {
     if (readings.empty()) return std::nullopt;
     std::stable_sort(readings.begin(), readings.end(),
                      [](const ShapeReading& a, const ShapeReading& b) { return a.cost < b.cost; });
     is_ambiguous_ = readings.size() > 1 && readings[1].cost - readings[0].cost < kClearCost;
     if (!is_ambiguous_) return std::move(readings.front());
-    reason_ = "two readings of legs and arms are equally good";
+    reason_ = "two readings of legs and arms are equally good: " + limbsOf(readings[0]) + ", or " +
+              limbsOf(readings[1]);
     return std::nullopt;
   }
 

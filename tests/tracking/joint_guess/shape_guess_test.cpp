@@ -85,6 +85,19 @@ TEST(JointGuess, HandsMayDiffer) {
   }
 }
 
+TEST(JointGuess, EquallyGoodArmsAreNamedAndNotGuessed) {
+  const Figure hand{{7, {0, 18, 0}, true}};
+  Figure figure = wholeFigure({hand, hand});
+  for (const double y : {1.0, -1.0})
+    append(figure,
+           {{3, {-3, 3 * y, 12}}, {4, {0, 15 * y, 0}}, {5, {0, 30 * y, 0}}, {6, {0, 25 * y, 0}}, hand[0]});
+  const Recording r = read(figureBvh(figure));
+  EXPECT_THAT(r.report.mapped, IsEmpty());
+  EXPECT_THAT(r.report.notes,
+              Contains(HasSubstr("two readings of legs and arms are equally good: legs from 'b2' and "
+                                 "'b6' with arms from 'b")));
+}
+
 /// The whole figure with two tails of hair of three bones; `down`: share of its bones that hang down.
 Figure withHair(double first, double second, bool hangs) {
   Figure figure = wholeFigure({Figure{{7, {0, 18, 0}, true}}, Figure{{7, {0, -18, 0}, true}}});
