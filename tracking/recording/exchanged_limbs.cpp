@@ -81,8 +81,8 @@ std::string exchangeOf(const LeftBone& bone, std::span<const SkeletonFrame> fram
   if (rigid < (is_crossed ? 1u : 2u)) return {};
   const std::string in = bone.inner_name, out = bone.outer_name;
   return "left and right seem exchanged from the " + out + "s on: the distance from the left " + in +
-         " to the left " + out + " varies by " + text::rounded(own[0].range(), 2) + " m, that to the right " +
-         out + " by " + text::rounded(other[0].range(), 2) + " m";
+         " to the left " + out + " varies by " + text::rounded(1000.0 * own[0].range(), 1) +
+         " mm, that to the right " + out + " by " + text::rounded(1000.0 * other[0].range(), 1) + " mm";
 }
 
 }  // namespace
