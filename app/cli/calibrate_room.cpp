@@ -1,7 +1,10 @@
 // abstand calibrate CLIP --room: pose of a camera from the room that another camera sees, too.
+#include <cmath>
+
 #include "app/cli/calibrate_modes.hpp"
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/room_pose.hpp"
+#include "tracking/depth/calibration/room_warnings.hpp"
 #include "tracking/depth/calibration/still_image.hpp"
 
 namespace abstand::cli {
@@ -29,17 +32,28 @@ int calibrateByRoom(const CommandLine& line, const CalibrateArguments& args) {
   const tracking::RoomFit fit =
       tracking::fitPoseToRoom(viewOf(*known, args.room), viewOf(*stream, args.input));
   writePlaced(args, stream->camera(), fit.X_WC, fit.spread);
-  const nlohmann::ordered_json document{
-      {"points", fit.points}, {"shared", fit.shared}, {"agreeing", fit.agreeing}, {"T_WC", rowsOf(fit.X_WC)},
-      {"rms", fit.rms},       {"moved", fit.moved},   {"turned", fit.turned},     {"spread", fit.spread}};
+  const std::vector<std::string> warnings = tracking::warningsOf(fit);
+  for (const std::string& warning : warnings) line.warn(warning);
+  nlohmann::ordered_json document{{"points", fit.points},
+                                  {"shared", fit.agreement.shared},
+                                  {"agreeing", fit.agreement.agreeing},
+                                  {"seen_through", fit.agreement.seen_through},
+                                  {"T_WC", rowsOf(fit.X_WC)},
+                                  {"rms", fit.rms},
+                                  {"moved", fit.moved},
+                                  {"turned", fit.turned},
+                                  {"rival", nullptr},
+                                  {"spread", fit.spread},
+                                  {"warnings", warnings}};
+  if (std::isfinite(fit.rival)) document["rival"] = fit.rival;
   line.print(
       document,
       format("%zu points, RMS error %.2f mm; the other camera sees %.0f %% of the surfaces of this one, and "
              "both "
              "agree on %.0f %% of their common view\n"
              "moved by %.1f mm and turned by %.2f degrees from the start\n",
-             fit.points, 1e3 * fit.rms, 100.0 * fit.shared, 100.0 * fit.agreeing, 1e3 * fit.moved,
-             fit.turned / unit::deg(1.0)) +
+             fit.points, 1e3 * fit.rms, 100.0 * fit.agreement.shared, 100.0 * fit.agreement.agreeing,
+             1e3 * fit.moved, fit.turned / unit::deg(1.0)) +
           placedText(fit.X_WC, fit.spread));
   return kDone;
 }

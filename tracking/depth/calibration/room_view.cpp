@@ -73,6 +73,12 @@ RoomPoint RoomView::pointAt(const DepthImage& image, int u, int v) const {
   return point;
 }
 
+Vector3d RoomView::middle() const {
+  Vector3d sum = Vector3d::Zero();
+  for (const RoomPoint& point : points_) sum += point.p_C;
+  return points_.empty() ? sum : Vector3d(sum / static_cast<double>(points_.size()));
+}
+
 const RoomPoint* RoomView::at(const Vector3d& p_C) const {
   if (p_C.z() <= 0.01) return nullptr;
   const Eigen::Vector2d pixel = camera_.pixelOf(p_C) / step_;

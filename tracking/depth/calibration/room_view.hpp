@@ -26,6 +26,10 @@ class RoomView {
   const DepthCamera& camera() const { return camera_; }
   /// All smooth points.
   const std::vector<RoomPoint>& points() const { return points_; }
+  /// Mean of points() (m); zero without any.
+  Vector3d middle() const;
+  /// Width of a pixel of the grid at the depth of 1 m (m).
+  double pixel() const { return step_ / camera_.fx; }
   /// The grid point at the pixel of a point in the camera's frame; null outside the image and where nothing
   /// was measured. It may be not smooth.
   const RoomPoint* at(const Vector3d& p_C) const;

@@ -24,7 +24,7 @@ SurfaceSum sumOf(const std::vector<SurfaceRow>& rows) {
   sum.middle /= static_cast<double>(rows.size());
   const auto median = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), median, sizes.end());
-  const double width = 3.0 * std::max(kSmallestScale, 1.4826 * *median);
+  const double width = sum.width = 3.0 * std::max(kSmallestScale, 1.4826 * *median);
   for (const SurfaceRow& row : rows) {
     Vector6d J;
     J << row.n_W, (row.p_W - sum.middle).cross(row.n_W);

@@ -19,6 +19,7 @@ struct SurfaceRow {
 /// Residuals and normal equations of all rows for the steps of movedAbout() about `middle`.
 struct SurfaceSum {
   double weights{0.0}, squares{0.0};
+  double width{0.0};  ///< m, distance at which the weights of Geman-McClure are a fourth
   std::size_t rows{0};
   Vector3d middle{Vector3d::Zero()};  ///< m, mean of the points
   Matrix6d JTJ{Matrix6d::Zero()};

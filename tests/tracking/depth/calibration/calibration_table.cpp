@@ -71,12 +71,16 @@ void printLinks() {
 }
 
 void printRoom() {
-  for (const int images : {1, 5, 20})
-    printRow("room | 2.2 to 3 m | " + std::to_string(images), 20, [&](std::uint64_t seed) {
-      const RoomCase c = roomCase({}, seed, 320, images);
-      const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
-      return Outcome{(fit.X_WC.translation() - c.truth.translation()).norm(), fit.spread};
-    });
+  for (const int walls : {2, 1, 0})
+    for (const int images : {1, 5, 20}) {
+      const std::string name =
+          "room | 2.2 to 3 m, " + std::to_string(walls) + " walls | " + std::to_string(images);
+      printRow(name, 20, [&](std::uint64_t seed) {
+        const RoomCase c = roomCase({.walls = walls}, seed, 320, images);
+        const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+        return Outcome{(fit.X_WC.translation() - c.truth.translation()).norm(), fit.spread};
+      });
+    }
 }
 
 void printBoard() {

@@ -31,17 +31,55 @@ std::vector<Box> roomOf(const RoomPlan& plan, std::uint64_t seed) {
   return boxes;
 }
 
+std::vector<Box> wallRoom() {
+  return {{{8.0, 8.0, 0.1}, fromXyzRpy({0.0, 0.0, -0.05}, Vector3d::Zero())},
+          {{0.1, 8.0, 3.0}, fromXyzRpy({-2.2, 0.0, 1.5}, Vector3d::Zero())}};
+}
+
+std::vector<Box> shelfRoom() {
+  std::vector<Box> boxes = wallRoom();
+  for (int i = -6; i <= 6; ++i)
+    boxes.push_back({{0.4, 0.04, 2.0}, fromXyzRpy({-2.0, 0.4 * i, 1.0}, Vector3d::Zero())});
+  for (int i = 1; i <= 5; ++i)
+    boxes.push_back({{0.4, 6.0, 0.03}, fromXyzRpy({-2.0, 0.0, 0.4 * i}, Vector3d::Zero())});
+  return boxes;
+}
+
+std::vector<Box> postRoom() {
+  std::vector<Box> boxes = wallRoom();
+  for (int i = -8; i <= 8; ++i)
+    boxes.push_back({{0.2, 0.12, 1.6}, fromXyzRpy({-2.05, 0.3 * i, 0.8}, Vector3d::Zero())});
+  return boxes;
+}
+
+namespace {
+
+tracking::DepthCamera roomCamera(int width) {
+  tracking::DepthCamera camera;
+  camera.width = width;
+  camera.height = width * 3 / 4;
+  camera.fx = camera.fy = 580.0 * width / 640.0;
+  camera.cx = 0.5 * (camera.width - 1);
+  camera.cy = 0.5 * (camera.height - 1);
+  return camera;
+}
+
+}  // namespace
+
+std::array<tracking::DepthCamera, 2> wallCameras(int width) {
+  std::array<tracking::DepthCamera, 2> cameras{roomCamera(width), roomCamera(width)};
+  cameras[0].X_WC = tracking::lookingAt({2.2, 0.3, 1.7}, {-1.0, -0.3, 0.7});
+  cameras[1].X_WC = tracking::lookingAt({1.6, 1.9, 1.8}, {-1.0, -0.3, 0.7});
+  return cameras;
+}
+
 std::array<tracking::DepthCamera, 2> camerasOf(std::uint64_t seed, int width) {
   Random random(seed, 3);
   const double middle = random.between(0.3, 1.2), angle = unit::deg(random.between(30.0, 60.0));
   std::array<tracking::DepthCamera, 2> cameras;
   for (int i = 0; i < 2; ++i) {
     tracking::DepthCamera& camera = cameras[static_cast<std::size_t>(i)];
-    camera.width = width;
-    camera.height = width * 3 / 4;
-    camera.fx = camera.fy = 580.0 * width / 640.0;
-    camera.cx = 0.5 * (camera.width - 1);
-    camera.cy = 0.5 * (camera.height - 1);
+    camera = roomCamera(width);
     const double phi = middle + (i - 0.5) * angle, d = random.between(2.2, 3.0);
     const Vector3d eye(d * std::cos(phi) - 0.3, d * std::sin(phi) - 0.3, random.between(1.4, 2.4));
     const double x = random.between(-0.6, -0.1), y = random.between(-0.6, -0.1);
@@ -84,12 +122,17 @@ tracking::DepthImage roomSeen(const tracking::DepthCamera& camera, const std::ve
 }
 
 RoomCase roomCase(const RoomPlan& plan, std::uint64_t seed, int width, int images, double move, double turn) {
-  auto [known, camera] = camerasOf(seed, width);
-  const std::vector<Box> boxes = roomOf(plan, seed);
+  const std::array<tracking::DepthCamera, 2> cameras = camerasOf(seed, width);
+  return roomCase(roomOf(plan, seed), cameras, seed, images, wrong(cameras[1].X_WC, move, turn, seed));
+}
+
+RoomCase roomCase(const std::vector<Box>& boxes, std::array<tracking::DepthCamera, 2> cameras,
+                  std::uint64_t seed, int images, const Transform& start) {
+  auto& [known, camera] = cameras;
   const tracking::DepthImage of_known = roomSeen(known, boxes, 2 * seed, images),
                              of_camera = roomSeen(camera, boxes, 2 * seed + 1, images);
   const Transform truth = camera.X_WC;
-  camera.X_WC = wrong(truth, move, turn, seed);
+  camera.X_WC = start;
   return {tracking::RoomView(known, of_known), tracking::RoomView(camera, of_camera), truth};
 }
 

@@ -43,4 +43,17 @@ struct RoomCase {
 RoomCase roomCase(const RoomPlan& plan, std::uint64_t seed, int width, int images, double move = 0.1,
                   double turn = unit::deg(10.0));
 
+/// Of any room and two cameras.
+RoomCase roomCase(const std::vector<Box>& boxes, std::array<tracking::DepthCamera, 2> cameras,
+                  std::uint64_t seed, int images, const Transform& start);
+
+/// A floor and a wall at x = -2.15, with nothing else.
+std::vector<Box> wallRoom();
+/// Uprights every 0.4 m along the wall, and five boards: repeated parts that fill the view.
+std::vector<Box> shelfRoom();
+/// Posts every 0.3 m along the wall.
+std::vector<Box> postRoom();
+/// Two cameras that look at the wall, 1.7 m from each other.
+std::array<tracking::DepthCamera, 2> wallCameras(int width);
+
 }  // namespace abstand::testing

@@ -11,6 +11,7 @@
 #include "tests/tracking/depth/calibration/pose_errors.hpp"
 #include "tests/tracking/depth/calibration/room_cases.hpp"
 #include "tracking/depth/calibration/cloud_registration.hpp"
+#include "tracking/depth/calibration/room_warnings.hpp"
 #include "tracking/depth/calibration/still_image.hpp"
 
 namespace abstand::testing {
@@ -35,8 +36,8 @@ TEST(RoomPose, RecoversPoseFromWrongStarts) {
     // A Kinect's step at 3 m is 26 mm; 10,000 points and more leave a part of it.
     EXPECT_LT((fit.X_WC.translation() - c.truth.translation()).norm(), 0.01) << seed;
     EXPECT_LT(angleBetween(fit.X_WC, c.truth), unit::deg(0.3)) << seed;
-    EXPECT_GT(fit.agreeing, 0.95) << seed;
-    EXPECT_GT(fit.shared, 0.3) << seed;
+    EXPECT_GT(fit.agreement.agreeing, 0.95) << seed;
+    EXPECT_GT(fit.agreement.shared, 0.3) << seed;
     EXPECT_NEAR(fit.moved, kMove, 0.01) << seed;
     EXPECT_NEAR(fit.turned, kTurn, unit::deg(0.3)) << seed;
     // What is said of a point 1 m from the middle of the points holds.
@@ -61,9 +62,86 @@ TEST(RoomPose, RejectsUndeterminedDegreesOfFreedom) {
   EXPECT_THAT(refusal(floor.known, floor.camera),
               ::testing::HasSubstr("do not determine every degree of freedom"));
   // The noise of single images does not count as a determination.
-  const RoomCase wall = roomCase({.walls = 1, .objects = false}, 2, 160, 1);
-  EXPECT_THAT(refusal(wall.known, wall.camera),
-              ::testing::HasSubstr("do not determine every degree of freedom"));
+  for (const int images : {1, 5}) {
+    const RoomCase wall = roomCase({.walls = 1, .objects = false}, 2, 160, images);
+    EXPECT_THAT(refusal(wall.known, wall.camera),
+                ::testing::HasSubstr("do not determine every degree of freedom"))
+        << images;
+  }
+}
+
+/// A case of a room at the wall, with a start that is `move` (m) off along the wall.
+RoomCase atWall(const std::vector<Box>& boxes, double move) {
+  const std::array<tracking::DepthCamera, 2> cameras = wallCameras(160);
+  Transform start = cameras[1].X_WC;
+  start.translation().y() += move;
+  return roomCase(boxes, cameras, 1, 10, start);
+}
+
+double errorOf(const tracking::RoomFit& fit, const RoomCase& c) {
+  return (fit.X_WC.translation() - c.truth.translation()).norm();
+}
+
+// Two boxes determine the translation along the wall. These were refused.
+TEST(RoomPose, TakesFloorWallAndFurnitureWithTheirSpread) {
+  std::vector<Box> boxes = wallRoom();
+  boxes.push_back({{0.6, 0.4, 0.5}, fromXyzRpy({-1.4, -1.0, 0.25}, {0.0, 0.0, 0.3})});
+  boxes.push_back({{0.5, 0.9, 0.8}, fromXyzRpy({-1.2, 1.0, 0.4}, {0.0, 0.0, -0.2})});
+  const RoomCase c = atWall(boxes, 0.1);
+  const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+  EXPECT_LT(errorOf(fit, c), 0.01);  // as in RecoversPoseFromWrongStarts
+  EXPECT_LT(errorOf(fit, c), 3.0 * fit.spread);
+  // Few surfaces determine it: the spread is that of systematic errors, ten times and more the RMS distance.
+  EXPECT_GT(fit.spread, 8.0 * fit.rms);
+  EXPECT_LT(fit.spread, 0.1);
+  EXPECT_EQ(fit.rival, kInfinity);
+  EXPECT_TRUE(fit.is_start_near);
+}
+
+// The poses one and two periods aside had a lower cost, since the cameras would be nearer to each other.
+TEST(RoomPose, DecidesBetweenRepeatedPartsByTheStart) {
+  for (const double move : {0.0, -0.1}) {
+    const RoomCase c = atWall(shelfRoom(), move);
+    const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+    EXPECT_LT(errorOf(fit, c), 0.01) << move;
+    EXPECT_NEAR(fit.rival, 0.4, 0.03) << move << ": the period";
+    EXPECT_LT(fit.agreement.seen_through, 2e-4) << move;
+  }
+  // Half a period off, and at a wrong pose.
+  for (const double move : {0.2, 0.4}) {
+    const RoomCase c = atWall(shelfRoom(), move);
+    EXPECT_THAT(
+        refusal(c.known, c.camera),
+        ::testing::MatchesRegex("--room: found poses 0\\.(4.|39|38) m apart that explain the room nearly "
+                                "equally, .* within 0\\.1. m and 20 degrees of the true pose"))
+        << move;
+  }
+}
+
+TEST(RoomPose, ThingsThatAreNotRepeatedDecide) {
+  std::vector<Box> boxes = shelfRoom();
+  boxes.push_back({{0.8, 0.6, 0.9}, fromXyzRpy({-1.0, 0.0, 0.45}, {0.0, 0.0, 0.4})});
+  const RoomCase c = atWall(boxes, 0.2);
+  const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+  EXPECT_LT(errorOf(fit, c), 0.01);
+  EXPECT_EQ(fit.rival, kInfinity);
+}
+
+// The sides of posts are narrow and their normals rounded: an error of 5 mm had a spread of 0.6 mm.
+TEST(RoomPose, SpreadIncludesSystematicErrorsOfNarrowSurfaces) {
+  const RoomCase c = atWall(postRoom(), 0.0);
+  const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+  EXPECT_LT(errorOf(fit, c), 3.0 * fit.spread);
+  EXPECT_NEAR(fit.rival, 0.3, 0.03);
+}
+
+TEST(RoomPose, SaysThatStartIsFar) {
+  const RoomCase c = roomCase({}, 1, 160, 3, 0.3, unit::deg(10.0));
+  const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
+  EXPECT_LT(errorOf(fit, c), 0.01);
+  EXPECT_FALSE(fit.is_start_near);
+  const RoomCase near = roomCase({}, 1, 160, 3, 0.2, unit::deg(20.0));
+  EXPECT_TRUE(tracking::fitPoseToRoom(near.known, near.camera).is_start_near);
 }
 
 TEST(RoomPose, RejectsViewsWithoutOverlapAndChangedRooms) {
@@ -83,6 +161,20 @@ TEST(RoomPose, RejectsViewsWithoutOverlapAndChangedRooms) {
   const tracking::DepthImage nothing(160, 120);
   EXPECT_THAT(refusal(c.known, tracking::RoomView(camera, nothing)),
               ::testing::HasSubstr("found 0 points that both cameras see"));
+}
+
+TEST(RoomPose, WarnsOfRivalsAndFarStarts) {
+  tracking::RoomFit fit;
+  EXPECT_TRUE(tracking::warningsOf(fit).empty());
+  fit.rival = 0.4;
+  fit.is_start_near = false;
+  fit.moved = 0.3;
+  fit.turned = unit::deg(12.0);
+  EXPECT_THAT(
+      tracking::warningsOf(fit),
+      ::testing::ElementsAre(::testing::StartsWith("a pose 0.40 m away explains the room nearly as well"),
+                             ::testing::StartsWith("found a pose 0.30 m and 12 degrees from the start, "
+                                                   "expected at most 0.2 m and 20 degrees")));
 }
 
 TEST(StillImage, ContainsWhatStandsStill) {

@@ -1,0 +1,67 @@
+// Choice among poses of a camera that explain the room that two cameras see.
+#include "tracking/depth/calibration/room_choice.hpp"
+
+#include <algorithm>
+
+#include "core/base/error.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+constexpr double kRoomSameThrough = 2e-4;  // of points at edges
+
+bool isBetter(const RoomCandidate& a, const RoomCandidate& b) {
+  if (isAcceptable(a) != isAcceptable(b)) return isAcceptable(a);
+  const double more = a.agreement.seen_through - b.agreement.seen_through;
+  if (isAcceptable(a) && std::abs(more) > kRoomSameThrough) return more < 0.0;
+  return a.cost < b.cost;
+}
+
+/// Whether the start's error is within `share` of the allowed one.
+bool isNear(const Transform& start, const Transform& X_WC, double share) {
+  const Transform moved = start.inverse() * X_WC;
+  return moved.translation().norm() <= share * kRoomStartMove &&
+         Eigen::AngleAxisd(moved.linear()).angle() <= share * kRoomStartTurn;
+}
+
+bool isElsewhere(const RoomCandidate& a, const RoomCandidate& b, const Vector3d& middle_C) {
+  const double spread = std::max(a.spread, b.spread);
+  return apart(a.X_WC, b.X_WC, middle_C) > std::max(kRoomElsewhere, kRoomElsewhereSpreads * spread);
+}
+
+}  // namespace
+
+double apart(const Transform& a, const Transform& b, const Vector3d& middle_C) {
+  return std::max((a.translation() - b.translation()).norm(), (a * middle_C - b * middle_C).norm());
+}
+
+RoomChoice chooseRoomPose(const std::vector<RoomCandidate>& candidates, const Transform& start,
+                          const Vector3d& middle_C) {
+  ABSTAND_CHECK(!candidates.empty());
+  RoomChoice choice;
+  for (std::size_t i = 1; i < candidates.size(); ++i)
+    if (isBetter(candidates[i], candidates[choice.best])) choice.best = i;
+  const double smallest = candidates[choice.best].agreement.seen_through;
+  if (!isAcceptable(candidates[choice.best])) return choice;
+  std::vector<std::size_t> likely{choice.best}, near;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (isAcceptable(candidates[i]) && candidates[i].agreement.seen_through <= smallest + kRoomNearlyAsWell &&
+        isElsewhere(candidates[i], candidates[choice.best], middle_C))
+      likely.push_back(i);
+  if (likely.size() == 1) return choice;
+  for (const std::size_t i : likely)
+    if (isNear(start, candidates[i].X_WC, kRoomStartMargin)) near.push_back(i);
+  choice.decided = near.size() == 1 && isNear(start, candidates[near[0]].X_WC, kRoomStartSlack) &&
+                   candidates[near[0]].agreement.seen_through <= smallest + kRoomAsWell;
+  if (choice.decided) choice.best = near[0];
+  double nearest = kInfinity;
+  for (const std::size_t i : likely) {
+    const double d = apart(candidates[i].X_WC, candidates[choice.best].X_WC, middle_C);
+    if (i == choice.best || !(d < nearest)) continue;
+    nearest = d;
+    choice.rival = i;
+  }
+  return choice;
+}
+
+}  // namespace abstand::tracking
