@@ -8,12 +8,12 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kRoomSameThrough = 2e-4;  // of points at edges
+constexpr double kRoomSame = 0.002;  // unexplained, by points at edges
 
 bool isBetter(const RoomCandidate& a, const RoomCandidate& b) {
   if (isAcceptable(a) != isAcceptable(b)) return isAcceptable(a);
-  const double more = a.agreement.seen_through - b.agreement.seen_through;
-  if (isAcceptable(a) && std::abs(more) > kRoomSameThrough) return more < 0.0;
+  const double more = unexplained(a.agreement) - unexplained(b.agreement);
+  if (isAcceptable(a) && std::abs(more) > kRoomSame) return more < 0.0;
   return a.cost < b.cost;
 }
 
@@ -24,12 +24,19 @@ bool isNear(const Transform& start, const Transform& X_WC, double share) {
          Eigen::AngleAxisd(moved.linear()).angle() <= share * kRoomStartTurn;
 }
 
-bool isElsewhere(const RoomCandidate& a, const RoomCandidate& b, const Vector3d& middle_C) {
-  const double spread = std::max(a.spread, b.spread);
-  return apart(a.X_WC, b.X_WC, middle_C) > std::max(kRoomElsewhere, kRoomElsewhereSpreads * spread);
+/// Whether a pose explains the room nearly as well as the best one, elsewhere.
+bool isRival(const RoomCandidate& a, const RoomCandidate& best, const Vector3d& middle_C) {
+  const double spread = std::max(a.spread, best.spread);
+  return isAcceptable(a) && unexplained(a.agreement) <= unexplained(best.agreement) + kRoomNearlyAsWell &&
+         a.agreement.weakest >= kRoomWeakerRival * best.agreement.weakest &&
+         apart(a.X_WC, best.X_WC, middle_C) > std::max(kRoomElsewhere, kRoomElsewhereSpreads * spread);
 }
 
 }  // namespace
+
+double unexplained(const RoomAgreement& agreement) {
+  return 1.0 - agreement.agreeing + kRoomPastCounts * agreement.seen_through;
+}
 
 double apart(const Transform& a, const Transform& b, const Vector3d& middle_C) {
   return std::max((a.translation() - b.translation()).norm(), (a * middle_C - b * middle_C).norm());
@@ -41,18 +48,16 @@ RoomChoice chooseRoomPose(const std::vector<RoomCandidate>& candidates, const Tr
   RoomChoice choice;
   for (std::size_t i = 1; i < candidates.size(); ++i)
     if (isBetter(candidates[i], candidates[choice.best])) choice.best = i;
-  const double smallest = candidates[choice.best].agreement.seen_through;
-  if (!isAcceptable(candidates[choice.best])) return choice;
+  const RoomCandidate& best = candidates[choice.best];
+  if (!isAcceptable(best)) return choice;
   std::vector<std::size_t> likely{choice.best}, near;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (isAcceptable(candidates[i]) && candidates[i].agreement.seen_through <= smallest + kRoomNearlyAsWell &&
-        isElsewhere(candidates[i], candidates[choice.best], middle_C))
-      likely.push_back(i);
+    if (isRival(candidates[i], best, middle_C)) likely.push_back(i);
   if (likely.size() == 1) return choice;
   for (const std::size_t i : likely)
     if (isNear(start, candidates[i].X_WC, kRoomStartMargin)) near.push_back(i);
   choice.decided = near.size() == 1 && isNear(start, candidates[near[0]].X_WC, kRoomStartSlack) &&
-                   candidates[near[0]].agreement.seen_through <= smallest + kRoomAsWell;
+                   unexplained(candidates[near[0]].agreement) <= unexplained(best.agreement) + kRoomAsWell;
   if (choice.decided) choice.best = near[0];
   double nearest = kInfinity;
   for (const std::size_t i : likely) {

@@ -42,7 +42,7 @@ class RoomSearch {
   const RoomCandidate* best() const {
     const RoomCandidate* best = nullptr;
     for (const RoomCandidate& c : found_)
-      if (isAcceptable(c) && (!best || c.agreement.seen_through < best->agreement.seen_through)) best = &c;
+      if (isAcceptable(c) && (!best || unexplained(c.agreement) < unexplained(best->agreement))) best = &c;
     return best;
   }
 

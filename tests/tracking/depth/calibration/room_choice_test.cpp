@@ -26,7 +26,7 @@ TEST(RoomChoice, PrefersWhatIsNotSeenThroughToLowCost) {
   const std::vector<tracking::RoomCandidate> poses{poseAt(0.8, 0.02, 0.001), poseAt(0.0, 0.001, 0.005)};
   const tracking::RoomChoice choice = tracking::chooseRoomPose(poses, startAt(0.8), kMiddle);
   EXPECT_EQ(choice.best, 1u);
-  EXPECT_FALSE(choice.rival) << "the other one is seen through, and more than nearly as well is needed";
+  EXPECT_FALSE(choice.rival);
   EXPECT_TRUE(choice.decided);
   // Equally seen through: the lower cost.
   const std::vector<tracking::RoomCandidate> equal{poseAt(0.0, 0.0001, 0.005), poseAt(0.01, 0.0, 0.006)};
@@ -34,7 +34,7 @@ TEST(RoomChoice, PrefersWhatIsNotSeenThroughToLowCost) {
 }
 
 TEST(RoomChoice, StartDecidesIfOnePoseIsNearAndNoOtherIsBetter) {
-  const std::vector<tracking::RoomCandidate> poses{poseAt(0.4, 0.001), poseAt(0.0, 0.0), poseAt(1.2, 0.005)};
+  const std::vector<tracking::RoomCandidate> poses{poseAt(0.4, 0.002), poseAt(0.0, 0.0), poseAt(1.2, 0.005)};
   const tracking::RoomChoice near = tracking::chooseRoomPose(poses, startAt(0.1), kMiddle);
   EXPECT_TRUE(near.decided);
   EXPECT_EQ(near.best, 1u);
@@ -50,6 +50,21 @@ TEST(RoomChoice, StartDecidesIfOnePoseIsNearAndNoOtherIsBetter) {
   // A start that is turned too far is not near.
   const Transform turned = startAt(0.0) * Eigen::AngleAxisd(unit::deg(23.0), Vector3d::UnitY());
   EXPECT_FALSE(tracking::chooseRoomPose(poses, turned, kMiddle).decided);
+}
+
+TEST(RoomChoice, CountsDisagreementAndWhatIsSeenPast) {
+  EXPECT_NEAR(tracking::unexplained({.agreeing = 0.96, .seen_through = 0.01}), 0.06, 1e-12);
+  // Furniture that was moved fits to itself: less is seen past, but less agrees, or a wall is left out.
+  std::vector<tracking::RoomCandidate> poses{poseAt(0.0, 0.0095), poseAt(-0.15, 0.0056)};
+  poses[0].agreement.agreeing = 0.988;
+  poses[1].agreement.agreeing = 0.942;
+  for (const double agreeing : {0.942, 0.975}) {
+    poses[1].agreement.agreeing = agreeing;
+    poses[1].agreement.weakest = agreeing > 0.95 ? 0.002 : 0.03;
+    const tracking::RoomChoice choice = tracking::chooseRoomPose(poses, startAt(0.0), kMiddle);
+    EXPECT_EQ(choice.best, 0u) << agreeing;
+    EXPECT_FALSE(choice.rival) << agreeing;
+  }
 }
 
 TEST(RoomChoice, PosesWithinSpreadAndUnacceptableOnesAreNoRivals) {

@@ -100,15 +100,16 @@ TEST(RoomPose, TakesFloorWallAndFurnitureWithTheirSpread) {
 
 // The poses one and two periods aside had a lower cost, since the cameras would be nearer to each other.
 TEST(RoomPose, DecidesBetweenRepeatedPartsByTheStart) {
-  for (const double move : {0.0, -0.1}) {
+  // At 0.2 m a pose one period aside is as near, but more of the shelves is seen through: 0.039 unexplained.
+  for (const double move : {0.0, -0.1, 0.2}) {
     const RoomCase c = atWall(shelfRoom(), move);
     const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
     EXPECT_LT(errorOf(fit, c), 0.01) << move;
     EXPECT_NEAR(fit.rival, 0.4, 0.03) << move << ": the period";
     EXPECT_LT(fit.agreement.seen_through, 2e-4) << move;
   }
-  // Half a period off, and at a wrong pose.
-  for (const double move : {0.2, 0.4}) {
+  // Half a period off to the other side (0.024), and at wrong poses.
+  for (const double move : {-0.2, 0.4, -0.4}) {
     const RoomCase c = atWall(shelfRoom(), move);
     EXPECT_THAT(
         refusal(c.known, c.camera),
@@ -124,6 +125,23 @@ TEST(RoomPose, ThingsThatAreNotRepeatedDecide) {
   const RoomCase c = atWall(boxes, 0.2);
   const tracking::RoomFit fit = tracking::fitPoseToRoom(c.known, c.camera);
   EXPECT_LT(errorOf(fit, c), 0.01);
+  EXPECT_EQ(fit.rival, kInfinity);
+}
+
+// The pose in which the moved box fits to itself is no rival.
+TEST(RoomPose, TakesRoomWithOneMovedBox) {
+  std::vector<Box> boxes = wallRoom();
+  boxes.push_back({{8.0, 0.1, 3.0}, fromXyzRpy({0.0, -2.2, 1.5}, Vector3d::Zero())});
+  boxes.push_back({{0.6, 0.4, 0.5}, fromXyzRpy({-1.4, -1.0, 0.25}, {0.0, 0.0, 0.3})});
+  boxes.push_back({{0.4, 0.4, 1.1}, fromXyzRpy({0.9, -1.7, 0.55}, {0.0, 0.0, 0.5})});
+  std::vector<Box> later = boxes;
+  boxes.push_back({{0.5, 0.9, 0.8}, fromXyzRpy({-1.2, 1.0, 0.4}, {0.0, 0.0, -0.2})});
+  later.push_back({{0.5, 0.9, 0.8}, fromXyzRpy({-1.2, 1.15, 0.4}, {0.0, 0.0, -0.2})});
+  const auto [known, camera] = wallCameras(160);
+  const tracking::RoomView before(known, roomSeen(known, boxes, 2, 10)),
+      after(camera, roomSeen(camera, later, 3, 10));
+  const tracking::RoomFit fit = tracking::fitPoseToRoom(before, after);
+  EXPECT_LT((fit.X_WC.translation() - camera.X_WC.translation()).norm(), 0.01);
   EXPECT_EQ(fit.rival, kInfinity);
 }
 
