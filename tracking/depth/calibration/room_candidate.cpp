@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace abstand::tracking {
-namespace {
-
-// RoomAgreement::weakest below which the errors of the few surfaces that determine a direction count as
-// systematic. Measured: rooms with a floor and two walls 0.026 and more, with errors below `spread`; posts
-// that alone determine a direction 0.004, with an error of 5 mm, nine times the spread without this.
-constexpr double kRoomWeak = 0.015;
-
-}  // namespace
 
 RoomCandidate judgeRoomPose(const RoomRows& rows, const Transform& X_WC) {
   RoomCandidate c{.X_WC = X_WC, .cost = rows.cost(X_WC)};

@@ -27,6 +27,10 @@ std::vector<std::string> warningsOf(const RoomFit& fit) {
                   fit.moved, fit.turned / unit::deg(1.0), kRoomStartMove, turn);
     warnings.emplace_back(text);
   }
+  if (fit.agreement.weakest < kRoomWeak)
+    warnings.emplace_back(
+        "few surfaces, as of furniture, determine one direction of the camera: nobody can tell whether they "
+        "were moved between the recordings");
   return warnings;
 }
 

@@ -181,18 +181,21 @@ TEST(RoomPose, RejectsViewsWithoutOverlapAndChangedRooms) {
               ::testing::HasSubstr("found 0 points that both cameras see"));
 }
 
-TEST(RoomPose, WarnsOfRivalsAndFarStarts) {
+TEST(RoomPose, WarnsOfRivalsFarStartsAndFewSurfaces) {
   tracking::RoomFit fit;
+  fit.agreement.weakest = 0.05;
   EXPECT_TRUE(tracking::warningsOf(fit).empty());
   fit.rival = 0.4;
   fit.is_start_near = false;
   fit.moved = 0.3;
   fit.turned = unit::deg(12.0);
+  fit.agreement.weakest = 0.005;
   EXPECT_THAT(
       tracking::warningsOf(fit),
       ::testing::ElementsAre(::testing::StartsWith("a pose 0.40 m away explains the room nearly as well"),
                              ::testing::StartsWith("found a pose 0.30 m and 12 degrees from the start, "
-                                                   "expected at most 0.2 m and 20 degrees")));
+                                                   "expected at most 0.2 m and 20 degrees"),
+                             ::testing::StartsWith("few surfaces, as of furniture, determine one direction")));
 }
 
 TEST(StillImage, ContainsWhatStandsStill) {
