@@ -21,7 +21,7 @@ constexpr double kFarthestTwist = -0.5;
 constexpr double kRigidShare = 0.25, kVaries = 0.0005;
 constexpr std::size_t kFewestMoments = 10;
 /// Distance by which knees or elbows are on each other's side, share of that of hips or shoulders.
-constexpr double kOnOtherSide = 0.6, kMostMoments = 0.95;
+constexpr double kOnOtherSide = 0.6, kNearlyAllMoments = 0.95;
 
 /// A bone of the left side; the right joints are four later.
 struct LeftBone {
@@ -76,8 +76,9 @@ std::string exchangeOf(const LeftBone& bone, std::span<const SkeletonFrame> fram
     rigid += varies > kVaries * own[side].median() && other[side].range() < kRigidShare * varies ? 1 : 0;
   }
   // A limb that swings across the line of its inner joints keeps both distances.
-  const bool is_crossed = bone.stays_on_side && static_cast<double>(crossed) >
-                                                    kMostMoments * static_cast<double>(own[0].all.size());
+  const bool is_crossed =
+      bone.stays_on_side &&
+      static_cast<double>(crossed) > kNearlyAllMoments * static_cast<double>(own[0].all.size());
   if (rigid < (is_crossed ? 1u : 2u)) return {};
   const std::string in = bone.inner_name, out = bone.outer_name;
   return "left and right seem exchanged from the " + out + "s on: the distance from the left " + in +

@@ -18,7 +18,7 @@ constexpr double kSteady = 0.6;
 /// Cosine between trunk and legs of a standing rest pose.
 constexpr double kStanding = 0.7;
 /// Cosines of a person who stands along an axis: in most frames, and of the mean direction.
-constexpr double kStandsAlong = 0.7, kMeanAlong = 0.9, kMostFrames = 0.95;
+constexpr double kStandsAlong = 0.7, kMeanAlong = 0.9, kNearlyAllFrames = 0.95;
 /// m; of the lowest foot above the floor at 0.
 constexpr double kFeetOnFloor = 0.3;
 
@@ -124,7 +124,7 @@ std::string doubtOfUp(const std::string& stated, double scale,
   const auto along =
       std::ranges::count_if(directions, [&](const Vector3d& d) { return up.dot(d) > kStandsAlong; });
   if (axis == stated || up.dot(mean) < kMeanAlong ||
-      static_cast<double>(along) < kMostFrames * static_cast<double>(directions.size()))
+      static_cast<double>(along) < kNearlyAllFrames * static_cast<double>(directions.size()))
     return {};
   const double foot = scale * lowestFootAlong(frames, up);
   if (!(std::abs(foot) <= kFeetOnFloor)) return {};

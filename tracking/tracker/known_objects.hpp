@@ -28,10 +28,12 @@ struct KnownPixels {
 
 /// Known objects in the images of a camera.
 struct ObjectsInImages {
-  KnownPixels pixels;         ///< of all
-  DisplacedThings displaced;  ///< of the robots, if there are any
-  /// Where they are said to be, or displaced.
-  bool show() const { return pixels.show() || displaced.areNear(); }
+  static constexpr double kDisplacedShown = 0.35;  ///< KnownPixels::share()
+  KnownPixels pixels;                              ///< of all
+  DisplacedThings displaced;                       ///< of the robots, if there are any
+  /// Where they are said to be, or displaced: part of the pixels show them also then. Of a person who is near
+  /// the place of an absent object, hardly any do.
+  bool show() const { return pixels.show() || (displaced.areNear() && pixels.share() >= kDisplacedShown); }
 };
 
 /// Up to kComparedImages images, evenly spread over the recording. Throws ParseError.

@@ -12,7 +12,7 @@ bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known
   all_ = kForget * all_ + static_cast<double>(pixels.there + pixels.through);
   const bool is_measured = at_rest && displaced_.add(image, *at_rest, camera, kForget);
   if (all_ >= kPixels)
-    shown_ = share() >= (shown_ ? kElsewhere : kThere) || (is_measured && displaced_.areNear());
+    shown_ = share() >= (shown_ || (is_measured && displaced_.areNear()) ? kElsewhere : kThere);
   return shown_;
 }
 

@@ -28,7 +28,7 @@ class ShownThings {
   static constexpr double kForget = 0.9;      ///< weight of the images before, at each one
   static constexpr double kPixels = 2000.0;   ///< to decide
   static constexpr double kElsewhere = 0.35;  ///< smaller shares are those of things that are not there
-  static constexpr double kThere = 0.6;       ///< larger ones, of things that are there again
+  static constexpr double kThere = 0.6;  ///< larger ones, of things that are there again, unless displaced
 
  private:
   double there_{0.0}, all_{0.0};  ///< pixels

@@ -9,7 +9,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr double kThroughWindow = 0.5, kThroughLasts = 0.5;  // s
-constexpr double kMostOfSpan = 0.9;                          // quantile of the displacements
+constexpr double kHighQuantile = 0.9;                        // quantile of the displacements
 
 /// The median of the known ones; NaN: there is none.
 double medianShare(std::span<const ThroughAt> seen) {
@@ -37,7 +37,7 @@ std::vector<ApartSpan> throughSpans(std::span<const ThroughAt> seen) {
   std::size_t from = 0, to = 0;
   const auto close = [&](double until) {
     if (last - first >= kThroughLasts)
-      spans.push_back({begin, until, nearestQuantile(displacements, kMostOfSpan)});
+      spans.push_back({begin, until, nearestQuantile(displacements, kHighQuantile)});
     displacements.clear();
   };
   for (const ThroughAt& one : seen) {

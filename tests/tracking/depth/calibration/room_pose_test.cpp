@@ -190,12 +190,12 @@ TEST(RoomPose, WarnsOfRivalsFarStartsAndFewSurfaces) {
   fit.moved = 0.3;
   fit.turned = unit::deg(12.0);
   fit.agreement.weakest = 0.005;
-  EXPECT_THAT(
-      tracking::warningsOf(fit),
-      ::testing::ElementsAre(::testing::StartsWith("a pose 0.40 m away explains the room nearly as well"),
-                             ::testing::StartsWith("found a pose 0.30 m and 12 degrees from the start, "
-                                                   "expected at most 0.2 m and 20 degrees"),
-                             ::testing::StartsWith("few surfaces, as of furniture, determine one direction")));
+  EXPECT_THAT(tracking::warningsOf(fit),
+              ::testing::ElementsAre(
+                  ::testing::StartsWith("a pose 0.40 m away explains the room nearly as well"),
+                  ::testing::StartsWith("found a pose 0.30 m and 12 degrees from the start, "
+                                        "expected at most 0.2 m and 20 degrees"),
+                  ::testing::StartsWith("few surfaces, as of furniture, determine one direction")));
 }
 
 TEST(StillImage, ContainsWhatStandsStill) {
