@@ -89,8 +89,8 @@ nlohmann::ordered_json TrackCameras::json(const tracking::ClipTrack& track) cons
     camera["clock_offset"] = cameras_[i].offset;
     camera["clock_known"] = static_cast<bool>(clock_known_[i]);
     camera["clock_reason"] = clock_reasons_[i];
-    if (!things_.empty())
-      camera["things"] = thingsJson(true, things_[i].pixels.share(), things_[i].displaced);
+    camera["things"] = things_.empty() ? nlohmann::ordered_json()
+                                       : thingsJson(true, things_[i].pixels.share(), things_[i].displaced);
   }
   return all;
 }
