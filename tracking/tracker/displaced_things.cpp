@@ -8,15 +8,18 @@
 namespace abstand::tracking {
 namespace {
 
-// Pixels between two points, of the things and of the search around them: at most so many of a row.
-constexpr int kOfRow = 110;
+constexpr int kOfRow = 110;  // points of the things that are compared
+constexpr int kAcross = 36;  // points of the search around one of them, along a side
+constexpr double kStampsInRadius =
+    4.0;  // discs along an edge: less than 1 % of the radius is missing between two
 
-/// Distance (m) of the rendered point at (u, v) from the nearest measured one of every `stride`-th;
-/// kFarthest: none is nearer.
-double nearestOf(const DepthImage& image, const DepthCamera& camera, int u, int v, double depth, int stride) {
+/// Distance (m) of the rendered point at (u, v) from the nearest of some measured ones; kFarthest: none is
+/// nearer.
+double nearestOf(const DepthImage& image, const DepthCamera& camera, int u, int v, double depth) {
   const Vector3d p_C = camera.at(u, v, depth);
-  const int reach =
-      static_cast<int>(DisplacedThings::kFarthest * camera.fx / depth) / stride * stride;  // pixels
+  const double radius = DisplacedThings::kFarthest * camera.fx / depth;  // pixels
+  const int stride = std::max(1, static_cast<int>(2.0 * radius) / kAcross);
+  const int reach = static_cast<int>(radius) / stride * stride;
   double nearest = DisplacedThings::kFarthest * DisplacedThings::kFarthest;
   for (int dv = -reach; dv <= reach; dv += stride) {
     for (int du = -reach; du <= reach; du += stride) {
@@ -42,7 +45,7 @@ bool DisplacedThings::add(const DepthImage& image, const DepthImage& known, cons
       if (depth <= 0.0 || z <= 0.0 || z < depth - kFarthest) continue;
       if (is_first) forget(kept);
       is_first = false;
-      const double distance = nearestOf(image, camera, u, v, depth, stride);
+      const double distance = nearestOf(image, camera, u, v, depth);
       points_ += 1.0;
       depths_ += depth;
       if (distance < kFarthest)
@@ -93,6 +96,9 @@ const DepthImage& BandedThings::around(const DepthImage& known, const DepthCamer
     for (int u = 0; u < known.width; ++u) {
       const float z = known.at(u, v);
       if (z <= 0.0f) continue;
+      const double radius = band * camera.fx / static_cast<double>(z);  // pixels
+      const int between = std::max(1, static_cast<int>(radius / kStampsInRadius));
+      if (u % between != 0 && v % between != 0) continue;
       const auto isEdge = [&](int x, int y) {
         if (x < 0 || y < 0 || x >= known.width || y >= known.height) return false;
         const float other = known.at(x, y);
