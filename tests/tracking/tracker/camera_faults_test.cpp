@@ -249,7 +249,9 @@ TEST(LiveCameraFaults, WrongPoseMakesAllJointsUncertain) {
   EXPECT_EQ(share.apart_since, 0.0);
   EXPECT_FALSE(share.apart_certain);
   for (const humanmodel::SkeletonFrame& frame : live.sent)
-    if (frame.t > kJudged + 0.5) EXPECT_GT(frame.spread[0] * humanmodel::kSpreadQuantile, 0.2) << frame.t;
+    if (frame.t > kJudged + 0.5) {
+      EXPECT_GT(frame.spread[0] * humanmodel::kSpreadQuantile, 0.2) << frame.t;
+    }
 }
 
 /// The thread of its own comes to the same, if it may compare as many moments.

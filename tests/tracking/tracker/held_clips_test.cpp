@@ -144,7 +144,9 @@ TEST(HeldClipsOfTwoCameras, CertifiedDistanceOfTheHandIncludesTheThing) {
     for (std::size_t k = 0; k < 2; ++k) {
       const bool is_empty = std::none_of(scene.held.begin(), scene.held.end(),
                                          [k](const HeldBox& box) { return isIn(box.grip, k); });
-      if (is_empty) EXPECT_EQ(track.people[0].held[k], 0u) << name << ", an empty hand";
+      if (is_empty) {
+        EXPECT_EQ(track.people[0].held[k], 0u) << name << ", an empty hand";
+      }
     }
   }
 }

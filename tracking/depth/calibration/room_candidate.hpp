@@ -10,7 +10,7 @@ struct RoomCandidate {
   double cost{kInfinity};  ///< m, RoomRows::cost()
   double rms{0.0};         ///< m, weighted, of the matched points of both cameras along the normals
   std::size_t points{0};   ///< number of matched points
-  RoomAgreement agreement;
+  RoomAgreement agreement{};
   double spread{0.0};  ///< m, RoomFit::spread without that of the known camera
 };
 

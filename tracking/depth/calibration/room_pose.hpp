@@ -9,7 +9,7 @@ struct RoomFit {
   Transform X_WC{Transform::Identity()};
   double rms{0.0};        ///< m, weighted, distances between the surfaces of both cameras along the normals
   std::size_t points{0};  ///< number of matched points of both cameras
-  RoomAgreement agreement;
+  RoomAgreement agreement{};
   double moved{0.0}, turned{0.0};  ///< m, rad, change from the start pose
   bool is_start_near{true};        ///< the change is within the error that a start may have
   /// m, to the nearest other pose that explains the room nearly as well, of which the start excludes all;

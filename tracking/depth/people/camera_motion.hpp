@@ -12,8 +12,8 @@ namespace abstand::tracking {
 
 /// Depths on a grid of pixels, every `step` pixels from the middle of the first such square on, row by row.
 struct PixelGrid {
-  PixelGrid(const DepthCamera& camera, int step)
-      : columns{camera.width / step}, rows{camera.height / step}, step{step} {}
+  PixelGrid(const DepthCamera& camera, int spacing)
+      : columns{camera.width / spacing}, rows{camera.height / spacing}, step{spacing} {}
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   /// Of columns or rows.
   int pixelOf(int k) const { return k * step + step / 2; }
