@@ -6,14 +6,11 @@
 
 #include "core/math/quantile.hpp"
 #include "tracking/tracker/middle_joints.hpp"
+#include "tracking/tracker/span_collector.hpp"
 
 namespace abstand::tracking {
 namespace {
 
-constexpr double kApartWindow = 0.5;     // s
-constexpr double kApartLasts = 0.5;      // s
-constexpr double kGapInView = 0.1;       // s; in longer times without the person, either state may hold
-constexpr double kNearlyFarthest = 0.9;  // quantile of the distances of a span
 // s: the time of a push is known to two images, and three images after it a body is found at its new place.
 // The shorter the times are, the less people accelerate in them.
 constexpr double kJumpSettles = 0.1, kBeforeJump = 0.07, kLongBeforeJump = 0.2;
@@ -49,37 +46,12 @@ const SeenTwice* lastSeenUntil(std::span<const SeenTwice> seen, double t) {
 }  // namespace
 
 std::vector<ApartSpan> apartSpans(std::span<const SeenTwice> seen) {
-  std::vector<ApartSpan> spans;
-  std::vector<double> distances;  // of the span that is open
-  std::size_t from = 0, to = 0;
-  // s: begin of the span, its first and last moment, the last one before it and the first one after it
-  double begin = -kInfinity, first = kNaN, last_apart = kNaN, last_agreed = -kInfinity, end = kInfinity;
-  const auto close = [&](double until) {
-    if (last_apart - first >= kApartLasts)
-      spans.push_back({begin, until, nearestQuantile(distances, kNearlyFarthest)});
-    distances.clear();
-  };
-  for (const SeenTwice& one : seen) {
-    while (seen[from].t < one.t - 0.5 * kApartWindow) ++from;
-    while (to < seen.size() && seen[to].t <= one.t + 0.5 * kApartWindow) ++to;
-    const Vector3d off = medianOffset(seen.subspan(from, to - from));
-    if (unexplained(off) > ApartSpan::kApart) {
-      if (distances.empty()) {
-        first = one.t;
-        begin = first - last_agreed > kGapInView ? last_agreed : first;
-      }
-      distances.push_back(off.norm());
-      last_apart = one.t;
-      end = kInfinity;
-      continue;
-    }
-    end = std::min(end, one.t);
-    if (!distances.empty() && one.t - last_apart < kApartLasts) continue;
-    if (!distances.empty()) close(end);
-    last_agreed = one.t;
-  }
-  if (!distances.empty()) close(kInfinity);
-  return spans;
+  SpanCollector spans;
+  forEachWindow(seen, [&](const SeenTwice& one, std::span<const SeenTwice> window) {
+    const Vector3d off = medianOffset(window);
+    spans.add(one.t, unexplained(off) > ApartSpan::kApart, off.norm());
+  });
+  return spans.finish();
 }
 
 std::optional<int> whichJumped(std::span<const SeenTwice> seen, double t) {

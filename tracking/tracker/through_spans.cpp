@@ -1,15 +1,12 @@
 #include "tracking/tracker/through_spans.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/math/quantile.hpp"
+#include "tracking/tracker/span_collector.hpp"
 
 namespace abstand::tracking {
 namespace {
-
-constexpr double kThroughWindow = 0.5, kThroughLasts = 0.5;  // s
-constexpr double kHighQuantile = 0.9;                        // quantile of the displacements
 
 /// The median of the known ones; NaN: there is none.
 double medianShare(std::span<const ThroughAt> seen) {
@@ -30,38 +27,12 @@ ThroughAt throughAt(double t, const LabelledImage& a, const LabelledImage& b) {
 }
 
 std::vector<ApartSpan> throughSpans(std::span<const ThroughAt> seen) {
-  std::vector<ApartSpan> spans;
-  std::vector<double> displacements;  // of the span that is open
-  double first = kNaN, last = kNaN, begin = -kInfinity, end = kInfinity;
-  bool has_agreed = false;
-  std::size_t from = 0, to = 0;
-  const auto close = [&](double until) {
-    if (last - first >= kThroughLasts)
-      spans.push_back({begin, until, nearestQuantile(displacements, kHighQuantile)});
-    displacements.clear();
-  };
-  for (const ThroughAt& one : seen) {
-    while (seen[from].t < one.t - 0.5 * kThroughWindow) ++from;
-    while (to < seen.size() && seen[to].t <= one.t + 0.5 * kThroughWindow) ++to;
-    const double share = medianShare(seen.subspan(from, to - from));
-    if (std::isnan(share)) continue;
-    if (share > ThroughAt::kShare) {
-      if (displacements.empty()) {
-        first = one.t;
-        begin = has_agreed ? first : -kInfinity;
-      }
-      displacements.push_back(one.displacement);
-      last = one.t;
-      end = kInfinity;
-      continue;
-    }
-    end = std::min(end, one.t);
-    if (!displacements.empty() && one.t - last < kThroughLasts) continue;
-    if (!displacements.empty()) close(end);
-    has_agreed = true;
-  }
-  if (!displacements.empty()) close(kInfinity);
-  return spans;
+  SpanCollector spans;
+  forEachWindow(seen, [&](const ThroughAt& one, std::span<const ThroughAt> window) {
+    if (const double share = medianShare(window); !std::isnan(share))
+      spans.add(one.t, share > ThroughAt::kShare, one.displacement);
+  });
+  return spans.finish();
 }
 
 }  // namespace abstand::tracking
