@@ -52,13 +52,13 @@ SkeletonTree::SkeletonTree(std::span<const int> parents, std::span<const Vector3
   }
 }
 
-TreeBranch SkeletonTree::branch(int child) const {
+template <typename Next>
+TreeBranch SkeletonTree::branchAlong(int child, double length, const Next& next) const {
   TreeBranch out;
   out.from = parents_[static_cast<std::size_t>(child)];
-  out.length = pathOf(child);
+  out.length = length;
   double along = 0.0, last = 0.0;
-  for (int i = child; i >= 0 && out.nodes.size() < kMaxBranchNodes;
-       i = longest_[static_cast<std::size_t>(i)]) {
+  for (int i = child; i >= 0 && out.nodes.size() < kMaxBranchNodes; i = next(i)) {
     along += own_[static_cast<std::size_t>(i)];
     if (along - last <= kCoincident * out.length) continue;
     out.nodes.push_back(i);
@@ -68,28 +68,24 @@ TreeBranch SkeletonTree::branch(int child) const {
   return out;
 }
 
+TreeBranch SkeletonTree::branch(int child) const {
+  return branchAlong(child, pathOf(child), [&](int i) { return longest_[static_cast<std::size_t>(i)]; });
+}
+
 TreeBranch SkeletonTree::highestBranch(int child, const Vector3d& up) const {
   const auto height = [&](int i) { return p_[static_cast<std::size_t>(i)].dot(up); };
   std::vector<int> below{child};
   for (std::size_t i = 0; i < below.size(); ++i)
     for (const int next : children(below[i]))
       if (below.size() < kMaxBelow) below.push_back(next);
-  const int highest = *std::ranges::max_element(below, {}, height);
-  std::vector<int> path;
-  for (int i = highest; i != child; i = parents_[static_cast<std::size_t>(i)]) path.push_back(i);
-  path.push_back(child);
-  TreeBranch out;
-  out.from = parents_[static_cast<std::size_t>(child)];
-  for (const int i : path) out.length += own_[static_cast<std::size_t>(i)];
-  double along = 0.0, last = 0.0;
-  for (auto i = path.rbegin(); i != path.rend() && out.nodes.size() < kMaxBranchNodes; ++i) {
-    along += own_[static_cast<std::size_t>(*i)];
-    if (along - last <= kCoincident * out.length) continue;
-    out.nodes.push_back(*i);
-    out.along.push_back(along);
-    last = along;
-  }
-  return out;
+  std::vector<int> path{*std::ranges::max_element(below, {}, height)};
+  while (path.back() != child) path.push_back(parents_[static_cast<std::size_t>(path.back())]);
+  double length = 0.0;
+  for (const int i : path) length += own_[static_cast<std::size_t>(i)];
+  return branchAlong(child, length, [&](int) {
+    path.pop_back();
+    return path.empty() ? -1 : path.back();
+  });
 }
 
 template <typename Use>

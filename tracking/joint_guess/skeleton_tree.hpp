@@ -56,6 +56,9 @@ class SkeletonTree {
   /// Calls use(a, b) for all pairs of the longest branches of each joint.
   template <typename Use>
   void forPairs(const Use& use) const;
+  /// The joints from `child` on without coincident ones; next(i): the joint after i, negative after the last.
+  template <typename Next>
+  TreeBranch branchAlong(int child, double length, const Next& next) const;
   double pathOf(int child) const {
     return own_[static_cast<std::size_t>(child)] + below_[static_cast<std::size_t>(child)];
   }
