@@ -10,7 +10,7 @@ RoomCandidate judgeRoomPose(const RoomRows& rows, const Transform& X_WC) {
   const SurfaceSum sum = rows.at(X_WC, RoomRows::kLastGate, RoomRows::kAllPoints);
   c.points = sum.rows;
   c.rms = std::sqrt(sum.squares / sum.weights);
-  c.agreement = rows.agreement(X_WC, RoomRows::kAllPoints);
+  c.agreement = rows.agreement(X_WC, RoomRows::kAllPoints, sum);
   const double weakest = c.agreement.weakest;
   const double rms = weakest < kRoomWeak ? c.rms / std::sqrt(weakest) : c.rms;
   c.spread = std::hypot(rms, spreadWithin(covarianceOf(sum), X_WC.translation() - sum.middle));

@@ -17,13 +17,6 @@ bool isBetter(const RoomCandidate& a, const RoomCandidate& b) {
   return a.cost < b.cost;
 }
 
-/// Whether the start's error is within `share` of the allowed one.
-bool isNear(const Transform& start, const Transform& X_WC, double share) {
-  const Transform moved = start.inverse() * X_WC;
-  return moved.translation().norm() <= share * kRoomStartMove &&
-         Eigen::AngleAxisd(moved.linear()).angle() <= share * kRoomStartTurn;
-}
-
 /// Whether a pose explains the room nearly as well as the best one, elsewhere.
 bool isRival(const RoomCandidate& a, const RoomCandidate& best, const Vector3d& middle_C) {
   const double spread = std::max(a.spread, best.spread);
@@ -33,6 +26,12 @@ bool isRival(const RoomCandidate& a, const RoomCandidate& best, const Vector3d& 
 }
 
 }  // namespace
+
+bool isNear(const Transform& start, const Transform& X_WC, double share) {
+  const Transform moved = start.inverse() * X_WC;
+  return moved.translation().norm() <= share * kRoomStartMove &&
+         Eigen::AngleAxisd(moved.linear()).angle() <= share * kRoomStartTurn;
+}
 
 double unexplained(const RoomAgreement& agreement) {
   return 1.0 - agreement.agreeing + kRoomPastCounts * agreement.seen_through;

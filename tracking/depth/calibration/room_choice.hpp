@@ -31,6 +31,9 @@ double unexplained(const RoomAgreement& agreement);
 RoomChoice chooseRoomPose(const std::vector<RoomCandidate>& candidates, const Transform& start,
                           const Vector3d& middle_C);
 
+/// Whether the error of the start is within `share` of the allowed one.
+bool isNear(const Transform& start, const Transform& X_WC, double share);
+
 /// m, larger one of the displacements of the camera and of the point `middle_C` in its frame.
 double apart(const Transform& a, const Transform& b, const Vector3d& middle_C);
 

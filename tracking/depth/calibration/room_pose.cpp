@@ -78,8 +78,7 @@ RoomFit fitPoseToRoom(const RoomView& known, const RoomView& camera) {
   const Transform moved = start.inverse() * fit.X_WC;
   fit.moved = moved.translation().norm();
   fit.turned = Eigen::AngleAxisd(moved.linear()).angle();
-  fit.is_start_near =
-      fit.moved <= kRoomStartSlack * kRoomStartMove && fit.turned <= kRoomStartSlack * kRoomStartTurn;
+  fit.is_start_near = isNear(start, fit.X_WC, kRoomStartSlack);
   fit.spread = std::hypot(best.spread, known.camera().spread);
   return fit;
 }

@@ -135,10 +135,9 @@ void RoomRows::count(const PlacedView& from, const PlacedView& to, std::size_t p
   }
 }
 
-RoomAgreement RoomRows::agreement(const Transform& X_WC, std::size_t points) const {
+RoomAgreement RoomRows::agreement(const Transform& X_WC, std::size_t points, const SurfaceSum& sum) const {
   const PlacedView camera{camera_, X_WC}, known{known_, known_.camera().X_WC};
   Tally all;
-  const SurfaceSum sum = at(X_WC, kLastGate, points);
   all.middle = sum.middle;
   all.width = sum.width;
   count(camera, known, points, all);

@@ -28,7 +28,11 @@ class RoomRows {
   Transform from(Transform X_WC, double gate, std::size_t points) const;
   /// m, mean distance of the points of both cameras that the other one sees, truncated.
   double cost(const Transform& X_WC) const;
-  RoomAgreement agreement(const Transform& X_WC, std::size_t points) const;
+  RoomAgreement agreement(const Transform& X_WC, std::size_t points) const {
+    return agreement(X_WC, points, at(X_WC, kLastGate, points));
+  }
+  /// The same; `sum`: that of at() with kLastGate.
+  RoomAgreement agreement(const Transform& X_WC, std::size_t points, const SurfaceSum& sum) const;
 
   static constexpr double kLastGate = 0.05;            // m
   static constexpr std::size_t kAllPoints = 1u << 30;  // of each camera
