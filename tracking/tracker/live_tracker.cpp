@@ -51,7 +51,8 @@ bool LiveTracker::decideWorld(const DepthMoment& moment) {
 const DepthImage* LiveTracker::knownFor(const DepthMoment& moment, const DepthCamera& camera) {
   const auto c = static_cast<std::size_t>(&camera - cameras_.data());
   const DepthImage* known = options_.known(moment.t, camera);
-  const DepthImage* at_rest = options_.at_rest ? options_.at_rest(moment.t, camera) : nullptr;
+  const bool is_measured = options_.at_rest && shown_[c].isDue(moment.t);
+  const DepthImage* at_rest = is_measured ? options_.at_rest(moment.t, camera) : nullptr;
   if (!shown_[c].see(moment.t, moment.frames[c]->image, known, at_rest, camera) || !known) return nullptr;
   return known_now_[c] = &banded_[c].around(*known, camera, shown_[c].displaced().band());
 }

@@ -4,7 +4,7 @@ namespace abstand::tracking {
 
 bool ShownThings::see(double t, const DepthImage& image, const DepthImage* known, const DepthImage* at_rest,
                       const DepthCamera& camera) {
-  if (!known || t < next_) return shown_;
+  if (!known || !isDue(t)) return shown_;
   next_ = t + kEvery;
   KnownPixels pixels;
   pixels.add(image, *known);

@@ -17,6 +17,8 @@ class ShownThings {
   bool see(double t, const DepthImage& image, const DepthImage* known, const DepthImage* at_rest,
            const DepthCamera& camera);
 
+  /// Whether the image at `t` is compared: only then at_rest is used.
+  bool isDue(double t) const { return t >= next_; }
   bool areShown() const { return shown_; }
   /// Share of the compared pixels without a nearer surface that have the depth of the things; NaN: nothing
   /// was compared. Earlier images count less.
