@@ -1,7 +1,6 @@
 // abstand calibrate CLIP --room: pose of a camera from the room that another camera sees, too.
-#include <cmath>
-
 #include "app/cli/calibrate_modes.hpp"
+#include "app/cli/json_values.hpp"
 #include "core/base/error.hpp"
 #include "tracking/depth/calibration/room_pose.hpp"
 #include "tracking/depth/calibration/room_warnings.hpp"
@@ -34,18 +33,17 @@ int calibrateByRoom(const CommandLine& line, const CalibrateArguments& args) {
   writePlaced(args, stream->camera(), fit.X_WC, fit.spread);
   const std::vector<std::string> warnings = tracking::warningsOf(fit);
   for (const std::string& warning : warnings) line.warn(warning);
-  nlohmann::ordered_json document{{"points", fit.points},
-                                  {"shared", fit.agreement.shared},
-                                  {"agreeing", fit.agreement.agreeing},
-                                  {"seen_through", fit.agreement.seen_through},
-                                  {"T_WC", rowsOf(fit.X_WC)},
-                                  {"rms", fit.rms},
-                                  {"moved", fit.moved},
-                                  {"turned", fit.turned},
-                                  {"rival", nullptr},
-                                  {"spread", fit.spread},
-                                  {"warnings", warnings}};
-  if (std::isfinite(fit.rival)) document["rival"] = fit.rival;
+  const nlohmann::ordered_json document{{"points", fit.points},
+                                        {"shared", fit.agreement.shared},
+                                        {"agreeing", fit.agreement.agreeing},
+                                        {"seen_through", fit.agreement.seen_through},
+                                        {"T_WC", rowsOf(fit.X_WC)},
+                                        {"rms", fit.rms},
+                                        {"moved", fit.moved},
+                                        {"turned", fit.turned},
+                                        {"rival", numberOrNull(fit.rival)},
+                                        {"spread", fit.spread},
+                                        {"warnings", warnings}};
   line.print(
       document,
       format("%zu points, RMS error %.2f mm; the other camera sees %.0f %% of the surfaces of this one, and "

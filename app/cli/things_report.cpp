@@ -3,17 +3,14 @@
 #include <cmath>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/json_values.hpp"
 
 namespace abstand::cli {
 
 nlohmann::ordered_json thingsJson(bool removed, double share, const tracking::DisplacedThings& displaced) {
-  const bool is_known = std::isfinite(share);
-  const auto orNull = [&](double value) {
-    return is_known ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
   return {{"removed", removed},
-          {"shown", orNull(share)},
-          {"displacement", orNull(displaced.displacement())},
+          {"shown", numberOrNull(share)},
+          {"displacement", numberOrNull(std::isfinite(share) ? displaced.displacement() : kNaN)},
           {"band", displaced.band()}};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/cli/json_values.hpp"
 #include "core/base/error.hpp"
 #include "tracking/tracker/tracked_recording.hpp"
 
@@ -44,10 +45,6 @@ nlohmann::ordered_json heldJson(const tracking::ClipPerson& person) {
 
 }  // namespace
 
-nlohmann::ordered_json timeJson(double t) {
-  return std::isfinite(t) ? nlohmann::ordered_json(t) : nlohmann::ordered_json();
-}
-
 nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track) {
   auto people = nlohmann::ordered_json::array();
   for (const tracking::ClipPerson& p : track.people) {
@@ -68,11 +65,11 @@ nlohmann::ordered_json cameraJson(const std::string& name, const tracking::Depth
           {"images_with_people", share.people},
           {"moments_without", share.without},
           {"images_repeated", share.repeated},
-          {"moved_at", timeJson(share.moved_at)},
-          {"hung_at", timeJson(share.hung_at)},
-          {"disagrees_since", timeJson(share.apart_since)},
+          {"moved_at", numberOrNull(share.moved_at)},
+          {"hung_at", numberOrNull(share.hung_at)},
+          {"disagrees_since", numberOrNull(share.apart_since)},
           {"disagreement", share.apart},
-          {"late_since", timeJson(share.late_since)},
+          {"late_since", numberOrNull(share.late_since)},
           {"late", share.late}};
 }
 

@@ -21,8 +21,6 @@ void addStature(nlohmann::ordered_json& person, const tracking::Stature& stature
 /// All people of a track, sorted by the number of images found.
 nlohmann::ordered_json peopleJson(const tracking::ClipTrack& track);
 
-/// s; null if infinite.
-nlohmann::ordered_json timeJson(double t);
 /// {file, camera_reason, images, images_with_people, moments_without, images_repeated, moved_at, hung_at,
 /// disagrees_since, disagreement, late_since, late} of one camera; `name`: its file, or that of a live
 /// camera.

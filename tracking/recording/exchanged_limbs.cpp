@@ -43,7 +43,7 @@ bool wasMeasured(const SkeletonFrame& f, Joint j) {
   return f.state[static_cast<std::size_t>(j)] == humanmodel::JointState::kTracked;
 }
 
-/// EndDistances of two joints over frames.
+/// Distances of two joints over frames, m.
 struct EndDistances {
   std::vector<double> all;
   double median() const { return nearestQuantile(all, 0.5); }

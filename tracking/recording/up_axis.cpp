@@ -48,11 +48,6 @@ std::string nearestAxis(const Vector3d& d) {
   return kAxes[static_cast<std::size_t>(d[k] < 0.0 ? k + 3 : k)];
 }
 
-Vector3d directionOf(const std::string& axis) {
-  return axis.front() == '-' ? Vector3d(-Vector3d::Unit(axis[1] - 'x'))
-                             : Vector3d(Vector3d::Unit(axis[0] - 'x'));
-}
-
 /// Smallest coordinate of ankles and toes along a direction; infinity: none is known.
 double lowestFootAlong(const std::vector<humanmodel::SkeletonFrame>& frames, const Vector3d& up) {
   using J = humanmodel::Joint;
@@ -120,7 +115,7 @@ std::string doubtOfUp(const std::string& stated, double scale,
   Vector3d mean = Vector3d::Zero();
   for (const Vector3d& d : directions) mean += d / static_cast<double>(directions.size());
   const std::string axis = nearestAxis(mean);
-  const Vector3d up = directionOf(axis);
+  const Vector3d up = rotationToZUp(axis).row(2).transpose();
   const auto along =
       std::ranges::count_if(directions, [&](const Vector3d& d) { return up.dot(d) > kStandsAlong; });
   if (axis == stated || up.dot(mean) < kMeanAlong ||

@@ -110,8 +110,7 @@ CameraMotionFit::Change CameraMotionFit::changeBy(const Transform& X_BN, std::sp
     const Vector3d p = static_cast<double>(now[c]) * rays_[c], moved = X_BN * p;
     change.squares += (moved - p).squaredNorm();
     ++change.cells;
-    Third& third =
-        change.thirds[grid_.thirdOf(static_cast<int>(c % static_cast<std::size_t>(grid_.columns)))];
+    Third& third = change.thirds[grid_.thirdOfCell(c)];
     ++third.cells;
     const Plane* plane = planeAt(moved);
     if (!plane) continue;
@@ -144,7 +143,7 @@ bool CameraMotionFit::haveChanged(std::span<const float> now) const {
   std::array<double, PixelGrid::kThirds> changes{}, cells{};
   for (std::size_t c = 0; c < rays_.size(); ++c) {
     if (now[c] <= 0.0f || !planes_[c].is_known) continue;
-    const std::size_t third = grid_.thirdOf(static_cast<int>(c % static_cast<std::size_t>(grid_.columns)));
+    const std::size_t third = grid_.thirdOfCell(c);
     changes[third] += changeFrom(planes_[c], static_cast<double>(now[c]) * rays_[c]);
     cells[third] += 1.0;
   }

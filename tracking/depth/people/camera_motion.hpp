@@ -19,6 +19,9 @@ struct PixelGrid {
   int pixelOf(int k) const { return k * step + step / 2; }
   /// Left, middle or right: 0 to kThirds - 1.
   std::size_t thirdOf(int column) const { return static_cast<std::size_t>(column * kThirds / columns); }
+  std::size_t thirdOfCell(std::size_t cell) const {
+    return thirdOf(static_cast<int>(cell % static_cast<std::size_t>(columns)));
+  }
 
   static constexpr int kThirds = 3;
   int columns, rows, step;
