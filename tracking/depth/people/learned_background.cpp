@@ -9,6 +9,9 @@ namespace {
 
 constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
 constexpr int kMinBorder = 20;         // pixels; fewer do not tell whether a surface continues
+// Of a surface that was uncovered, nearly all of the border is even. Of somebody who squats and rises, some
+// is: where the legs were before the person was found.
+constexpr int kMostlyEven = 3;
 
 }  // namespace
 
@@ -52,7 +55,7 @@ bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uin
     compare(i, i + width);
     compare(i + width, i);
   }
-  return even + steps >= kMinBorder && even > steps;
+  return even + steps >= kMinBorder && even > kMostlyEven * steps;
 }
 
 }  // namespace abstand::tracking
