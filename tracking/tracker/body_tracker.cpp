@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "humanmodel/joint_covariance.hpp"
+#include "tracking/tracker/head_peak.hpp"
 #include "tracking/tracker/leg_posture.hpp"
+#include "tracking/tracker/other_posture.hpp"
 #include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/seat_points.hpp"
 #include "tracking/tracker/seen_segments.hpp"
@@ -37,12 +39,19 @@ constexpr double kKept = 2.0;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
-/// Upright, with raised arms, straight or bent.
-const std::array<StartPosture, 2> kRaisedStarts{
-    {{0.0, false, Vector3d::Zero(), 0.50}, {0.0, false, Vector3d::Zero(), 0.35}}};
+/// Upright, with raised arms, straight or bent, or with one of them.
+const std::array<StartPosture, 4> kRaisedStarts{{{0.0, false, Vector3d::Zero(), 0.50},
+                                                 {0.0, false, Vector3d::Zero(), 0.35},
+                                                 {0.0, false, Vector3d::Zero(), 0.42, {true, false}},
+                                                 {0.0, false, Vector3d::Zero(), 0.42, {false, true}}}};
+/// A hand above a head that is seen.
+constexpr std::array<std::array<bool, 2>, 3> kRaisedHands{{{true, false}, {false, true}, {true, true}}};
+constexpr double kRaisedWrists = 0.42;  // m above the shoulders
 constexpr double kHandsHighest = 0.08;  // m above the vertex: the highest point is not the head
 /// Upright, the head above the image, which cuts it off at the neck or at the forehead.
 const std::array<StartPosture, 2> kCutStarts{{{-0.24, false}, {-0.12, false}}};
+/// Upright on the floor, or bowed, cut off anywhere.
+const std::array<StartPosture, 2> kOnFloorStarts{{{0.0, false}, {0.12, false}}};
 /// Bowed; seated; on the knees.
 const std::array<StartPosture, 3> kLowStarts{
     {{0.25, false}, {0.0, true, {0.43, 0.0, -0.42}}, {0.0, true, {-0.38, 0.0, -0.38}}}};
@@ -119,7 +128,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   if (dt > kTurns && body_.found) loseSight();
   seen_.update(images);
   was_replaced_ = false;
-  const double highest = seen_.points().top(), top = highest / rig_->height;
+  const double highest = headHeight(), top = highest / rig_->height;
   if (!(highest < kLyingTop)) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
   is_cut_ = isCutAbove(images);
@@ -156,6 +165,13 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   }
   finish(t);
   return body_;
+}
+
+/// m, z of the vertex: that of the highest point, unless a hand is above the head.
+double BodyTracker::headHeight() const {
+  const double top = seen_.points().top();
+  if (!body_.found) return headBelowHands(seen_).value_or(top);
+  return raisesHands(body_.frame) ? std::min(top, body_.frame[humanmodel::Joint::kHeadTop].z()) : top;
 }
 
 /// Of a person of whom there was no image for longer than kTurns: may be elsewhere, and have turned around. A
@@ -327,7 +343,27 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, T
   tryPostures(postures, middle, top - above, facing, best);
   if (top > rig_->height + kHandsHighest)
     tryPostures(kRaisedStarts, middle, rig_->height - above, facing, best);
-  if (is_cut_) tryPostures(kCutStarts, middle, top - above, facing, best);
+  if (const std::optional<double> head = headBelowHands(seen_)) tryRaised(middle, *head, facing, best);
+  if (!is_cut_) return;
+  tryPostures(kCutStarts, middle, top - above, facing, best);
+  if (top < rig_->height) tryPostures(kOnFloorStarts, middle, rig_->height - above, facing, best);
+}
+
+/// Of a person whose vertex is at z = `head` (m), below the hands.
+void BodyTracker::tryRaised(const Vector3d& middle, double head, double facing, TrackedBody& best) {
+  const double pelvis = head - vertexAbovePelvis(*rig_);
+  std::array<StartPosture, 6> postures{};
+  std::size_t count = 0;
+  const bool is_low = head < kStandingHead * rig_->height;
+  const std::span<const StartPosture> upright = std::span(kHighStarts).first(1),
+                                      lowered = std::span(kLowStarts).subspan(1);
+  for (const StartPosture& posture : is_low ? lowered : upright)
+    for (const std::array<bool, 2>& raises : kRaisedHands) {
+      postures[count] = posture;
+      postures[count].wrists = kRaisedWrists;
+      postures[count++].raises = raises;
+    }
+  tryPostures({postures.data(), count}, middle, pelvis, facing, best);
 }
 
 /// `pelvis` (m): its height in a person who stands.
@@ -340,7 +376,7 @@ void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vect
       pose.X_WP.translation().z() = pelvis - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
-      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose);
+      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose, 0.15, posture.raises);
       fitFrom(pose);
       if (mayFace(yawOf(body_.pose)) && body_.misfit.cost < best.misfit.cost) best = body_;
     }

@@ -13,8 +13,9 @@ namespace abstand::tracking {
 struct StartPosture {
   double lower;     ///< m, of the pelvis below that of a person who stands as high as the head
   bool bends_legs;  ///< else the legs are straight
-  Vector3d p_ankle{Vector3d::Zero()};  ///< m, from the hip, pelvis' axes
-  double wrists{0.0};                  ///< m, of raised arms: above the shoulders; 0: the arms hang
+  Vector3d p_ankle{Vector3d::Zero()};      ///< m, from the hip, pelvis' axes
+  double wrists{0.0};                      ///< m, of raised arms: above the shoulders; 0: the arms hang
+  std::array<bool, 2> raises{true, true};  ///< left, right
 };
 
 /// Steps for each moment, of which there is one image or one of each camera: prediction from the last two
@@ -68,6 +69,8 @@ class BodyTracker {
   /// Whether the last body comes from a search that explains the image much better than the followed one did:
   /// the bodies before were wrong.
   bool wasReplaced() const { return was_replaced_; }
+  /// Whether neither the head nor the feet of the last body are within the images.
+  bool isCutAtBothEnds() const { return isHeadCut() && areFeetCut(); }
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
 
@@ -88,6 +91,7 @@ class BodyTracker {
   void searchAgain(double t);
   void find();
   void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
+  void tryRaised(const Vector3d& middle, double head, double facing, TrackedBody& best);
   void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
                    double facing, TrackedBody& best);
   void tryLying(const Vector3d& middle, TrackedBody& best);
@@ -101,6 +105,7 @@ class BodyTracker {
   bool tryLikelier(const RigPose& start, double limit);
   void follow(double dt);
   void plantHiddenFeet();
+  double headHeight() const;
   bool isHeadCut() const;
   bool areFeetCut() const;
   void searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::Scope& legs);

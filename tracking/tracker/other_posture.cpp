@@ -30,9 +30,18 @@ std::vector<OtherPosture> otherPostures(const Stature& stature) {
   return others;
 }
 
+namespace {
+
+/// Between sole and vertex, whatever the arms do.
+bool isStretched(const humanmodel::SkeletonFrame& frame, const BodyRig& rig) {
+  return frame[humanmodel::Joint::kHeadTop].z() - lowestFoot(frame) > kUprightShare * rig.height;
+}
+
+}  // namespace
+
 bool isIn(OtherPosture::Kind kind, const humanmodel::SkeletonFrame& frame, const BodyRig& rig) {
   if (kind == OtherPosture::Kind::kRaisedArms) return raisesHands(frame);
-  return kind != OtherPosture::Kind::kChild || standsUpright(frame, rig);
+  return kind != OtherPosture::Kind::kChild || isStretched(frame, rig);
 }
 
 double lowestFoot(const humanmodel::SkeletonFrame& frame) {
@@ -41,8 +50,7 @@ double lowestFoot(const humanmodel::SkeletonFrame& frame) {
 }
 
 bool standsUpright(const humanmodel::SkeletonFrame& frame, const BodyRig& rig) {
-  using enum humanmodel::Joint;
-  return frame[kHeadTop].z() - lowestFoot(frame) > kUprightShare * rig.height && !raisesHands(frame);
+  return isStretched(frame, rig) && !raisesHands(frame);
 }
 
 bool raisesHands(const humanmodel::SkeletonFrame& frame) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "tracking/tracker/head_peak.hpp"
 #include "tracking/tracker/other_posture.hpp"
 #include "tracking/tracker/tracked_person.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -43,6 +44,9 @@ void TrackedPerson::measure(std::span<const PersonImage> images) {
   if (extent.height <= 0.0) return;
   if (extents_.size() == kMeasured) extents_.erase(extents_.begin());
   extents_.push_back(extent);
+  BodyObservation seen;
+  seen.update(images);
+  extents_.back().head = headBelowHands(seen).value_or(kNaN);
 }
 
 void TrackedPerson::makeMeasured() {

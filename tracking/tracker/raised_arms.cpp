@@ -3,10 +3,11 @@
 
 namespace abstand::tracking {
 
-void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside) {
+void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside, std::array<bool, 2> which) {
   RigPlacement X_WS;
   place(rig, pose, X_WS);
   for (std::size_t k = 0; k < 2; ++k) {
+    if (!which[k]) continue;
     const Limb& arm = kLimbs[k];
     const Vector3d out = (k == 0 ? 1.0 : -1.0) * X_WS[0].linear().col(1), up = X_WS[0].linear().col(2);
     const Vector3d shoulder = X_WS[index(rig[arm.upper].parent)] * rig[arm.upper].p_parent;

@@ -1,13 +1,16 @@
 // Poses of people with the hands at or above the head, or not.
 #pragma once
 
+#include <array>
+
 #include "tracking/tracker/limb_search.hpp"
 
 namespace abstand::tracking {
 
 /// Bends the arms so that the wrists are `above` (m) the shoulders, towards the head, and `aside` (m) of
-/// them, outwards. No allocation, no throw.
-void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside = 0.15);
+/// them, outwards; `which`: left, right. No allocation, no throw.
+void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside = 0.15,
+               std::array<bool, 2> which = {true, true});
 
 /// Whether the elbow is above the shoulder.
 bool isRaised(const RigPlacement& X_WS, const Limb& arm);

@@ -11,6 +11,7 @@ namespace {
 
 // Soles and hair, invisible to a camera at chest height.
 constexpr double kUnseen = 0.02;      // m
+constexpr double kHeadError = 0.05;   // m, of a head that is not the highest of the person
 constexpr double kFeet = 0.2;         // m above the floor
 constexpr double kOutermost = 0.005;  // share of the pixels
 
@@ -54,7 +55,7 @@ VerticalExtent verticalExtent(std::span<const PersonImage> images) {
   const bool to_floor = low < kFeet;
   // A person seen down to the feet stands on the floor, whose nearest pixels are classified as floor.
   return {top - (to_floor ? std::min(low, 0.0) : low), top, to_floor && !all_cut_above && !all_cut_below,
-          all_cut_above};
+          all_cut_above, kNaN};
 }
 
 double Stature::deviation() const {
@@ -90,10 +91,32 @@ Stature Stature::ofRaisedArms(double seen) {
           seen};
 }
 
+/// Of a person whose hands are above the head in most images, of which more than half show all of it.
+Stature ofLowerHead(std::span<const VerticalExtent> images) {
+  std::vector<double> heads, tops;
+  for (const VerticalExtent& e : images) {
+    tops.push_back(e.top);
+    if (std::isfinite(e.head)) heads.push_back(e.head);
+  }
+  const double seen = nearestQuantile(heads, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5);
+  if (seen < Stature::kShortestUpright)
+    return {Stature::Source::kInterval,
+            Stature::kUsual,
+            {std::max(Stature::kShortest, seen - kHeadError), Stature::kTallest},
+            "a hand is above the head, which is at " + metres(seen),
+            seen};
+  return {Stature::Source::kInterval,
+          std::min(seen, Stature::kTallestUpright),
+          {seen - kHeadError, std::clamp(top, seen + kHeadError, Stature::kTallest)},
+          "a hand is above the head, which is at " + metres(seen),
+          seen};
+}
+
 Stature measureStature(std::span<const VerticalExtent> images) {
   std::vector<double> heights, tops;
-  std::size_t whole = 0, headless = 0;
+  std::size_t whole = 0, headless = 0, lower = 0;
   for (const VerticalExtent& e : images) {
+    lower += e.whole && std::isfinite(e.head);
     heights.push_back(e.height);
     tops.push_back(e.top);
     whole += e.whole;
@@ -105,6 +128,7 @@ Stature measureStature(std::span<const VerticalExtent> images) {
     stature.reason = "no image shows the person";
     return stature;
   }
+  if (2 * lower > images.size()) return ofLowerHead(images);
   const auto is_upright = [](double h) {
     return h >= Stature::kShortestUpright && h <= Stature::kTallestUpright;
   };

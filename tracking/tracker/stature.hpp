@@ -18,6 +18,7 @@ struct VerticalExtent {
   double top{0.0};       ///< m, z of the highest pixel in the camera's world
   bool whole{false};     ///< seen down to the floor, and top and bottom not cut by the image of every camera
   bool headless{false};  ///< cut by the top of every image: the head is higher than `top`
+  double head{kNaN};  ///< m, z of the vertex of a person whose hands are higher (headBelowHands()); else NaN
 };
 
 /// Vertical extent without the outermost 0.5 % of the pixels, of all images together. Height 0 without
