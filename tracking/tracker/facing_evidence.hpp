@@ -14,6 +14,7 @@ struct FacingEvidence {
   double low_cost{0.0};    ///< m^2, sum of their robust squares
   double empty_cost{0.0};  ///< m^2, DepthFit::placeCost of the feet: toes in empty space
   bool kneels{false};      ///< a knee is on the floor: the toes point backwards
+  bool is_cut{false};      ///< neither the head nor the feet are within the images
 
   double distance{0.0};                   ///< m, of the pelvis from the nearest camera
   Vector3d p_WP{Vector3d::Zero()};        ///< m, the pelvis

@@ -27,6 +27,7 @@ void FacingTrial::add(double t, const FacingEvidence& camera, const FacingEviden
   const bool feet_count = !away.kneels;
   if (feet_count) ++images_of_feet_;
   if (camera.kneels || away.kneels) ++images_on_knees_;
+  if (camera.is_cut || away.is_cut) ++images_cut_;
   camera_.add(camera, feet_count);
   away_.add(away, feet_count);
   const Vector3d p_W = 0.5 * (camera.p_WP + away.p_WP);
@@ -63,11 +64,10 @@ double FacingTrial::ratio() const {
 }
 
 void FacingTrial::judge(Facing& facing) const {
-  const double now = ratio();
-  const bool is_clear = std::max(now, 1.0 / now) > kClear;
-  if (images_ < kMinImages && !(images_ >= kFewImages && is_clear)) return;
-  facing.ratio = now;
+  if (images_ < kMinImages && !(images_ >= kFewImages && clearness() > kClear)) return;
+  facing.ratio = ratio();
   facing.kneels = 2 * images_on_knees_ > images_;
+  facing.is_cut = 2 * images_cut_ > images_;
 }
 
 }  // namespace abstand::tracking

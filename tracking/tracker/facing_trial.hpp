@@ -1,6 +1,7 @@
 // Comparison of a person's facing directions, image by image.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "tracking/tracker/facing.hpp"
@@ -20,6 +21,9 @@ class FacingTrial {
   /// Images that can decide; fewer, if the ratio of the costs is beyond kClear; and how many are compared.
   static constexpr std::size_t kMinImages = 30, kFewImages = 15, kMaxImages = 300;
   static constexpr double kClear = 1.5;
+  /// Images after which a decision is final, and the ratio beyond which it is after kMinImages.
+  static constexpr std::size_t kSettlingImages = 150;
+  static constexpr double kVeryClear = 2.0;
   static constexpr double kMinLowPoints = 20.0;  ///< of an image; fewer do not show the shape of feet
   /// Ratio of costs that are alike, so that noise does not turn the person in each image.
   static constexpr double kAlike = 1.01;
@@ -40,11 +44,17 @@ class FacingTrial {
     return ratio() * (away ? 1.0 / kAlike : kAlike) < 1.0;
   }
   bool complete() const { return images_ >= kMaxImages; }
-  /// If there are images enough, sets the ratio of `facing`, and whether the person kneels. The direction is
-  /// decided if facing.decided() then.
+  /// Whether a decision is final: later movements may refute what the first images seem to show, unless these
+  /// are beyond kVeryClear.
+  bool settles() const {
+    return images_ >= kSettlingImages || (images_ >= kMinImages && clearness() > kVeryClear);
+  }
+  /// If there are images enough, sets the ratio of `facing`, and whether the person kneels or is cut. The
+  /// direction is decided if facing.decided() then.
   void judge(Facing& facing) const;
 
  private:
+  double clearness() const { return std::max(ratio(), 1.0 / ratio()); }
   double feetFactor() const;
   double walkingFactor() const;
 
@@ -59,6 +69,7 @@ class FacingTrial {
   std::size_t images_{0};
   std::size_t images_of_feet_{0};   ///< those in which the feet of both bodies are compared
   std::size_t images_on_knees_{0};  ///< those in which any of the bodies kneels
+  std::size_t images_cut_{0};       ///< those that show neither head nor feet of any of the bodies
   Sums camera_, away_;
   double last_t_{kNaN};                ///< s
   Vector3d last_p_{Vector3d::Zero()};  ///< m, middle of both pelves

@@ -59,9 +59,11 @@ void StartTrial::letOtherWayCompete(std::span<const KeptMoment> moments, Result&
   for (const Start& start : starts_)
     if (!start.on_path) compete(start, other_way, moments, kVainSearches, refuting);
   if (!refuting.tracker) return;
-  const double ratio = refuting.cost / best.cost;
-  refuting.tracker->decideFacing(other_way->facing.away ? ratio : 1.0 / ratio);
-  best = std::move(refuting);
+  // What both passes say together: the first one compared more images, but from a wrong first pose, perhaps.
+  const double trial = refuting.cost / best.cost, first = known_->facing.ratio;
+  const double ratio = first * (other_way->facing.away ? trial : 1.0 / trial);
+  if ((ratio < 1.0) == other_way->facing.away) best = std::move(refuting);
+  best.tracker->decideFacing(ratio);
 }
 
 double StartTrial::costOf(const TrackedBody& body) const {

@@ -13,14 +13,14 @@ namespace abstand::tracking {
 /// Several candidates are therefore tracked: searched for with different seeds, kEvery apart, and one that
 /// starts on the path of the first pass. The one that explains the last kCounted of the trial best is the
 /// person's; it is tracked backwards, too. If the first pass decided which way the person faces, bodies that
-/// face the other way are candidates as well: one that explains the images so much better that the opposite
-/// is certain refutes that decision. One thread. Allocates.
+/// face the other way are candidates as well. If one explains the images much better, the product of the
+/// ratios of both passes decides, or does not. One thread. Allocates.
 class StartTrial {
  public:
   static constexpr std::size_t kSearches = 4;
   static constexpr double kEvery = 0.1, kCounted = 0.4;  ///< s
-  /// Times the cost of the best candidate, below which one that faces the other way refutes it.
-  static constexpr double kRefuted = 1.0 / Facing::kSure;
+  /// Times the cost of the best candidate, below which one that faces the other way counts.
+  static constexpr double kRefuted = 1.0 / Facing::kSureAway;
 
   /// `start` (s): images before, which show a part of the person, are tracked as far as possible, and nobody
   /// is searched for in them; `usual_cost`: median of Misfit::cost.

@@ -26,10 +26,14 @@ void expect(const BodyPath& path, double t, bool starts_on_path, BodyTracker& tr
     tracker.expectFacing(yawOf(point->pose));
 }
 
-/// `now` and, if there is one, `other`, which faces the other way. Returns the body of `now`.
-const TrackedBody& trackBoth(double t, std::span<const PersonImage> images, BodyFollower& now,
+/// `now` and, if there is one, `other`, which faces the other way; `decided`: it does not count. Returns the
+/// body of `now`.
+const TrackedBody& trackBoth(double t, std::span<const PersonImage> images, bool decided, BodyFollower& now,
                              BodyFollower& other) {
-  if (other) now.tracker->setFacingKnown(other.track(t, images).found && !now.tracker->lying().lies);
+  if (other) {
+    const bool is_found = other.track(t, images).found;
+    now.tracker->setFacingKnown((decided || is_found) && !now.tracker->lying().lies);
+  }
   return now.track(t, images);
 }
 
@@ -74,7 +78,7 @@ KnownBody TrackedPerson::known() const {
   };
   KnownBody known{side(now_), std::nullopt, stature_, facing_, things_};
   if (facing_.decided()) known.things.keepChair();
-  if (other_) known.other = side(other_);
+  if (other_ && !facing_.decided()) known.other = side(other_);
   return known;
 }
 
@@ -116,7 +120,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   now_.learn();
   if (other_) {
     other_.learn();
-    encloseOther(now_, other_);
+    if (!facing_.decided()) encloseOther(now_, other_);
   }
   compareMeasured(t);  // last, as `images` are valid until the next things_.remove()
   return &body;
@@ -140,11 +144,11 @@ void TrackedPerson::startBefore() {
 
 TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> all) {
   if (!before_) startBefore();
-  trackBoth(-t, things_.remove(all), before_, other_before_);
+  trackBoth(-t, things_.remove(all), facing_.decided(), before_, other_before_);
   before_.tracker->widenHands(now_.held.extent());
   if (other_before_) {
     other_before_.tracker->widenHands(other_.held.extent());
-    encloseOther(before_, other_before_);
+    if (!facing_.decided()) encloseOther(before_, other_before_);
   }
   TrackedBody body = before_.tracker->body();
   body.frame.t = t;
@@ -220,7 +224,7 @@ const TrackedBody& TrackedPerson::track(double t, std::span<const PersonImage> i
     expect(known_->assumed.path, t, options_.starts_on_path, *now_.tracker);
     if (known_->other) expect(known_->other->path, t, options_.starts_on_path, *other_.tracker);
   }
-  const TrackedBody& body = trackBoth(t, images, now_, other_);
+  const TrackedBody& body = trackBoth(t, images, facing_.decided(), now_, other_);
   if (body.found) known_.reset();
   return body;
 }
@@ -247,7 +251,8 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
     trial_.judge(facing_);
     assume(trial_.isLikelyAway(facing_.away));
   }
-  if (facing_.decided()) endComparison();
+  const bool is_refuted = mine.found && !std::isfinite(its.misfit.cost);
+  if (facing_.decided() && (trial_.settles() || is_refuted)) endComparison();
 }
 
 /// Bodies that face as assumed, and the other way, in one image. Evidence with wrong poses does not count.

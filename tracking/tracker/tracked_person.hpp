@@ -61,7 +61,7 @@ class TrackedPerson {
   TrackedBody seeBefore(double t, std::span<const PersonImage> images);
   bool fitted() const { return fitted_; }
   /// Whether both facing directions are tracked, and more images may decide.
-  bool comparesFacings() const { return other_ && !trial_.complete(); }
+  bool comparesFacings() const { return other_ && !facing_.decided() && !trial_.complete(); }
   /// False while the stature is being measured.
   bool hasBody() const { return static_cast<bool>(now_); }
   /// The current body, valid if hasBody(), and its rig.

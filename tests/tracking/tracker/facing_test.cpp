@@ -14,8 +14,8 @@ Facing lying(double turning, double searching) {
 
 TEST(Facing, IsDecidedByRatiosFarFromOne) {
   const auto decided = [](double ratio, bool lies) { return Facing{.lies = lies, .ratio = ratio}.decided(); };
-  for (const double ratio : {0.79, 1.26}) EXPECT_TRUE(decided(ratio, false)) << ratio;
-  for (const double ratio : {0.81, 1.0, 1.24, kNaN}) EXPECT_FALSE(decided(ratio, false)) << ratio;
+  for (const double ratio : {0.79, 1.51}) EXPECT_TRUE(decided(ratio, false)) << ratio;
+  for (const double ratio : {0.81, 1.0, 1.49, kNaN}) EXPECT_FALSE(decided(ratio, false)) << ratio;
   for (const double ratio : {0.86, 1.16}) EXPECT_TRUE(decided(ratio, true)) << ratio;
   for (const double ratio : {0.88, 1.0, 1.14, kNaN}) EXPECT_FALSE(decided(ratio, true)) << ratio;
   EXPECT_TRUE(Facing{.given = true}.decided());
@@ -23,8 +23,14 @@ TEST(Facing, IsDecidedByRatiosFarFromOne) {
 
 TEST(Facing, AwayOfPeopleWhoKneelNeedsMore) {
   const auto decided = [](double ratio) { return Facing{.kneels = true, .ratio = ratio}.decided(); };
-  for (const double ratio : {0.66, 1.26}) EXPECT_TRUE(decided(ratio)) << ratio;
-  for (const double ratio : {0.68, 0.79, 1.24}) EXPECT_FALSE(decided(ratio)) << ratio;
+  for (const double ratio : {0.66, 1.51}) EXPECT_TRUE(decided(ratio)) << ratio;
+  for (const double ratio : {0.68, 0.79, 1.49}) EXPECT_FALSE(decided(ratio)) << ratio;
+}
+
+TEST(Facing, OfTrunksWithoutHeadAndFeetNeedsMore) {
+  const auto decided = [](double ratio) { return Facing{.is_cut = true, .ratio = ratio}.decided(); };
+  for (const double ratio : {0.24, 4.1}) EXPECT_TRUE(decided(ratio)) << ratio;
+  for (const double ratio : {0.26, 1.0, 2.5, 3.9}) EXPECT_FALSE(decided(ratio)) << ratio;
 }
 
 TEST(Facing, OfPeopleWhoLieIsThatOfTheLessCertain) {

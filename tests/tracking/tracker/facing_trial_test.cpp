@@ -52,6 +52,16 @@ TEST(FacingTrial, ComparesSumsOfCosts) {
   EXPECT_NEAR(trial.ratio(), 1.5, kTolerance);
 }
 
+TEST(FacingTrial, SettlesIfClearOrAfterManyImages) {
+  const double very_clear = 1.1 * FacingTrial::kVeryClear;
+  EXPECT_FALSE(FacingTrial{}.settles());
+  EXPECT_FALSE(trialOf(FacingTrial::kMinImages - 1, very_clear).settles());
+  for (const double ratio : {very_clear, 1.0 / very_clear})
+    EXPECT_TRUE(trialOf(FacingTrial::kMinImages, ratio).settles());
+  EXPECT_FALSE(trialOf(FacingTrial::kSettlingImages - 1, 1.5).settles());
+  EXPECT_TRUE(trialOf(FacingTrial::kSettlingImages, 1.5).settles());
+}
+
 TEST(FacingTrial, JudgesWithEnoughImages) {
   EXPECT_TRUE(std::isnan(judged(trialOf(FacingTrial::kMinImages - 1, 1.3))));
   EXPECT_NEAR(judged(trialOf(FacingTrial::kMinImages, 1.3)), 1.3, kTolerance);
@@ -130,6 +140,20 @@ TEST(FacingTrial, IgnoresToesOfWhoFacesAwayOnTheKnees) {
   EXPECT_NEAR(ratio(2), ratio(0), kTolerance) << "of the other images";
   EXPECT_NEAR(ratio(6), 1.0, kTolerance) << "too few other ones";
   EXPECT_NEAR(ratio(kImages), 1.0, kTolerance);
+}
+
+TEST(FacingTrial, PersonIsCutIfAnyBodyIsInMostImages) {
+  for (const std::size_t cut : {FacingTrial::kMinImages / 2, FacingTrial::kMinImages / 2 + 1}) {
+    FacingTrial trial;
+    for (std::size_t i = 0; i < FacingTrial::kMinImages; ++i) {
+      FacingEvidence camera = evidenceOf(1.0);
+      camera.is_cut = i < cut;
+      trial.add(kPeriod * static_cast<double>(i), camera, evidenceOf(1.0));
+    }
+    Facing facing;
+    trial.judge(facing);
+    EXPECT_EQ(facing.is_cut, 2 * cut > FacingTrial::kMinImages) << cut;
+  }
 }
 
 TEST(FacingTrial, PersonKneelsIfAnyBodyDoesInMostImages) {

@@ -167,7 +167,7 @@ TEST(Facing, UndecidedIsAWarning) {
     return person.facing.decided();
   };
   EXPECT_TRUE(decided(0.6));
-  EXPECT_TRUE(decided(1.5));
+  EXPECT_TRUE(decided(1.6));
   person.facing.away = true;
   EXPECT_FALSE(decided(0.85));
   EXPECT_THAT(trackWarnings(person), ElementsAre(HasSubstr("facing away from the camera is assumed")));
