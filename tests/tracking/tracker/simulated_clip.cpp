@@ -84,7 +84,7 @@ void drawRoom(const ClipPlan& plan, const Transform& X_WC, const Transform& X_CW
   ahead.z() = 0.0;
   ahead.normalize();
   const Vector3d aside = 4.0 * ahead.cross(Vector3d::UnitZ()), up = 3.0 * Vector3d::UnitZ();
-  Vector3d near = plan.eye - ahead, foot = plan.look + 1.5 * ahead;
+  Vector3d near = plan.eye - ahead, foot = plan.look + plan.wall * ahead;
   near.z() = foot.z() = 0.0;
   render.draw(rectangle(near - aside, near + aside, foot + aside), X_CW);
   render.draw(rectangle(foot - aside, foot + aside, foot + aside + up), X_CW);

@@ -34,7 +34,8 @@ struct ClipPlan {
   double turn{0.0};  ///< rad/s, that the whole person turns about its first place
   double clothing{0.0};
   std::uint64_t body_seed{0};
-  bool room{false};  ///< a floor, and a wall 1.5 m behind the origin
+  bool room{false};  ///< a floor, and a wall
+  double wall{1.5};  ///< m, of the wall behind `look`
   int width{320};
   double push_at{kInfinity}, push{0.0};  ///< s, rad: from then on the camera looks down by that much more
   double push_aside{0.0};                ///< rad, and to the right

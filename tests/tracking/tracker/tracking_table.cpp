@@ -3,14 +3,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <string>
 
+#include "core/base/output_file.hpp"
 #include "tests/tracking/tracker/beside_things.hpp"
 #include "tests/tracking/tracker/captured_scenes.hpp"
 #include "tests/tracking/tracker/certified_clip.hpp"
 #include "tests/tracking/tracker/posed_scenes.hpp"
+#include "tests/tracking/tracker/random_scenes.hpp"
 #include "tests/tracking/tracker/work_sessions.hpp"
+#include "tracking/depth/formats/depth_png.hpp"
+#include "tracking/table/skeleton_csv.hpp"
 #include "tracking/tracker/clip_tracker.hpp"
 #include "tracking/tracker/live_tracker.hpp"
 
@@ -32,6 +37,7 @@ tracking::ClipTrack trackOf(tracking::DepthStream& stream) {
 struct TableClip {
   std::string name;
   std::function<SimulatedClip()> make;
+  std::string remark{};  ///< printed behind the name
 };
 
 std::vector<TableClip> clipsOf(const std::vector<CapturedScene>& scenes) {
@@ -47,7 +53,17 @@ std::vector<TableClip> clipsOf(const std::vector<PosedScene>& scenes) {
   return clips;
 }
 
+/// Of --random: seed and number of clips, which are the only group then.
+std::uint64_t g_random_seed = 0;
+int g_random_count = 0;
+
 std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
+  if (g_random_count > 0) {
+    std::vector<TableClip> clips;
+    for (const RandomScene& scene : randomScenes(g_random_seed, g_random_count))
+      clips.push_back({scene.name, scene.make, ": " + scene.remark});
+    return {{"random clips", clips}};
+  }
   return {{"hard captures", clipsOf(hardScenes())},
           {"captures", clipsOf(capturedScenes())},
           {"captures from all sides", clipsOf(scenesFromAllSides())},
@@ -62,7 +78,23 @@ std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
           {"postures from other places", clipsOf(posturesFromOtherPlaces())}};
 }
 
-/// Of the person found in the most images: the errors, and in how many images.
+/// Whether half of the joints are in the image, hidden or not.
+bool isInView(const tracking::DepthCamera& camera, const humanmodel::SkeletonFrame& frame) {
+  const Transform X_CW = camera.X_WC.inverse();
+  int joints = 0, seen = 0;
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
+    if (!frame.has(static_cast<humanmodel::Joint>(j))) continue;
+    ++joints;
+    const Vector3d p_C = X_CW * frame.p[j];
+    if (p_C.z() <= 0.0) continue;
+    const Eigen::Vector2d pixel = camera.pixelOf(p_C);
+    seen += pixel.x() >= 0.0 && pixel.x() < camera.width && pixel.y() >= 0.0 && pixel.y() < camera.height;
+  }
+  return 2 * seen >= joints;
+}
+
+/// Of the person found in the most images: the errors, and in how many of the images that show half of the
+/// joints or more.
 struct ClipResult {
   JointErrors errors;
   std::size_t found{0}, images{0};
@@ -75,10 +107,17 @@ ClipResult resultOf(const TableClip& named, double& images_a_second) {
   for (const tracking::CameraShare& camera : track.cameras)
     if (std::isfinite(camera.moved_at))
       std::fprintf(stderr, "%s: a camera that stands still was taken for moved\n", named.name.c_str());
-  ClipResult result{{}, 0, clip.truth.size()};
-  if (track.people.empty()) return result;
-  result.errors = compare(track.people[0].frames, clip.truth);
-  result.found = track.people[0].found;
+  ClipResult result;
+  for (const humanmodel::SkeletonFrame& truth : clip.truth) {
+    if (!isInView(clip.stream->camera(), truth)) continue;
+    ++result.images;
+    if (track.people.empty()) continue;
+    const auto& frames = track.people[0].frames;
+    result.found += std::any_of(frames.begin(), frames.end(), [&](const humanmodel::SkeletonFrame& frame) {
+      return std::abs(frame.t - truth.t) < 1e-6 && frame.has(humanmodel::Joint::kPelvis);
+    });
+  }
+  if (!track.people.empty()) result.errors = compare(track.people[0].frames, clip.truth);
   return result;
 }
 
@@ -163,11 +202,38 @@ int printCertified(const std::vector<std::string>& chosen) {
       if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
       SimulatedClip clip = named.make();
       const CertifiedDistances of = certifiedDistances(clip, trackOf(*clip.stream));
-      printCertified(named.name, of);
+      printCertified(named.name + named.remark, of);
       of_group.add(of);
     }
     printCertified("**all " + std::string(group) + "**", of_group);
   }
+  return 0;
+}
+
+/// As files for `abstand track`, with the true joints: a folder for each clip.
+int writeClips(const std::filesystem::path& into, const std::vector<std::string>& chosen) {
+  for (const auto& [group, clips] : groups())
+    for (const TableClip& named : clips) {
+      if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
+      SimulatedClip clip = named.make();
+      const std::filesystem::path folder = into / named.name;
+      create_directories(folder);
+      const tracking::DepthCamera& camera = clip.stream->camera();
+      writeFile(folder / "camera.yaml", tracking::describeDepthCamera(camera));
+      std::string list;
+      tracking::DepthFrame frame;
+      for (std::size_t i = 0; clip.stream->next(frame); ++i) {
+        char name[40], line[80];
+        std::snprintf(name, sizeof name, "depth_%06zu.png", i);
+        std::snprintf(line, sizeof line, "%.6f %s\n", frame.t, name);
+        tracking::saveDepthPng(frame.image, camera.depth_scale, folder / name);
+        list += line;
+      }
+      writeFile(folder / "depth.txt", list);
+      tracking::Recording truth;
+      truth.frames = clip.truth;
+      tracking::writeSkeletonCsv(folder / "truth.csv", truth);
+    }
   return 0;
 }
 
@@ -199,7 +265,7 @@ int printTable(const std::vector<std::string>& chosen) {
       double rate = 0.0;
       const ClipResult result = resultOf(clip, rate);
       slowest = std::min(slowest, rate);
-      printRow(clip.name, result);
+      printRow(clip.name + clip.remark, result);
       add(result, of_group);
     }
     printRow("**all " + std::string(group) + "**", of_group);
@@ -214,8 +280,11 @@ int printTable(const std::vector<std::string>& chosen) {
 }  // namespace
 }  // namespace abstand::testing
 
-/// Arguments: names of clips, none: all of them; --joints or --certified and names; or --names. First of all
-/// --seed and a number, for another random search for limbs, and --live, for the results of a live camera.
+/// Arguments: names of clips, none: all of them; --joints or --certified and names; --write, a folder and
+/// names; or
+/// --names. First of all
+/// --live, for the results of a live camera, --seed and a number, for another random search for limbs, and
+/// --random, a seed and a number of clips, for clips that are drawn.
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--live") == 0) {
     abstand::testing::g_live = true;
@@ -227,7 +296,15 @@ int main(int argc, char** argv) {
     argc -= 2;
     argv += 2;
   }
+  if (argc > 3 && std::strcmp(argv[1], "--random") == 0) {
+    abstand::testing::g_random_seed = std::strtoull(argv[2], nullptr, 10);
+    abstand::testing::g_random_count = std::atoi(argv[3]);
+    argc -= 3;
+    argv += 3;
+  }
   if (argc > 1 && std::strcmp(argv[1], "--names") == 0) return abstand::testing::printNames();
+  if (argc > 3 && std::strcmp(argv[1], "--write") == 0)
+    return abstand::testing::writeClips(argv[2], {argv + 3, argv + argc});
   if (argc > 1 && std::strcmp(argv[1], "--joints") == 0)
     return abstand::testing::printJoints({argv + 2, argv + argc});
   if (argc > 1 && std::strcmp(argv[1], "--certified") == 0)
