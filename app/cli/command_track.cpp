@@ -102,7 +102,10 @@ struct TrackedClip {
   const tracking::ClipPerson& person;
   const tracking::DepthFacts& facts;
   const tracking::Recording& recording;
-  double fps() const { return track.seconds > 0.0 ? static_cast<double>(track.images) / track.seconds : 0.0; }
+  double fps() const {
+    const double seconds = track.seconds + cameras.clockSeconds();
+    return seconds > 0.0 ? static_cast<double>(track.images) / seconds : 0.0;
+  }
 };
 
 nlohmann::ordered_json trackedDocument(const TrackedClip& clip) {

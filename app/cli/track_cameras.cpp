@@ -59,6 +59,7 @@ void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
   for (std::size_t i = 1; i < cameras_.size(); ++i) {
     if (clock_known_[i]) continue;
     const tracking::ClockOffset found = tracking::clockOffset(*streams_[0], *streams_[i], options);
+    clock_seconds_ += found.seconds;
     clock_known_[i] = found.decided;
     if (found.decided) cameras_[i].offset = found.offset;
     clock_reasons_[i] =

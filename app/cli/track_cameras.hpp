@@ -29,6 +29,8 @@ class TrackCameras {
   tracking::KnownThings compareThings(const tracking::KnownObjects& objects);
 
   std::span<const tracking::ClipCamera> cameras() const { return cameras_; }
+  /// s of processor time of compareClocks().
+  double clockSeconds() const { return clock_seconds_; }
   /// Facts of the first recording.
   const tracking::DepthFacts& facts() const { return streams_.front()->facts(); }
   /// An array with an object for each recording.
@@ -44,6 +46,7 @@ class TrackCameras {
   std::vector<tracking::ClipCamera> cameras_;
   std::vector<std::string> clock_reasons_;  ///< for each recording
   std::vector<bool> clock_known_;
+  double clock_seconds_{0.0};
   std::vector<tracking::ObjectsInImages> things_;  ///< in each recording; empty: none are known
 };
 

@@ -95,12 +95,16 @@ class ClipPasses {
     PeopleViews views(cameras_);
     DepthMoment moment;
     for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
+      const double begin = processorSeconds();
       leaveOutFaulty(moment.t, views);
       views.see(moment, options_.known);
       learned_.see(moment.t, views);
+      track_.seconds += processorSeconds() - begin;
       noteProgress(passes_ - 2, i);
     }
+    const double begin = processorSeconds();
     learned_.settle(views);
+    track_.seconds += processorSeconds() - begin;
     seen_ = views.seen();
   }
 
@@ -316,9 +320,11 @@ ClockOffset clockOffset(DepthStream& first, DepthStream& second, const ClipTrack
   const ClipTrack a = tracked(first), b = tracked(second);
   ClockOffset best;
   best.apart = kInfinity;
+  best.seconds = a.seconds + b.seconds;
   for (const ClipPerson& one : a.people) {
     for (const ClipPerson& other : b.people) {
-      const ClockOffset offset = estimateClockOffset(one.frames, other.frames);
+      ClockOffset offset = estimateClockOffset(one.frames, other.frames);
+      offset.seconds = best.seconds;
       const bool is_better = offset.decided != best.decided ? offset.decided : offset.apart < best.apart;
       if (offset.overlap > 0.0 && is_better) best = offset;
     }

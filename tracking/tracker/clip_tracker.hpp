@@ -57,7 +57,7 @@ struct ClipTrack {
   std::vector<ClipPerson> people;  ///< sorted by the number of images found, descending
   std::size_t images{0};           ///< images of one camera, moments of several
   double begin{0.0};               ///< s, of the first one
-  double seconds{0.0};             ///< s of processor time for tracking all images, without reading them
+  double seconds{0.0};             ///< s of processor time of all passes, without reading images
   bool interrupted{false};
 };
 
