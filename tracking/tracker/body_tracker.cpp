@@ -171,7 +171,9 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
 double BodyTracker::headHeight() const {
   const double top = seen_.points().top();
   if (!body_.found) return headBelowHands(seen_).value_or(top);
-  return raisesHands(body_.frame) ? std::min(top, body_.frame[humanmodel::Joint::kHeadTop].z()) : top;
+  humanmodel::SkeletonFrame last;  // body_.frame is empty after resume()
+  jointsOf(*rig_, body_.X_WS, humanmodel::JointState::kTracked, last);
+  return raisesHands(last) ? std::min(top, last[humanmodel::Joint::kHeadTop].z()) : top;
 }
 
 /// Of a person of whom there was no image for longer than kTurns: may be elsewhere, and have turned around. A
@@ -376,7 +378,7 @@ void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vect
       pose.X_WP.translation().z() = pelvis - posture.lower;
       pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
       if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
-      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose, 0.15, posture.raises);
+      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose, kRaisedAside, posture.raises);
       fitFrom(pose);
       if (mayFace(yawOf(body_.pose)) && body_.misfit.cost < best.misfit.cost) best = body_;
     }

@@ -20,8 +20,8 @@ struct Facing {
   /// (docs/tracking.md has measured ratios). In between the images do not decide: the likelier direction is
   /// assumed and reported as undecided.
   static constexpr double kSure = 1.5, kSureLying = 1.15;
-  /// Likewise that people face away. Of 120 clips drawn at random, bodies that wrongly faced the camera had
-  /// ratios of up to 1.40, one that wrongly faced away 0.76.
+  /// Likewise that people face away. Of 180 clips drawn at random, a body that wrongly faced the camera had a
+  /// ratio of 1.40, one that wrongly faced away 0.76.
   static constexpr double kSureAway = 1.25;
   /// Likewise that people on the knees face away: with coarse images, that of 5 m, the ratio of those who
   /// face the camera was down to 0.79.

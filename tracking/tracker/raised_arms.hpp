@@ -7,9 +7,11 @@
 
 namespace abstand::tracking {
 
+inline constexpr double kRaisedAside = 0.15;  ///< m, of a wrist beside the head, from the shoulder
+
 /// Bends the arms so that the wrists are `above` (m) the shoulders, towards the head, and `aside` (m) of
 /// them, outwards; `which`: left, right. No allocation, no throw.
-void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside = 0.15,
+void raiseArms(const BodyRig& rig, double above, RigPose& pose, double aside = kRaisedAside,
                std::array<bool, 2> which = {true, true});
 
 /// Whether the elbow is above the shoulder.

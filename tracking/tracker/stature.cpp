@@ -105,9 +105,10 @@ Stature ofLowerHead(std::span<const VerticalExtent> images) {
             {std::max(Stature::kShortest, seen - kHeadError), Stature::kTallest},
             "a hand is above the head, which is at " + metres(seen),
             seen};
+  const double used = std::min(seen, Stature::kTallestUpright);
   return {Stature::Source::kInterval,
-          std::min(seen, Stature::kTallestUpright),
-          {seen - kHeadError, std::clamp(top, seen + kHeadError, Stature::kTallest)},
+          used,
+          {used - kHeadError, std::clamp(top, used + kHeadError, Stature::kTallest)},
           "a hand is above the head, which is at " + metres(seen),
           seen};
 }

@@ -62,8 +62,12 @@ TEST(HeadPeak, IsFoundBelowARaisedHand) {
         const std::optional<double> head = headBelowHands(person.observation);
         // From the side, the arm is in front of the head or behind it.
         const bool is_beside = std::abs(view.eye.x()) > 1e-6;
-        if (distance < 3.0) EXPECT_EQ(head.has_value(), is_beside) << view.suffix;
-        if (head) EXPECT_NEAR(*head, person.vertex(), kError) << view.suffix << " at " << distance;
+        if (distance < 3.0) {
+          EXPECT_EQ(head.has_value(), is_beside) << view.suffix;
+        }
+        if (head) {
+          EXPECT_NEAR(*head, person.vertex(), kError) << view.suffix << " at " << distance;
+        }
         found_far += distance > 3.0 && head;
       }
     EXPECT_GE(found_far, 4) << "of 8 from 4.5 m, where images are coarse";
