@@ -39,14 +39,15 @@ constexpr double kKept = 2.0;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 
 const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
+constexpr double kRaisedWrists = 0.42;  // m above the shoulders
 /// Upright, with raised arms, straight or bent, or with one of them.
-const std::array<StartPosture, 4> kRaisedStarts{{{0.0, false, Vector3d::Zero(), 0.50},
-                                                 {0.0, false, Vector3d::Zero(), 0.35},
-                                                 {0.0, false, Vector3d::Zero(), 0.42, {true, false}},
-                                                 {0.0, false, Vector3d::Zero(), 0.42, {false, true}}}};
+const std::array<StartPosture, 4> kRaisedStarts{
+    {{0.0, false, Vector3d::Zero(), 0.50},
+     {0.0, false, Vector3d::Zero(), 0.35},
+     {0.0, false, Vector3d::Zero(), kRaisedWrists, {true, false}},
+     {0.0, false, Vector3d::Zero(), kRaisedWrists, {false, true}}}};
 /// A hand above a head that is seen.
 constexpr std::array<std::array<bool, 2>, 3> kRaisedHands{{{true, false}, {false, true}, {true, true}}};
-constexpr double kRaisedWrists = 0.42;  // m above the shoulders
 constexpr double kHandsHighest = 0.08;  // m above the vertex: the highest point is not the head
 /// Upright, the head above the image, which cuts it off at the neck or at the forehead.
 const std::array<StartPosture, 2> kCutStarts{{{-0.24, false}, {-0.12, false}}};

@@ -30,6 +30,28 @@ Stature ofLower(double seen, double used, const char* does) {
           seen};
 }
 
+/// Of a person whose hands are above the head in most images, of which more than half show all of it.
+Stature ofLowerHead(std::span<const VerticalExtent> images) {
+  std::vector<double> heads, tops;
+  for (const VerticalExtent& e : images) {
+    tops.push_back(e.top);
+    if (std::isfinite(e.head)) heads.push_back(e.head);
+  }
+  const double seen = nearestQuantile(heads, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5);
+  Stature stature;
+  stature.seen = seen;
+  stature.reason = "a hand is above the head, which is at " + metres(seen);
+  if (seen < Stature::kShortestUpright) {
+    stature.used = Stature::kUsual;
+    stature.interval[0] = std::max(Stature::kShortest, seen - kHeadError);
+  } else {
+    stature.used = std::min(seen, Stature::kTallestUpright);
+    stature.interval = {stature.used - kHeadError,
+                        std::clamp(top, stature.used + kHeadError, Stature::kTallest)};
+  }
+  return stature;
+}
+
 }  // namespace
 
 VerticalExtent verticalExtent(std::span<const PersonImage> images) {
@@ -88,28 +110,6 @@ Stature Stature::ofRaisedArms(double seen) {
           std::max(seen - kAboveHead, kShortest),
           {kShortest, seen},
           "arms are raised above the head, up to " + metres(seen),
-          seen};
-}
-
-/// Of a person whose hands are above the head in most images, of which more than half show all of it.
-Stature ofLowerHead(std::span<const VerticalExtent> images) {
-  std::vector<double> heads, tops;
-  for (const VerticalExtent& e : images) {
-    tops.push_back(e.top);
-    if (std::isfinite(e.head)) heads.push_back(e.head);
-  }
-  const double seen = nearestQuantile(heads, 0.5) + kUnseen, top = nearestQuantile(tops, 0.5);
-  if (seen < Stature::kShortestUpright)
-    return {Stature::Source::kInterval,
-            Stature::kUsual,
-            {std::max(Stature::kShortest, seen - kHeadError), Stature::kTallest},
-            "a hand is above the head, which is at " + metres(seen),
-            seen};
-  const double used = std::min(seen, Stature::kTallestUpright);
-  return {Stature::Source::kInterval,
-          used,
-          {used - kHeadError, std::clamp(top, used + kHeadError, Stature::kTallest)},
-          "a hand is above the head, which is at " + metres(seen),
           seen};
 }
 

@@ -29,13 +29,14 @@ struct KnownBody {
 
 /// Processes the images of one person, of one camera or several. The body is first made from the stature of
 /// the first images (median of the pixel extents, unless given) and tracked as facing the camera. From the
-/// first image in which it is found, a second one is tracked that faces the other way, until the images
-/// decide (FacingTrial); see() returns the likelier one, and its reach includes the other one. Lengths and
-/// girths are fitted to the images explained well, and the person is tracked with these. A stature that is an
-/// interval is measured again as soon as the person stands upright in view, and a measured one as soon as the
-/// person is higher, with the feet on the floor, or a body of that stature explains the image better; the
-/// body is then fitted anew. One thread, and another one for fit_aside. May allocate in the first
-/// BodyPath::kMaxPoses images, and until it is fitted(), the stature known, and the facing direction decided.
+/// first image in which it is found, a second one is tracked that faces the other way, until their
+/// decision is final (FacingTrial); see() returns the likelier one, and its reach includes the other one.
+/// Lengths and girths are fitted to the images explained well, and the person is tracked with these. A
+/// stature that is an interval is measured again as soon as the person stands upright in view, and a measured
+/// one as soon as the person is higher, with the feet on the floor, or a body of that stature explains the
+/// image better; the body is then fitted anew. One thread, and another one for fit_aside. May allocate in the
+/// first BodyPath::kMaxPoses images, and until it is fitted(), the stature known, and the facing direction
+/// decided.
 class TrackedPerson {
  public:
   struct Options {

@@ -281,10 +281,8 @@ int printTable(const std::vector<std::string>& chosen) {
 }  // namespace abstand::testing
 
 /// Arguments: names of clips, none: all of them; --joints or --certified and names; --write, a folder and
-/// names; or
-/// --names. First of all
-/// --live, for the results of a live camera, --seed and a number, for another random search for limbs, and
-/// --random, a seed and a number of clips, for clips that are drawn.
+/// names; or --names. First of all, in this order: --live, for the results of a live camera; --seed and a
+/// number, for another random search for limbs; --random, a seed and a number of clips, for drawn ones.
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--live") == 0) {
     abstand::testing::g_live = true;
