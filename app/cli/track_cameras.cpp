@@ -6,6 +6,7 @@
 #include "app/cli/things_report.hpp"
 #include "app/cli/track_people.hpp"
 #include "core/base/error.hpp"
+#include "tracking/tracker/compared_clocks.hpp"
 
 namespace abstand::cli {
 namespace {
@@ -56,10 +57,13 @@ TrackCameras::TrackCameras(const Arguments& arguments) {
 }
 
 void TrackCameras::compareClocks(const tracking::ClipTrackerOptions& options) {
+  if (std::find(clock_known_.begin(), clock_known_.end(), false) == clock_known_.end()) return;
+  std::vector<tracking::DepthStream*> streams;
+  for (const auto& stream : streams_) streams.push_back(stream.get());
+  const tracking::ComparedClocks clocks = tracking::compareClocks(streams, options);
+  clock_seconds_ = clocks.seconds;
   for (std::size_t i = 1; i < cameras_.size(); ++i) {
-    if (clock_known_[i]) continue;
-    const tracking::ClockOffset found = tracking::clockOffset(*streams_[0], *streams_[i], options);
-    clock_seconds_ += found.seconds;
+    const tracking::ClockOffset& found = clocks.offsets[i - 1];
     clock_known_[i] = found.decided;
     if (found.decided) cameras_[i].offset = found.offset;
     clock_reasons_[i] =

@@ -48,6 +48,8 @@ class BodyTracker {
   void setFacingKnown(bool known) { facing_known_ = known; }
   /// Whether points behind and under a person who sits may be those of a chair (ChairSpace). Initially so.
   void allowChair(bool allowed) { fit_.allowChair(allowed); }
+  /// Whether the covariances of the joints are stated. Initially so.
+  void stateSpreads(bool states) { uncertainty_.stateSpreads(states); }
   /// Standard deviation (m) of the rig's stature; 0: known. Increases the uncertainty of every joint.
   void setStatureDeviation(double deviation) { stature_deviation_ = deviation; }
   /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend

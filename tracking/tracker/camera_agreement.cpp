@@ -6,6 +6,7 @@
 #include "core/base/error.hpp"
 #include "tracking/tracker/late_spans.hpp"
 #include "tracking/tracker/middle_joints.hpp"
+#include "tracking/tracker/refuted_spans.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -18,19 +19,20 @@ constexpr std::size_t kSameImages = 10;  // no two images with noise are equal
 }  // namespace
 
 CameraAgreement::CameraAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options)
-    : found_(cameras.size(), 0) {
+    : found_(cameras.size(), 0), moved_(cameras.size(), kInfinity) {
   cameras_.reserve(cameras.size());
-  for (const DepthCamera& camera : cameras) cameras_.emplace_back(camera, options);
+  for (std::size_t i = 0; i < cameras.size(); ++i) cameras_.emplace_back(cameras[i], i, options);
   for (std::size_t i = 0; i < cameras.size(); ++i)
     for (std::size_t k = i + 1; k < cameras.size(); ++k) pairs_.push_back({i, k});
 }
 
-void CameraAgreement::see(const DepthMoment& moment, const KnownThings& known) {
+void CameraAgreement::see(const DepthMoment& moment, PeopleViews& views) {
   for (std::size_t c = 0; c < cameras_.size(); ++c) {
     if (!moment.is_new[c]) continue;
-    cameras_[c].see(moment.t, *moment.frames[c], known);
-    found_[c] += !cameras_[c].people().empty();
-    noteHang(c, moment.t);
+    cameras_[c].see(moment, views);
+    found_[c] += cameras_[c].findsPlaces();
+    moved_[c] = views.movedAt(c);
+    noteHang(c, moment.t, views.unchangedSince(c));
   }
   for (Pair& pair : pairs_) {
     if (!moment.is_new[pair.first] || !moment.is_new[pair.second]) continue;
@@ -59,8 +61,8 @@ void CameraAgreement::refuseSame(const DepthMoment& moment, Pair& pair) {
                      " and " + std::to_string(pair.second + 1) + ", expected different cameras");
 }
 
-void CameraAgreement::noteHang(std::size_t camera, double t) {
-  const double since = cameras_[camera].unchangedSince();
+/// The images of a camera at `t` (s) have been equal since `since` (s).
+void CameraAgreement::noteHang(std::size_t camera, double t, double since) {
   const auto open = std::find_if(hangs_.begin(), hangs_.end(), [&](const CameraFault& hang) {
     return hang.camera == camera && hang.until == kInfinity;
   });
@@ -75,8 +77,10 @@ void CameraAgreement::noteHang(std::size_t camera, double t) {
 void CameraAgreement::compare(double t, Pair& pair) const {
   const LoneCamera &first = cameras_[pair.first], &second = cameras_[pair.second];
   double nearest = kFarthestApart;
-  for (const humanmodel::SkeletonFrame& a : first.people()) {
-    for (const humanmodel::SkeletonFrame& b : second.people()) {
+  for (const LoneCamera::Seen& one : first.people()) {
+    for (const LoneCamera::Seen& other : second.people()) {
+      if (!one.hasPlace() || !other.hasPlace()) continue;
+      const humanmodel::SkeletonFrame &a = one.middles, &b = other.middles;
       const std::optional<Vector3d> off = offsetBetween(a, b);
       if (!off || off->norm() >= nearest) continue;
       if (off->norm() > kSamePlace && !(first.seesThrough(b) && second.seesThrough(a))) continue;
@@ -162,11 +166,15 @@ void CameraAgreement::addLate(std::vector<CameraFault>& faults) const {
 
 std::vector<CameraFault> CameraAgreement::faults() const {
   std::vector<CameraFault> faults = hangs_;
-  for (std::size_t c = 0; c < cameras_.size(); ++c)
-    if (const double t = cameras_[c].movedAt(); std::isfinite(t))
-      faults.push_back({.kind = CameraFault::Kind::kMoved, .camera = c, .since = t});
+  for (std::size_t c = 0; c < moved_.size(); ++c)
+    if (std::isfinite(moved_[c]))
+      faults.push_back({.kind = CameraFault::Kind::kMoved, .camera = c, .since = moved_[c]});
   std::vector<std::vector<ApartSpan>> spans, through;
-  for (const Pair& pair : pairs_) spans.push_back(apartSpans(usable(pair, pair.seen, faults)));
+  for (const Pair& pair : pairs_) {
+    const std::vector<SeenTwice> seen = usable(pair, pair.seen, faults);
+    spans.push_back(withoutRefuted(apartSpans(seen), seen, usable(pair, pair.through, faults),
+                                   cameras_[pair.first].camera(), cameras_[pair.second].camera()));
+  }
   addApart(spans, faults);
   addLate(faults);
   for (const Pair& pair : pairs_) {

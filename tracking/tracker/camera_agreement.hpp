@@ -18,9 +18,9 @@ class CameraAgreement {
   /// At least two cameras with poses in one world; they must outlive this object.
   CameraAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options);
 
-  /// `moment.t` (s) increases; `known` may be empty. Throws UsageError if the first images of two cameras are
-  /// the same: it is one recording.
-  void see(const DepthMoment& moment, const KnownThings& known);
+  /// `moment.t` (s) increases; `views` of these cameras has seen the moment. Throws UsageError if the first
+  /// images of two cameras are the same: it is one recording.
+  void see(const DepthMoment& moment, PeopleViews& views);
   /// Leaves out what was seen before `t` (s) in faults() from now on.
   void forgetBefore(double t);
   /// What the moments so far show, by camera. Two people whom one camera sees each are not compared, unless
@@ -36,7 +36,7 @@ class CameraAgreement {
     bool differs{false};  ///< later ones are not counted
   };
   static void refuseSame(const DepthMoment& moment, Pair& pair);
-  void noteHang(std::size_t camera, double t);
+  void noteHang(std::size_t camera, double t, double since);
   void compare(double t, Pair& pair) const;
   template <class Seen>
   static std::vector<Seen> usable(const Pair& pair, const std::vector<Seen>& seen,
@@ -48,6 +48,7 @@ class CameraAgreement {
 
   std::vector<LoneCamera> cameras_;
   std::vector<std::size_t> found_;  // images with a person, by camera
+  std::vector<double> moved_;       // s, CameraWatch::movedAt()
   std::vector<CameraFault> hangs_;
   std::vector<Pair> pairs_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_agreement.hpp"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr std::array<humanmodel::Joint, 2> kHands{humanmodel::Joint::kHandLeft,
                                                   humanmodel::Joint::kHandRight};
-constexpr double kCompared = 20.0;  // s of two streams used to compare their clocks
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -32,7 +32,6 @@ class ClipPasses {
     track_.camera = cameras_.front();
     for (const DepthCamera& camera : cameras_)
       track_.camera.spread = std::max(track_.camera.spread, camera.spread);
-    compareCameras();
     learnPeople();
     trackPeople();
     if (!times_.empty()) track_.begin = times_.front();
@@ -64,22 +63,6 @@ class ClipPasses {
     return track_.interrupted;
   }
 
-  /// Of several cameras, before all else: what cannot be trusted of them.
-  void compareCameras() {
-    if (cameras_.size() == 1) return;
-    ++passes_;
-    moments_.rewind();
-    CameraAgreement agreement(cameras_, options_.person);
-    DepthMoment moment;
-    for (std::size_t i = 0; moments_.next(moment) && moment.t < options_.until && !isInterrupted(); ++i) {
-      const double begin = processorSeconds();
-      agreement.see(moment, options_.known);
-      track_.seconds += processorSeconds() - begin;
-      noteProgress(0, i);
-    }
-    faults_ = agreement.faults();
-  }
-
   void leaveOutFaulty(double t, PeopleViews& views) const {
     for (std::size_t c = 0; c < cameras_.size(); ++c) views.leaveOut(c, !isUsable(faults_, c, t));
   }
@@ -89,8 +72,23 @@ class ClipPasses {
     if (options_.progress) options_.progress(pass * moments_.size() + i + 1, passes_ * moments_.size());
   }
 
-  /// First pass: the bodies of the people, where they arrive, and things.
+  /// First pass: the bodies of the people, where they arrive, and things. Of several cameras also what cannot
+  /// be trusted of them; if images cannot be used, a second pass without these learns the rest.
   void learnPeople() {
+    std::optional<CameraAgreement> agreement;
+    if (cameras_.size() > 1) agreement.emplace(cameras_, options_.person);
+    learnPeopleWith(agreement ? &*agreement : nullptr);
+    if (!agreement) return;
+    faults_ = agreement->faults();
+    if (std::none_of(faults_.begin(), faults_.end(),
+                     [](const CameraFault& fault) { return fault.leavesOut(); }))
+      return;
+    learned_ = LearnedPeople(options_.person);
+    ++passes_;
+    learnPeopleWith(nullptr);
+  }
+
+  void learnPeopleWith(CameraAgreement* agreement) {
     moments_.rewind();
     PeopleViews views(cameras_);
     DepthMoment moment;
@@ -98,6 +96,7 @@ class ClipPasses {
       const double begin = processorSeconds();
       leaveOutFaulty(moment.t, views);
       views.see(moment, options_.known);
+      if (agreement) agreement->see(moment, views);
       learned_.see(moment.t, views);
       track_.seconds += processorSeconds() - begin;
       noteProgress(passes_ - 2, i);
@@ -307,29 +306,6 @@ ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptio
                    return camera.stream->facts().pose_known;
                  }));
   return ClipPasses(cameras, options).run();
-}
-
-ClockOffset clockOffset(DepthStream& first, DepthStream& second, const ClipTrackerOptions& options) {
-  ClipTrackerOptions alone = options;
-  alone.watch = {};
-  alone.progress = {};
-  const auto tracked = [&](DepthStream& stream) {
-    alone.until = stream.times().empty() ? 0.0 : stream.times().front() + kCompared;
-    return trackClip(stream, alone);
-  };
-  const ClipTrack a = tracked(first), b = tracked(second);
-  ClockOffset best;
-  best.apart = kInfinity;
-  best.seconds = a.seconds + b.seconds;
-  for (const ClipPerson& one : a.people) {
-    for (const ClipPerson& other : b.people) {
-      ClockOffset offset = estimateClockOffset(one.frames, other.frames);
-      offset.seconds = best.seconds;
-      const bool is_better = offset.decided != best.decided ? offset.decided : offset.apart < best.apart;
-      if (offset.overlap > 0.0 && is_better) best = offset;
-    }
-  }
-  return best;
 }
 
 }  // namespace abstand::tracking

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "tracking/recording/recording.hpp"
-#include "tracking/tracker/clock_offset.hpp"
 #include "tracking/tracker/depth_moments.hpp"
 #include "tracking/tracker/people_views.hpp"
 #include "tracking/tracker/tracked_person.hpp"
@@ -87,9 +86,5 @@ ClipTrack trackClip(DepthStream& stream, const ClipTrackerOptions& options);
 /// what a joint moves between them is added to its spread. Throws UsageError for no camera, more than
 /// BodyObservation::kMaxViews, or one without a pose.
 ClipTrack trackClips(std::span<const ClipCamera> cameras, const ClipTrackerOptions& options);
-
-/// Offset of the clock of `second` against that of `first`: the people of both are tracked separately in the
-/// first seconds, and the two whose joints agree best are taken for the same.
-ClockOffset clockOffset(DepthStream& first, DepthStream& second, const ClipTrackerOptions& options);
 
 }  // namespace abstand::tracking

@@ -16,7 +16,6 @@ struct ClockOffset {
   double apart{0.0};    ///< m, robust RMS distance of the joints at the offset, constant distances taken off
   double at_zero{0.0};  ///< m, likewise, with equal clocks; infinite if they have too little in common then
   double overlap{0.0};  ///< s of both recordings compared there
-  double seconds{0.0};  ///< s of processor time for tracking both; 0 if they were tracked already
 
   /// Whether the movement shows that the clocks differ: joints lie kDecides times as far apart with equal
   /// ones.

@@ -12,7 +12,7 @@ bool holdsNow(const CameraFault& fault) { return fault.until == kInfinity; }
 
 LiveAgreement::LiveAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options,
                              bool aside)
-    : cameras_(cameras.begin(), cameras.end()), agreement_(cameras_, options) {
+    : cameras_(cameras.begin(), cameras.end()), agreement_(cameras_, options), views_(cameras_) {
   if (aside) thread_ = std::thread([this] { run(); });
 }
 
@@ -71,10 +71,11 @@ void LiveAgreement::compare(const Work& work) {
     moment.frames.push_back(work.has_frame[c] ? &work.frames[c] : nullptr);
     moment.is_new.push_back(work.has_frame[c]);
   }
-  agreement_.see(moment, [&](double, const DepthCamera& camera) -> const DepthImage* {
+  views_.see(moment, [&](double, const DepthCamera& camera) -> const DepthImage* {
     const auto c = static_cast<std::size_t>(&camera - cameras_.data());
     return work.has_known[c] ? &work.known[c] : nullptr;
   });
+  agreement_.see(moment, views_);
   if (work.t < next_judged_) return;
   next_judged_ = work.t + kJudged;
   agreement_.forgetBefore(work.t - kRemembered);

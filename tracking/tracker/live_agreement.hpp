@@ -50,7 +50,8 @@ class LiveAgreement {
   void run();
 
   std::vector<DepthCamera> cameras_;
-  CameraAgreement agreement_;                          // of the thread, if there is one
+  CameraAgreement agreement_;  // of the thread, if there is one, with views_
+  PeopleViews views_;
   double next_{-kInfinity}, next_judged_{-kInfinity};  // s
   Work work_;
   std::vector<CameraFault> found_;  // by compare()

@@ -7,36 +7,33 @@
 namespace abstand::tracking {
 namespace {
 
-// Share of the points that a body explains whose place counts.
-constexpr double kPlaceExplained = 0.9;
-
-TrackedPerson::Options withUsualBody(TrackedPerson::Options options) {
+TrackedPerson::Options forPlaces(TrackedPerson::Options options) {
   options.fit_body = false;
+  options.states_spreads = false;
   return options;
 }
 
 }  // namespace
 
-LoneCamera::LoneCamera(const DepthCamera& camera, const TrackedPerson::Options& options)
-    : camera_{&camera}, options_{withUsualBody(options)}, views_{{&camera, 1}} {}
+LoneCamera::LoneCamera(const DepthCamera& camera, std::size_t number, const TrackedPerson::Options& options)
+    : camera_{&camera}, number_{number}, options_{forPlaces(options)} {}
 
-void LoneCamera::see(double t, const DepthFrame& frame, const KnownThings& known) {
-  moment_.t = t;
-  moment_.frames.assign(1, &frame);
-  moment_.is_new.assign(1, true);
+void LoneCamera::see(const DepthMoment& moment, PeopleViews& views) {
+  const double t = moment.t;
+  image_ = &moment.frames[number_]->image;
+  labels_ = views.labels(number_);
   people_.clear();
-  views_.see(moment_, known);
-  views_.each([&](int id, std::size_t, std::span<const PersonImage> images) {
-    const TrackedBody* body = trackers_.try_emplace(id, options_).first->second.see(t, images);
-    if (!body || !body->found || body->misfit.explained < kPlaceExplained) return;
-    people_.push_back(middleJoints(body->frame));
-    people_.back().t = t;
+  views.eachIn(number_, [&](int id, const PersonImage& image) {
+    const TrackedBody* body = trackers_.try_emplace(id, options_).first->second.see(t, {&image, 1});
+    if (!body || !body->found) return;
+    people_.push_back({id, body->frame, middleJoints(body->frame), body->misfit.explained});
+    people_.back().joints.t = people_.back().middles.t = t;
   });
 }
 
 bool LoneCamera::seesThrough(const humanmodel::SkeletonFrame& person) const {
-  if (moment_.frames.empty()) return false;
-  const DepthImage& image = moment_.frames.front()->image;
+  if (!image_) return false;
+  const DepthImage& image = *image_;
   const Transform X_CW = camera_->X_WC.inverse();
   int in_view = 0, through = 0;
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {

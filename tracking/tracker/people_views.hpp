@@ -91,6 +91,12 @@ class PeopleViews {
       use(person, first, std::span<const PersonImage>(images_));
     }
   }
+  /// Calls use(idOf(), PersonImage) for the people of the last moment in the images of one camera.
+  template <class Use>
+  void eachIn(std::size_t camera, Use use) {
+    for (const Sighting& sighting : sightings_)
+      if (sighting.camera == camera) use(sighting.id, imageOf(sighting));
+  }
   /// Calls use(PersonImage, idOf() of the later person) for people before their arrival, whom each() leaves
   /// out (PeopleFinder::expect).
   template <class Use>

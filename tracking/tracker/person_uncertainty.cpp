@@ -72,6 +72,9 @@ void PersonUncertainty::addTerms(const PersonDoubts& doubts, const TrackedBody& 
 void PersonUncertainty::state(const SearchedImage& image, const PersonDoubts& doubts, TrackedBody& body) {
   humanmodel::SkeletonFrame& frame = body.frame;
   const SeenSegments seen = seenSegments(body.visible, body.support);
+  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
+    if (!isSeen(seen, rig_->carrier[j])) frame.state[j] = humanmodel::JointState::kInferred;
+  if (!states_spreads_) return;
   see(image, body, seen);
   const double is_new = std::clamp(1.0 - doubts.found_for / kConfirmed, 0.0, 1.0);
   const double is_turned = doubts.lying.lies && !doubts.facing_known ? 1.0 : 0.0;
@@ -88,8 +91,6 @@ void PersonUncertainty::state(const SearchedImage& image, const PersonDoubts& do
                                                        .support = body.support});
   JointCovariances covariance = tracked;
   addTerms(doubts, body, seen, covariance);
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
-    if (!isSeen(seen, rig_->carrier[j])) frame.state[j] = humanmodel::JointState::kInferred;
   attachHidden(frame, tracked, covariance);
   const humanmodel::SkeletonFrame other = doubts.facing_known ? frame : flippedFacing(frame);
   frame.covariance = std::move(memory_);  // all are written below

@@ -38,6 +38,8 @@ class PersonUncertainty {
  public:
   explicit PersonUncertainty(const BodyRig& rig) : rig_{&rig}, hidden_{rig}, space_{rig} {}
 
+  /// Whether state() sets the covariances, too, and not only which joints are seen. Initially so.
+  void stateSpreads(bool states) { states_spreads_ = states; }
   /// Sets states and covariances of the joints in `body.frame` from the other values of `body`.
   void state(const SearchedImage& image, const PersonDoubts& doubts, TrackedBody& body);
   /// The person was lost.
@@ -51,6 +53,7 @@ class PersonUncertainty {
                 JointCovariances& covariance) const;
 
   const BodyRig* rig_;
+  bool states_spreads_{true};
   HiddenSpread hidden_;
   HiddenSpace space_;
   JointMotion motion_;

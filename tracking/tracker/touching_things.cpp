@@ -11,7 +11,7 @@ namespace abstand::tracking {
 namespace {
 
 constexpr float kDepthWeight = 0.1f;             // of the newest depth
-constexpr std::uint8_t kForgetAfter = 3;         // images with another depth
+constexpr std::int32_t kForgetAfter = 3;         // images with another depth
 constexpr std::size_t kFewestThingPixels = 150;  // of things; at 320 x 240, a front leg of a chair has less
 constexpr double kUprightHead = 0.85;  // share of the stature: lower heads do not belong to people who stand
 constexpr double kTrunkLow = 0.6, kTrunkHigh = 0.8;  // shares of the stature
@@ -29,6 +29,25 @@ Vector3d pointAt(const PersonImage& image, std::size_t i) {
   const auto width = static_cast<std::size_t>(camera.width);
   return camera.X_WC *
          camera.at(static_cast<double>(i % width), static_cast<double>(i / width), image.image->z[i]);
+}
+
+/// Whether a pixel has this mean depth (m).
+bool isAt(float mean, float z) { return std::abs(z - mean) < 0.5f * depthNoise(z); }
+
+/// Adds an image to TouchingThings::View, several pixels at a time.
+void noteDepths(std::span<const float> depths, float* mean, std::int32_t* images, std::int32_t* away) {
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const float z = depths[i], last = mean[i];
+    const std::int32_t had = images[i], was_away = away[i];
+    const bool is_at = isAt(last, z), is_measured = z != 0.0f;
+    const std::int32_t next_away = is_at ? 0 : was_away + 1;
+    const bool is_new = next_away >= kForgetAfter;
+    const std::int32_t more = had + (had < TouchingThings::kStillImages ? 1 : 0);
+    const float followed = last + kDepthWeight * (z - last);
+    mean[i] = !is_measured ? last : is_new ? z : is_at ? followed : last;
+    images[i] = !is_measured ? had : is_new ? 1 : is_at ? more : had;
+    away[i] = !is_measured ? was_away : is_new ? 0 : next_away;
+  }
 }
 
 bool isMeasured(const PersonImage& image, std::size_t i) {
@@ -81,46 +100,32 @@ class Axes {
 
 }  // namespace
 
-bool TouchingThings::isAt(const Pixel& pixel, float z) {
-  return std::abs(z - pixel.z) < 0.5f * depthNoise(z);
-}
-
 TouchingThings::View& TouchingThings::viewOf(const PersonImage& image) {
   const auto known =
       std::find_if(views_.begin(), views_.end(), [&](const View& v) { return v.number == image.number; });
   View& view = known != views_.end() ? *known : views_.emplace_back();
   view.number = image.number;
-  view.pixels.resize(image.image->z.size());
+  const std::size_t count = image.image->z.size();
+  view.z.resize(count);
+  view.images.resize(count);
+  view.away.resize(count);
   return view;
 }
 
 void TouchingThings::see(std::span<const PersonImage> images) {
   for (const PersonImage& image : images) {
     View& view = viewOf(image);
-    for (std::size_t i = 0; i < view.pixels.size(); ++i) {
-      Pixel& pixel = view.pixels[i];
-      const float z = image.image->z[i];
-      if (z == 0.0f) continue;
-      if (isAt(pixel, z)) {
-        pixel.z += kDepthWeight * (z - pixel.z);
-        pixel.images = std::min<std::uint8_t>(kStillImages, static_cast<std::uint8_t>(pixel.images + 1));
-        pixel.away = 0;
-      } else if (++pixel.away >= kForgetAfter) {
-        pixel = {z, 1, 0};
-      }
-    }
+    noteDepths(image.image->z, view.z.data(), view.images.data(), view.away.data());
   }
 }
 
 bool TouchingThings::isStill(const View& view, std::size_t i, const PersonImage& image) {
   const float z = image.image->z[i];
-  const auto is_still = [&](std::size_t k) {
-    return view.pixels[k].images >= kStillImages && isAt(view.pixels[k], z);
-  };
+  const auto is_still = [&](std::size_t k) { return view.images[k] >= kStillImages && isAt(view.z[k], z); };
   const auto width = static_cast<std::size_t>(image.image->width);
   if (is_still(i)) return true;
   // Edges flicker: beside a thing is more of it.
-  if (i < width || i + width >= view.pixels.size()) return false;
+  if (i < width || i + width >= view.z.size()) return false;
   return is_still(i - 1) || is_still(i + 1) || is_still(i - width) || is_still(i + width);
 }
 
@@ -133,7 +138,7 @@ std::size_t TouchingThings::setAside(std::span<const PersonImage> images, double
   for (const PersonImage& image : images) {
     View& view = viewOf(image);
     view.is_person.assign(image.is_person.begin(), image.is_person.end());
-    for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < view.z.size(); ++i) {
       if (!isMeasured(image, i) || !isStill(view, i, image)) continue;
       const Vector3d p = pointAt(image, i);
       if (p.z() >= below || !is_thing(p)) continue;

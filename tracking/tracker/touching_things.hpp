@@ -28,21 +28,18 @@ class TouchingThings {
   /// After search(), the person's pixels without those of things, valid until the next call.
   std::span<const PersonImage> rest() const { return rest_; }
 
-  static constexpr std::uint8_t kStillImages = 15;  ///< half a second at 30 Hz
+  static constexpr std::int32_t kStillImages = 15;  ///< half a second at 30 Hz
   static constexpr double kHighest = 0.6;           ///< times the stature; backs of chairs have 0.9 to 1.0 m
 
  private:
-  struct Pixel {
-    float z{0.0f};           ///< m, mean depth
-    std::uint8_t images{0};  ///< that have it, up to kStillImages
-    std::uint8_t away{0};    ///< consecutive ones with another depth
-  };
+  /// By pixel, in arrays that a compiler can process several pixels at a time with.
   struct View {
-    std::size_t number{0};  ///< PersonImage::number
-    std::vector<Pixel> pixels;
+    std::size_t number{0};             ///< PersonImage::number
+    std::vector<float> z;              ///< m, mean depth
+    std::vector<std::int32_t> images;  ///< that have it, up to kStillImages
+    std::vector<std::int32_t> away;    ///< consecutive ones with another depth
     std::vector<std::uint8_t> is_person;
   };
-  static bool isAt(const Pixel& pixel, float z);
   static bool isStill(const View& view, std::size_t i, const PersonImage& image);
   View& viewOf(const PersonImage& image);
   std::size_t setAside(std::span<const PersonImage> images, double below,

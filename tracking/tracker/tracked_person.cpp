@@ -86,7 +86,9 @@ BodyFollower TrackedPerson::followerOf(const humanmodel::HumanOptions& body, con
                                        bool away) const {
   Facing facing = facing_;
   facing.away = away;
-  return {body, stature, facing, options_.seed};
+  BodyFollower follower(body, stature, facing, options_.seed);
+  follower.tracker->stateSpreads(options_.states_spreads);
+  return follower;
 }
 
 /// Another body that goes on where `last` is.

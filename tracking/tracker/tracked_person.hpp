@@ -49,6 +49,7 @@ class TrackedPerson {
     bool compares_measured{false};  ///< facing directions are compared in the images that measured the
                                     ///< person, too, when the body is found: all of them at once
     bool starts_on_path{false};     ///< of a known body: no search
+    bool states_spreads{true};      ///< of the joints; otherwise their states only
     std::uint64_t seed{1};
   };
   explicit TrackedPerson(const Options& options);

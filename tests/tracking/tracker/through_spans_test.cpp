@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/tracking/tracker/small_camera.hpp"
+#include "tracking/tracker/refuted_spans.hpp"
 
 namespace abstand::tracking {
 namespace through_spans_test {
@@ -56,6 +57,17 @@ TEST(SeenThrough, MeasuresHowFarACameraIsAside) {
       EXPECT_GT(at.share, ThroughAt::kShare);
       EXPECT_NEAR(at.displacement, aside, kPixel + kShareOfIt * aside) << between;
     }
+}
+
+/// A camera that is aside by what withoutRefuted() expects to be seen.
+TEST(SeenThrough, ShowsTheSmallestErrorThatRefutes) {
+  const double aside = kShowsBeyond * SeenThrough::farFrom(kAway);
+  for (const double between : {0.5, 1.0, 1.5, 2.2, 3.1}) {
+    const View first(0.0);
+    View second(between);
+    second.camera.X_WC.translate(Vector3d(aside, 0.0, 0.0));
+    EXPECT_GT(throughAt(0.0, first.labelled(), second.labelled()).share, 2.0 * kNothingThrough) << between;
+  }
 }
 
 TEST(SeenThrough, IsUnknownWithoutPeople) {
