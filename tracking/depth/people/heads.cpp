@@ -9,7 +9,6 @@ namespace {
 
 // Dimensions of a head above its body, m and m^2. Heads of adults are 0.14 to 0.16 m broad and 0.18 to 0.21 m
 // long, and shoulders begin a third of a metre below the vertex (ANSUR II).
-constexpr double kLowestHead = 0.9, kHighestHead = 2.3;
 constexpr double kHeadRadius = 0.16;  // points as high as the head are within this distance ...
 constexpr double kBesideHead = 0.32;  // ... and hardly any between that and this one
 constexpr double kHeadDrop = 0.22;    // as high: at most this much lower
@@ -85,11 +84,11 @@ int shouldersOf(const PlanView& plan, const Head& head) {
 
 }  // namespace
 
-void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads) {
+void findHeads(const PlanView& plan, const HeadHeights& heights, std::size_t max, std::vector<Head>& heads) {
   heads.clear();
   for (const int i : plan.used()) {
     const float top = plan.cell(i).top;
-    if (top < static_cast<float>(kLowestHead) || top > static_cast<float>(kHighestHead) ||
+    if (top < static_cast<float>(heights.lowest) || top > static_cast<float>(heights.highest) ||
         !plan.occupied(i) || !isHead(plan, i))
       continue;
     if (heads.size() == max) break;

@@ -17,8 +17,15 @@ struct Head {
   int shoulders{0};  ///< cells beside it that are lower by a head
 };
 
+/// m above the floor, of heads.
+struct HeadHeights {
+  double lowest, highest;
+};
+inline constexpr HeadHeights kHighHeads{0.9, 2.3};  ///< of people who stand, sit on a chair, or kneel
+inline constexpr HeadHeights kLowHeads{0.6, 0.9};   ///< of people who sit on the floor
+
 /// Sets `heads` to those of a plan, at most `max`. After plan.join(). Does not throw; allocates only if
 /// `heads` has a smaller capacity than `max`.
-void findHeads(const PlanView& plan, std::size_t max, std::vector<Head>& heads);
+void findHeads(const PlanView& plan, const HeadHeights& heights, std::size_t max, std::vector<Head>& heads);
 
 }  // namespace abstand::tracking

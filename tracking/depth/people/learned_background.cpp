@@ -1,14 +1,10 @@
-// Running means of depths.
+// What continues the background.
 #include "tracking/depth/people/learned_background.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace abstand::tracking {
 namespace {
 
-constexpr float kMaxDeviation = 0.3f;  // m; surfaces that vary more are not static
-constexpr int kMinBorder = 20;         // pixels; fewer do not tell whether a surface continues
+constexpr int kMinBorder = 20;  // pixels; fewer do not tell whether a surface continues
 // Of a surface that was uncovered, nearly all of the border is even. Of somebody who squats and rises, some
 // is: where the legs were before the person was found.
 constexpr int kMostlyEven = 3;
@@ -17,24 +13,6 @@ constexpr int kMostlyEven = 3;
 
 LearnedBackground::LearnedBackground(std::size_t pixels, double learn_after)
     : learn_after_{static_cast<float>(learn_after)}, unassigned_(pixels), background_(pixels) {}
-
-bool LearnedBackground::isStable(const StablePixel& surface, float z) {
-  return surface.z > 0.0f &&
-         std::abs(z - surface.z) < std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
-}
-
-void LearnedBackground::learn(std::size_t pixel, float z, float dt) {
-  constexpr float kNew = 0.1f;  // weight of the newest depth in the means
-  StablePixel& surface = unassigned_[pixel];
-  if (!isStable(surface, z)) {
-    surface = {z, 0.5f * depthNoise(z), 0.0f};
-    return;
-  }
-  surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
-  surface.z += kNew * (z - surface.z);
-  surface.duration += dt;
-  if (surface.duration >= learn_after_) background_[pixel] = surface;
-}
 
 void LearnedBackground::set(std::size_t pixel, float z) {
   background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f};

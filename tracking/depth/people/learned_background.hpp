@@ -1,6 +1,8 @@
 // Background that is learned for each pixel.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,7 +25,18 @@ class LearnedBackground {
   /// standard deviations), or within the camera's own variation.
   bool has(std::size_t pixel, float z) const { return isStable(background_[pixel], z); }
   /// An unassigned surface at depth `z` (m), `dt` (s) after the last image.
-  void learn(std::size_t pixel, float z, float dt);
+  void learn(std::size_t pixel, float z, float dt) {
+    constexpr float kNew = 0.1f;  // weight of the newest depth in the means
+    StablePixel& surface = unassigned_[pixel];
+    if (!isStable(surface, z)) {
+      surface = {z, 0.5f * depthNoise(z), 0.0f};
+      return;
+    }
+    surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
+    surface.z += kNew * (z - surface.z);
+    surface.duration += dt;
+    if (surface.duration >= learn_after_) background_[pixel] = surface;
+  }
   /// A surface of a person: what was seen of an unassigned one is discarded.
   void cover(std::size_t pixel) { unassigned_[pixel] = {}; }
   /// Sets the background at once.
@@ -37,7 +50,12 @@ class LearnedBackground {
   struct StablePixel {
     float z{0.0f}, deviation{0.0f}, duration{0.0f};
   };
-  static bool isStable(const StablePixel& surface, float z);
+  static bool isStable(const StablePixel& surface, float z) {
+    return surface.z > 0.0f && std::abs(z - surface.z) <
+                                   std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
+  }
+
+  static constexpr float kMaxDeviation = 0.3f;  ///< m; surfaces that vary more are not static
 
   float learn_after_;
   std::vector<StablePixel> unassigned_;  ///< current unassigned surface

@@ -111,8 +111,9 @@ void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* know
 }
 
 void PeopleFinder::project(const DepthImage& image, const DepthImage* known, bool has_furniture) {
-  constexpr int kBorderRows = 2;  // of the image, at its upper border
-  constexpr int kEvery = 3;       // pixels and rows of background that are looked at
+  constexpr int kBorderRows = 2;     // of the image, at its upper border
+  constexpr int kBorderColumns = 4;  // at its sides, where a Kinect's noise leaves pixels out
+  constexpr int kEvery = 3;          // pixels and rows of background that are looked at
   plan_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
@@ -150,6 +151,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
       cell_of_[i] = cell;
       plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
       if (v < kBorderRows) plan_.markCut(cell);
+      if (u < kBorderColumns || u >= image.width - kBorderColumns) plan_.markSide(cell);
     }
   }
   plan_.join();
@@ -320,6 +322,14 @@ void PeopleFinder::followHeadless(double t) {
   for (const Place& place : headless_.places()) keepOrAdd(t, place, kSplitLow);
 }
 
+/// Likewise people who sit on the floor, by their heads.
+void PeopleFinder::followOnFloor(double t) {
+  findHeads(plan_, kLowHeads, kMaxPeople, heads_);
+  for (const Head& head : heads_)
+    if (head.shoulders >= kSureShoulders && head.body >= kBodyBeside)
+      keepOrAdd(t, middleOfBody(plan_, head.place), kSplitLow);
+}
+
 /// A person at a place, without a head: one that is there within `reach` (m), or a new one.
 void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
   bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
@@ -412,11 +422,12 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   if (!people_.floor) estimateFloorFromScene(image);
   things_.look(image);
   projectToPlan(image, known);
-  findHeads(plan_, kMaxPeople, heads_);
+  findHeads(plan_, kHighHeads, kMaxPeople, heads_);
   follow(t);
   addHeads(t, image);
   followLying(t);
   followHeadless(t);
+  followOnFloor(t);
   addExpected(t);
   std::array<std::optional<Place>, kMaxPeople> places;
   for (std::size_t p = 0; p < tracks_.size(); ++p)

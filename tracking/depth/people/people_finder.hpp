@@ -127,6 +127,7 @@ class PeopleFinder {
   bool hasOwnBody(const Head& head, const DepthImage& image);
   void followLying(double t);
   void followHeadless(double t);
+  void followOnFloor(double t);
   void keepOrAdd(double t, const Place& place, double reach);
   void addExpected(double t);
   int idAt(double t, const Place& place);

@@ -30,6 +30,7 @@ class PlanView {
     float whole{0.0f};                 ///< m^2, sum of all slabs
     int component{-1};
     bool cut{false};         ///< the upper border of the image is there
+    bool side{false};        ///< the left or the right one is
     std::int16_t owner{-1};  ///< index of the person that it belongs to; -1: none
   };
 
@@ -55,6 +56,8 @@ class PlanView {
   }
   /// Notes that the upper border of the image cuts the surface above a cell; after add().
   void markCut(int cell) { cells_[static_cast<std::size_t>(cell)].cut = true; }
+  /// Likewise the left or the right border.
+  void markSide(int cell) { cells_[static_cast<std::size_t>(cell)].side = true; }
   /// Connects occupied cells up to 8 cm apart into components(), numbered in order of their first cell.
   void join();
 

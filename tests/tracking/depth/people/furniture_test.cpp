@@ -187,6 +187,24 @@ TEST(Furniture, DistinguishesPillarsFromPeople) {
   EXPECT_EQ(sheerShare(plan, plan.component(0)), 0.0);
 }
 
+// The side of the image cuts it off obliquely, as seen by a camera that looks down.
+TEST(Furniture, PillarMayBeCutOffByASide) {
+  constexpr double kTop = 1.6;  // m
+  for (const bool at_side : {false, true}) {
+    PlanView plan;
+    plan.clear();
+    addFront(plan, {-0.15, 2.5}, {0.0, 2.5}, 0.0, kTop);
+    addLevel(plan, {-0.15, 2.5}, {0.0, 2.8}, kTop);
+    for (double x = 0.02; x < 0.3; x += PlanView::kCell) {
+      addFront(plan, {x, 2.5}, {x + PlanView::kCell, 2.5}, 0.0, kTop * (1.0 - x / 0.3));
+      if (at_side) plan.markSide(PlanView::cellAt(x, 2.5));
+    }
+    plan.join();
+    ASSERT_EQ(plan.components(), 1u);
+    EXPECT_EQ(sheerShare(plan, plan.component(0)) >= kPillar, at_side);
+  }
+}
+
 TEST(Furniture, PersistsForLimitedImages) {
   PlanView bench, empty;
   Furniture furniture;
