@@ -53,6 +53,18 @@ View drawView(Draws& draws) {
   return view;
 }
 
+/// What camera number `camera` sees: `view`, that of the first one, or likewise from another side.
+View viewFrom(const View& view, std::size_t camera) {
+  if (camera == 0) return view;
+  constexpr double kSmallest = 50.0, kLargest = 180.0;  // degrees between two cameras
+  Draws draws(view.body_seed, 4000 + camera);
+  View other = drawView(draws);
+  other.azimuth = view.azimuth + draws.between(kSmallest, kLargest) * static_cast<double>(camera);
+  other.body_seed = view.body_seed;
+  other.clothing = view.clothing;
+  return other;
+}
+
 std::string textOf(const View& view) {
   char text[100];
   std::snprintf(text, sizeof text, "at %.1f m, %.1f m high, from %.0f", view.distance, view.height,
@@ -104,7 +116,7 @@ RandomScene drawCapture(const std::string& name, Draws draws) {
   const View view = drawView(draws);
   char begin[20];
   std::snprintf(begin, sizeof begin, " %.2f", share);
-  return {name, file.stem().string() + begin + ", " + textOf(view), [=] {
+  return {name, file.stem().string() + begin + ", " + textOf(view), [=](std::size_t camera) {
             const tracking::Recording recording = tracking::openRecording(file);
             const double first = recording.frames.front().t, last = recording.frames.back().t;
             ClipPlan plan;
@@ -112,7 +124,7 @@ RandomScene drawCapture(const std::string& name, Draws draws) {
             plan.start = first + share * std::max(0.0, last - first - kLong);
             plan.end = plan.start + kLong;
             std::vector<humanmodel::SkeletonFrame> frames = simulate(plan).truth;
-            const ClipPlan seen = planOf(view, frames);
+            const ClipPlan seen = planOf(viewFrom(view, camera), frames);
             return simulate(seen, std::move(frames), {});
           }};
 }
@@ -207,7 +219,7 @@ RandomScene drawPosed(const std::string& name, Draws draws) {
   const View view = drawView(draws);
   char size[30];
   std::snprintf(size, sizeof size, " %.2f m, ", stature);
-  return {name, kind.name + (size + textOf(view)), [=] {
+  return {name, kind.name + (size + textOf(view)), [=](std::size_t camera) {
             const double scale = stature / kPosedStature;
             std::vector<humanmodel::SkeletonFrame> frames = posedFrames(sides.left);
             const std::vector<humanmodel::SkeletonFrame> right = posedFrames(sides.right);
@@ -221,7 +233,7 @@ RandomScene drawPosed(const std::string& name, Draws draws) {
               box.low *= scale;
               box.high *= scale;
             }
-            const ClipPlan plan = planOf(view, frames);
+            const ClipPlan plan = planOf(viewFrom(view, camera), frames);
             return simulate(plan, std::move(frames), std::move(boxes));
           }};
 }

@@ -10,7 +10,9 @@ namespace abstand::testing {
 struct RandomScene {
   std::string name;    ///< "random_7_12": seed and number
   std::string remark;  ///< what was drawn: "posed 1.63 m, at 3.1 m, 0.9 m high, from 140"
-  std::function<SimulatedClip()> make;
+  /// Of the first camera (0), or of another one that looks at the same person from elsewhere; the truth is
+  /// the same.
+  std::function<SimulatedClip(std::size_t camera)> make;
 };
 
 /// `count` clips of 4 to 8 s; the same on every machine for the same seed. Half of them are parts of

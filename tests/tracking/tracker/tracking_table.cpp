@@ -25,43 +25,62 @@ namespace {
 tracking::ClipTrackerOptions g_options;
 bool g_live = false;
 
-/// The processor time of the live tracker is not measured: its result has 0 s.
-tracking::ClipTrack trackOf(tracking::DepthStream& stream) {
-  if (!g_live) return tracking::trackClip(stream, g_options);
-  tracking::LiveTracker tracker({&stream.camera(), 1}, true, {.person = g_options.person});
-  tracking::DepthFrame frame;
-  while (stream.next(frame)) tracker.see(frame);
-  return tracker.track();
-}
-
 struct TableClip {
   std::string name;
-  std::function<SimulatedClip()> make;
+  std::function<SimulatedClip(std::size_t camera)> make;
   std::string remark{};  ///< printed behind the name
+  std::size_t cameras{1};
+
+  std::vector<SimulatedClip> clips() const {
+    std::vector<SimulatedClip> clips;
+    for (std::size_t c = 0; c < cameras; ++c) clips.push_back(make(c));
+    return clips;
+  }
 };
+
+/// The processor time of the live tracker is not measured: its result has 0 s.
+tracking::ClipTrack trackOf(std::span<const SimulatedClip> clips) {
+  std::vector<tracking::ClipCamera> streams;
+  std::vector<tracking::DepthCamera> cameras;
+  for (const SimulatedClip& clip : clips) {
+    streams.push_back({clip.stream.get(), 0.0});
+    cameras.push_back(clip.stream->camera());
+  }
+  if (!g_live) return tracking::trackClips(streams, g_options);
+  tracking::LiveTrackerOptions options;
+  options.person = g_options.person;
+  tracking::LiveTracker tracker(cameras, true, options);
+  tracking::DepthMoments moments(streams);
+  tracking::DepthMoment moment;
+  while (moments.next(moment)) tracker.see(moment);
+  return tracker.track();
+}
 
 std::vector<TableClip> clipsOf(const std::vector<CapturedScene>& scenes) {
   std::vector<TableClip> clips;
   for (const CapturedScene& scene : scenes)
-    if (exists(scene.plan.recording)) clips.push_back({scene.name, [scene] { return simulate(scene); }});
+    if (exists(scene.plan.recording))
+      clips.push_back({scene.name, [scene](std::size_t) { return simulate(scene); }});
   return clips;
 }
 
 std::vector<TableClip> clipsOf(const std::vector<PosedScene>& scenes) {
   std::vector<TableClip> clips;
-  for (const PosedScene& scene : scenes) clips.push_back({scene.name, [scene] { return simulate(scene); }});
+  for (const PosedScene& scene : scenes)
+    clips.push_back({scene.name, [scene](std::size_t) { return simulate(scene); }});
   return clips;
 }
 
-/// Of --random: seed and number of clips, which are the only group then.
+/// Of --random: seed and number of clips, which are the only group then, and of cameras.
 std::uint64_t g_random_seed = 0;
 int g_random_count = 0;
+std::size_t g_random_cameras = 1;
 
 std::vector<std::pair<const char*, std::vector<TableClip>>> groups() {
   if (g_random_count > 0) {
     std::vector<TableClip> clips;
     for (const RandomScene& scene : randomScenes(g_random_seed, g_random_count))
-      clips.push_back({scene.name, scene.make, ": " + scene.remark});
+      clips.push_back({scene.name, scene.make, ": " + scene.remark, g_random_cameras});
     return {{"random clips", clips}};
   }
   return {{"hard captures", clipsOf(hardScenes())},
@@ -100,16 +119,31 @@ struct ClipResult {
   std::size_t found{0}, images{0};
 };
 
-ClipResult resultOf(const TableClip& named, double& images_a_second) {
-  SimulatedClip clip = named.make();
-  const tracking::ClipTrack track = trackOf(*clip.stream);
-  images_a_second = static_cast<double>(track.images) / track.seconds;
-  for (const tracking::CameraShare& camera : track.cameras)
+/// The cameras of the clips stand still where their files say: whatever is said of them is wrong.
+void printAlarms(const std::string& name, const tracking::ClipTrack& track) {
+  for (std::size_t c = 0; c < track.cameras.size(); ++c) {
+    const tracking::CameraShare& camera = track.cameras[c];
     if (std::isfinite(camera.moved_at))
-      std::fprintf(stderr, "%s: a camera that stands still was taken for moved\n", named.name.c_str());
+      std::fprintf(stderr, "%s: camera %zu was taken for moved\n", name.c_str(), c + 1);
+    if (std::isfinite(camera.apart_since))
+      std::fprintf(stderr, "%s: camera %zu was said to be off by %.2f m\n", name.c_str(), c + 1,
+                   camera.apart);
+    if (std::isfinite(camera.late_since))
+      std::fprintf(stderr, "%s: camera %zu was said to be late by %.2f s\n", name.c_str(), c + 1,
+                   camera.late);
+  }
+}
+
+ClipResult resultOf(const TableClip& named, double& images_a_second) {
+  const std::vector<SimulatedClip> clips = named.clips();
+  const tracking::ClipTrack track = trackOf(clips);
+  images_a_second = static_cast<double>(track.images) / track.seconds;
+  printAlarms(named.name, track);
   ClipResult result;
-  for (const humanmodel::SkeletonFrame& truth : clip.truth) {
-    if (!isInView(clip.stream->camera(), truth)) continue;
+  for (const humanmodel::SkeletonFrame& truth : clips[0].truth) {
+    if (std::none_of(clips.begin(), clips.end(),
+                     [&](const SimulatedClip& clip) { return isInView(clip.stream->camera(), truth); }))
+      continue;
     ++result.images;
     if (track.people.empty()) continue;
     const auto& frames = track.people[0].frames;
@@ -117,7 +151,7 @@ ClipResult resultOf(const TableClip& named, double& images_a_second) {
       return std::abs(frame.t - truth.t) < 1e-6 && frame.has(humanmodel::Joint::kPelvis);
     });
   }
-  if (!track.people.empty()) result.errors = compare(track.people[0].frames, clip.truth);
+  if (!track.people.empty()) result.errors = compare(track.people[0].frames, clips[0].truth);
   return result;
 }
 
@@ -149,8 +183,9 @@ constexpr double kSlice = 0.5;  // s
 
 /// For each half second, the mean raw error of each joint in mm; in brackets where it was inferred.
 void printJoints(const TableClip& named) {
-  SimulatedClip clip = named.make();
-  const tracking::ClipTrack track = trackOf(*clip.stream);
+  const std::vector<SimulatedClip> clips = named.clips();
+  const SimulatedClip& clip = clips[0];
+  const tracking::ClipTrack track = trackOf(clips);
   if (track.people.empty()) return;
   const std::vector<humanmodel::SkeletonFrame>& frames = track.people[0].frames;
   std::printf("%s\n", named.name.c_str());
@@ -200,8 +235,8 @@ int printCertified(const std::vector<std::string>& chosen) {
     CertifiedDistances of_group;
     for (const TableClip& named : clips) {
       if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
-      SimulatedClip clip = named.make();
-      const CertifiedDistances of = certifiedDistances(clip, trackOf(*clip.stream));
+      const std::vector<SimulatedClip> clips_of = named.clips();
+      const CertifiedDistances of = certifiedDistances(clips_of[0], trackOf(clips_of));
       printCertified(named.name + named.remark, of);
       of_group.add(of);
     }
@@ -210,29 +245,33 @@ int printCertified(const std::vector<std::string>& chosen) {
   return 0;
 }
 
-/// As files for `abstand track`, with the true joints: a folder for each clip.
+/// As files for `abstand track`, with the true joints.
+void writeClip(const std::filesystem::path& folder, SimulatedClip clip) {
+  create_directories(folder);
+  const tracking::DepthCamera& camera = clip.stream->camera();
+  writeFile(folder / "camera.yaml", tracking::describeDepthCamera(camera));
+  std::string list;
+  tracking::DepthFrame frame;
+  for (std::size_t i = 0; clip.stream->next(frame); ++i) {
+    char name[40], line[80];
+    std::snprintf(name, sizeof name, "depth_%06zu.png", i);
+    std::snprintf(line, sizeof line, "%.6f %s\n", frame.t, name);
+    tracking::saveDepthPng(frame.image, camera.depth_scale, folder / name);
+    list += line;
+  }
+  writeFile(folder / "depth.txt", list);
+  tracking::Recording truth;
+  truth.frames = clip.truth;
+  tracking::writeSkeletonCsv(folder / "truth.csv", truth);
+}
+
+/// A folder for each clip; for each further camera "NAME_camera_2".
 int writeClips(const std::filesystem::path& into, const std::vector<std::string>& chosen) {
   for (const auto& [group, clips] : groups())
     for (const TableClip& named : clips) {
       if (std::find(chosen.begin(), chosen.end(), named.name) == chosen.end()) continue;
-      SimulatedClip clip = named.make();
-      const std::filesystem::path folder = into / named.name;
-      create_directories(folder);
-      const tracking::DepthCamera& camera = clip.stream->camera();
-      writeFile(folder / "camera.yaml", tracking::describeDepthCamera(camera));
-      std::string list;
-      tracking::DepthFrame frame;
-      for (std::size_t i = 0; clip.stream->next(frame); ++i) {
-        char name[40], line[80];
-        std::snprintf(name, sizeof name, "depth_%06zu.png", i);
-        std::snprintf(line, sizeof line, "%.6f %s\n", frame.t, name);
-        tracking::saveDepthPng(frame.image, camera.depth_scale, folder / name);
-        list += line;
-      }
-      writeFile(folder / "depth.txt", list);
-      tracking::Recording truth;
-      truth.frames = clip.truth;
-      tracking::writeSkeletonCsv(folder / "truth.csv", truth);
+      for (std::size_t c = 0; c < named.cameras; ++c)
+        writeClip(into / (named.name + (c > 0 ? "_camera_" + std::to_string(c + 1) : "")), named.make(c));
     }
   return 0;
 }
@@ -282,7 +321,8 @@ int printTable(const std::vector<std::string>& chosen) {
 
 /// Arguments: names of clips, none: all of them; --joints or --certified and names; --write, a folder and
 /// names; or --names. First of all, in this order: --live, for the results of a live camera; --seed and a
-/// number, for another random search for limbs; --random, a seed and a number of clips, for drawn ones.
+/// number, for another random search for limbs; --cameras and a number, with which drawn clips are seen;
+/// --random, a seed and a number of clips, for drawn ones.
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], "--live") == 0) {
     abstand::testing::g_live = true;
@@ -291,6 +331,11 @@ int main(int argc, char** argv) {
   }
   if (argc > 2 && std::strcmp(argv[1], "--seed") == 0) {
     abstand::testing::g_options.person.seed = std::strtoull(argv[2], nullptr, 10);
+    argc -= 2;
+    argv += 2;
+  }
+  if (argc > 2 && std::strcmp(argv[1], "--cameras") == 0) {
+    abstand::testing::g_random_cameras = std::strtoull(argv[2], nullptr, 10);
     argc -= 2;
     argv += 2;
   }
