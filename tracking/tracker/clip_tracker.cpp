@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <optional>
 
 #include "humanmodel/joint_covariance.hpp"
@@ -11,6 +10,7 @@
 #include "tracking/tracker/camera_stand.hpp"
 #include "tracking/tracker/doubtful_cameras.hpp"
 #include "tracking/tracker/learned_people.hpp"
+#include "tracking/tracker/processor_seconds.hpp"
 #include "tracking/tracker/start_trial.hpp"
 
 namespace abstand::tracking {
@@ -18,8 +18,6 @@ namespace {
 
 constexpr std::array<humanmodel::Joint, 2> kHands{humanmodel::Joint::kHandLeft,
                                                   humanmodel::Joint::kHandRight};
-
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 class ClipPasses {
  public:

@@ -1,16 +1,13 @@
 #include "tracking/tracker/compared_clocks.hpp"
 
-#include <ctime>
-
 #include "tracking/tracker/lone_camera.hpp"
+#include "tracking/tracker/processor_seconds.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
 namespace {
 
 using Frames = std::vector<humanmodel::SkeletonFrame>;
-
-double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// The joints of each person in the first images, until the camera is moved.
 std::vector<Frames> peopleIn(DepthStream& stream, const ClipTrackerOptions& options, double& seconds) {
@@ -22,12 +19,12 @@ std::vector<Frames> peopleIn(DepthStream& stream, const ClipTrackerOptions& opti
   stream.seek(0);
   DepthFrame frame;
   while (!(options.interrupted && options.interrupted()) && stream.next(frame) && frame.t < until) {
-    const double begin = processorTime();
+    const double begin = processorSeconds();
     const DepthMoment moment{frame.t, {&frame}, {true}};
     views.see(moment, options.known);
     alone.see(moment, views);
     for (const LoneCamera::Seen& person : alone.people()) people[person.id].push_back(person.joints);
-    seconds += processorTime() - begin;
+    seconds += processorSeconds() - begin;
   }
   std::vector<Frames> all;
   for (auto& [id, frames] : people) {
@@ -72,9 +69,9 @@ ComparedClocks compareClocks(std::span<DepthStream* const> streams, const ClipTr
       first = std::move(people);
       continue;
     }
-    const double begin = processorTime();
+    const double begin = processorSeconds();
     clocks.offsets.push_back(bestOf(first, people));
-    clocks.seconds += processorTime() - begin;
+    clocks.seconds += processorSeconds() - begin;
   }
   return clocks;
 }

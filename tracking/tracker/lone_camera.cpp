@@ -19,15 +19,13 @@ LoneCamera::LoneCamera(const DepthCamera& camera, std::size_t number, const Trac
     : camera_{&camera}, number_{number}, options_{forPlaces(options)} {}
 
 void LoneCamera::see(const DepthMoment& moment, PeopleViews& views) {
-  const double t = moment.t;
   image_ = &moment.frames[number_]->image;
   labels_ = views.labels(number_);
   people_.clear();
   views.eachIn(number_, [&](int id, const PersonImage& image) {
-    const TrackedBody* body = trackers_.try_emplace(id, options_).first->second.see(t, {&image, 1});
+    const TrackedBody* body = trackers_.try_emplace(id, options_).first->second.see(moment.t, {&image, 1});
     if (!body || !body->found) return;
     people_.push_back({id, body->frame, middleJoints(body->frame), body->misfit.explained});
-    people_.back().joints.t = people_.back().middles.t = t;
   });
 }
 
