@@ -1,4 +1,4 @@
-// Initial search, tracking, loss.
+// Tracking, loss.
 #include "tracking/tracker/body_tracker.hpp"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include "tracking/tracker/head_peak.hpp"
 #include "tracking/tracker/leg_posture.hpp"
 #include "tracking/tracker/other_posture.hpp"
-#include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/seat_points.hpp"
 #include "tracking/tracker/seen_segments.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -21,7 +20,7 @@ constexpr double kUntwist = 0.2;      // 1/rad^2
 constexpr double kHandRelaxes = 0.8;  // factor for each image; decays the wrist angle if nothing shows it
 constexpr double kMaxGap = 0.25;      // s; no prediction over longer gaps
 constexpr std::size_t kFewestPoints = 60;
-constexpr double kLostBelow = 0.6, kFoundAbove = 0.7;  // explained share
+constexpr double kLostBelow = 0.6;  // explained share
 constexpr int kBadImages = 5;
 // m^2, of a followed body of somebody who may sit; bodies that fit cost 2e-4 to 4e-4. One that a search finds
 // replaces it if it costs this many times as much, or less. Things in the hands of people who stand cost as
@@ -38,37 +37,11 @@ constexpr int kWideSteps = 4, kNarrowSteps = 4;
 constexpr double kKept = 2.0;
 constexpr double kStands = 0.5;  // s; legs that were not seen for longer are those of a person who stands
 
-const std::array<StartPosture, 2> kHighStarts{{{0.0, false}, {0.25, false}}};
-constexpr double kRaisedWrists = 0.42;  // m above the shoulders
-/// Upright, with raised arms, straight or bent, or with one of them.
-const std::array<StartPosture, 4> kRaisedStarts{
-    {{0.0, false, Vector3d::Zero(), 0.50},
-     {0.0, false, Vector3d::Zero(), 0.35},
-     {0.0, false, Vector3d::Zero(), kRaisedWrists, {true, false}},
-     {0.0, false, Vector3d::Zero(), kRaisedWrists, {false, true}}}};
-/// A hand above a head that is seen.
-constexpr std::array<std::array<bool, 2>, 3> kRaisedHands{{{true, false}, {false, true}, {true, true}}};
-constexpr double kHandsHighest = 0.08;  // m above the vertex: the highest point is not the head
-/// Upright, the head above the image, which cuts it off at the neck or at the forehead.
-const std::array<StartPosture, 2> kCutStarts{{{-0.24, false}, {-0.12, false}}};
-/// Upright on the floor, or bowed, cut off anywhere.
-const std::array<StartPosture, 2> kOnFloorStarts{{{0.0, false}, {0.12, false}}};
-/// Bowed; seated; on the knees.
-const std::array<StartPosture, 3> kLowStarts{
-    {{0.25, false}, {0.0, true, {0.43, 0.0, -0.42}}, {0.0, true, {-0.38, 0.0, -0.38}}}};
-// Share of the stature: lower heads do not belong to people who stand.
-constexpr double kStandingHead = 0.85;
-// Share of the stature: shoulders are at most 0.19 below the vertex of an upright head and hands reach 0.42
-// below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of a
-// person who stands hang higher than markStanding() looks.
-constexpr double kHandsOffFloor = 0.70;
-// m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is at
-// 0.8.
-constexpr double kLyingTop = 0.65;
-
 // m; a vertex nearer to the border of the image may be beyond it. The head of a person whose forehead is cut
 // off was 0.10 to 0.18 too low.
 constexpr double kAboveVertex = 0.20;
+
+constexpr double kSole = 0.05;  // m, below ankles and toes at most
 
 /// Whether the upper border of an image cuts off the person.
 bool isCutAbove(std::span<const PersonImage> images) {
@@ -76,21 +49,6 @@ bool isCutAbove(std::span<const PersonImage> images) {
     const auto row = image.is_person.first(static_cast<std::size_t>(image.image->width));
     return std::find(row.begin(), row.end(), std::uint8_t{1}) != row.end();
   });
-}
-
-/// Whether a point (m, world) is within the image of any camera.
-bool isInView(const BodyObservation& seen, const Vector3d& p_W) {
-  return std::any_of(seen.views().begin(), seen.views().end(),
-                     [&](const BodyView& view) { return view.pixelOf(view.X_CW() * p_W).has_value(); });
-}
-
-void bendLegs(const BodyRig& rig, const Vector3d& p_ankle, RigPose& pose) {
-  RigPlacement X_WS;
-  place(rig, pose, X_WS);
-  for (const Limb& leg : {kLimbs[2], kLimbs[3]}) {
-    const Vector3d hip = X_WS[0] * rig[leg.upper].p_parent;
-    reachFor(rig, leg, X_WS, hip + X_WS[0].linear() * p_ankle, 0.0, pose);
-  }
 }
 
 BodySolver::Vector priorsOf(const BodyRig& rig) {
@@ -130,7 +88,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   seen_.update(images);
   was_replaced_ = false;
   const double highest = headHeight(), top = highest / rig_->height;
-  if (!(highest < kLyingTop)) lying_ = {};
+  if (!(highest < (lying_.lies ? kLyingTop : kHandsOffFloor * rig_->height))) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
   is_cut_ = isCutAbove(images);
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
@@ -264,6 +222,7 @@ void BodyTracker::follow(double dt) {
   placeBody();
   uncrossArms();
   lowerLeg();
+  plantLegs();
   lowerArms();
 }
 
@@ -276,148 +235,17 @@ void BodyTracker::searchAgain(double t) {
   const BodySolver::Vector velocity = velocity_;
   const std::mt19937_64 random = random_;
   const int badly = badly_;
+  const Lying lying = lying_;
   find();
   const double limit = sitsOnSeat(*rig_, body_.X_WS) ? kBetterCost : kMuchBetterCost;
   was_replaced_ = body_.found && body_.misfit.cost < limit * followed.misfit.cost;
   doubtful_.note(t, was_replaced_);
   if (was_replaced_) return;
   body_ = followed;
+  lying_ = lying;
   random_ = random;
   velocity_ = velocity;
   badly_ = badly;
-}
-
-void BodyTracker::find() {
-  wide_.planted = narrow_.planted = 0;
-  wide_.untwist = narrow_.untwist = 0.0;
-  lying_ = {};
-  fit_.keepAboveFloor(false);
-  const SeenPoints& points = seen_.points();
-  std::array<Vector3d, BodyObservation::kMaxViews> mean;
-  std::array<double, BodyObservation::kMaxViews> count{};
-  mean.fill(Vector3d::Zero());
-  double top = -kInfinity;
-  for (std::size_t i = 0; i < points.count; ++i) {
-    mean[points.view[i]] += points.point(i);
-    count[points.view[i]] += 1.0;
-    top = std::max(top, static_cast<double>(points.z[i]));
-  }
-  // The middle of the body lies behind what each camera sees of it.
-  Vector3d middle = Vector3d::Zero();
-  std::array<double, BodyObservation::kMaxViews> towards{};
-  double views = 0.0;
-  for (std::size_t v = 0; v < seen_.views().size(); ++v) {
-    if (count[v] == 0.0) continue;
-    mean[v] /= count[v];
-    Vector3d away = mean[v] - seen_.views()[v].eye();
-    away.z() = 0.0;
-    if (away.norm() < 1e-6) away = Vector3d::UnitX();
-    away.normalize();
-    middle += mean[v] + kHalfBody * away;
-    towards[v] = std::atan2(-away.y(), -away.x());
-    views += 1.0;
-  }
-  middle /= views;
-  TrackedBody best;
-  if (top < kLyingTop) {
-    tryLying(middle, best);
-  } else if (front_) {
-    tryStarts(middle, top, *front_, best);
-  } else {
-    for (std::size_t v = 0; v < seen_.views().size(); ++v)
-      if (count[v] > 0.0) tryStarts(middle, top, towards[v] + (expected_.away ? kPi : 0.0), best);
-    if (expected_.yaw) tryStarts(middle, top, *expected_.yaw, best);
-  }
-  body_ = best;
-  if (std::isfinite(body_.misfit.cost)) uncrossLegs(), uncrossArms(), lowerLeg(), lowerArms();
-  body_.found = body_.misfit.explained > kFoundAbove;
-  velocity_.setZero();
-  badly_ = 0;
-  limbs_.forgetTries();
-}
-
-/// Fits the postures of a start that faces `facing` (rad), about the middle of the body, its highest point at
-/// z = `top` (m); keeps the best of these and of `best`.
-void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best) {
-  const double above = vertexAbovePelvis(*rig_);
-  const bool is_low = top < kStandingHead * rig_->height;
-  const std::span<const StartPosture> postures =
-      is_low ? std::span<const StartPosture>(kLowStarts) : std::span<const StartPosture>(kHighStarts);
-  tryPostures(postures, middle, top - above, facing, best);
-  if (top > rig_->height + kHandsHighest)
-    tryPostures(kRaisedStarts, middle, rig_->height - above, facing, best);
-  if (const std::optional<double> head = headBelowHands(seen_)) tryRaised(middle, *head, facing, best);
-  if (!is_cut_) return;
-  tryPostures(kCutStarts, middle, top - above, facing, best);
-  if (top < rig_->height) tryPostures(kOnFloorStarts, middle, rig_->height - above, facing, best);
-}
-
-/// Of a person whose vertex is at z = `head` (m), below the hands.
-void BodyTracker::tryRaised(const Vector3d& middle, double head, double facing, TrackedBody& best) {
-  const double pelvis = head - vertexAbovePelvis(*rig_);
-  std::array<StartPosture, 6> postures{};
-  std::size_t count = 0;
-  const bool is_low = head < kStandingHead * rig_->height;
-  const std::span<const StartPosture> upright = std::span(kHighStarts).first(1),
-                                      lowered = std::span(kLowStarts).subspan(1);
-  for (const StartPosture& posture : is_low ? lowered : upright)
-    for (const std::array<bool, 2>& raises : kRaisedHands) {
-      postures[count] = posture;
-      postures[count].wrists = kRaisedWrists;
-      postures[count++].raises = raises;
-    }
-  tryPostures({postures.data(), count}, middle, pelvis, facing, best);
-}
-
-/// `pelvis` (m): its height in a person who stands.
-void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
-                              double facing, TrackedBody& best) {
-  for (const StartPosture& posture : postures) {
-    for (const double yaw : {0.0, 0.7, -0.7}) {
-      RigPose pose;
-      pose.X_WP.translation() = middle;
-      pose.X_WP.translation().z() = pelvis - posture.lower;
-      pose.X_WP.linear() = Eigen::AngleAxisd(facing + yaw, Vector3d::UnitZ()).toRotationMatrix();
-      if (posture.bends_legs) bendLegs(*rig_, posture.p_ankle, pose);
-      if (posture.wrists > 0.0) raiseArms(*rig_, posture.wrists, pose, kRaisedAside, posture.raises);
-      fitFrom(pose);
-      if (mayFace(yawOf(body_.pose)) && body_.misfit.cost < best.misfit.cost) best = body_;
-    }
-  }
-}
-
-bool BodyTracker::mayFace(double yaw) const {
-  return !expected_.yaw || std::cos(yaw - *expected_.yaw) >= 0.0;
-}
-
-/// Fits a person who lies.
-void BodyTracker::tryLying(const Vector3d& middle, TrackedBody& best) {
-  fit_.keepAboveFloor(true);
-  LyingFits fits(*rig_);
-  std::array<TrackedBody, 2> of_side;  // on the back, on the front
-  std::array<LyingStart, kLyingStarts> starts;
-  lyingStarts(*rig_, seen_.points(), middle, starts);
-  for (const LyingStart& start : starts) {
-    if (expected_.on_front.value_or(start.on_front) != start.on_front) continue;
-    fitFrom(start.pose);
-    fit_.gaps(body_.X_WS, body_.gap);
-    if (fits.add(body_.misfit.cost, body_.X_WS, body_.gap, start.on_front))
-      of_side[start.on_front ? 1 : 0] = body_;
-  }
-  best = of_side[fits.onFront() ? 1 : 0];
-  lying_ = {true, fits.apart(), fits.frontOverBack()};
-  if (fits.sidesAlike()) facing_known_ = false;
-}
-
-/// Sets pose and misfit of the body.
-void BodyTracker::fitFrom(const RigPose& start) {
-  body_.pose = start;
-  for (int round = 0; round < 3; ++round) {
-    fit_.refine(seen_, body_.pose, wide_, kStartWideSteps, body_.pose);
-    searchLimbs({120, 0.3, 1.0}, {40, 0.2, 1.0});
-  }
-  fit_.refine(seen_, body_.pose, narrow_, kStartNarrowSteps, body_.pose);
-  placeBody();
 }
 
 /// Of its pose.
@@ -426,19 +254,36 @@ void BodyTracker::placeBody() {
   body_.misfit = fit_.misfit(seen_, body_.X_WS);
 }
 
+/// Whether a point (m, world) is within the image of any camera.
+bool BodyTracker::isInView(const Vector3d& p_W) const {
+  return std::any_of(seen_.views().begin(), seen_.views().end(),
+                     [&](const BodyView& view) { return view.pixelOf(view.X_CW() * p_W).has_value(); });
+}
+
 /// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.
 bool BodyTracker::isHeadCut() const {
   if (!is_cut_) return false;
   const Vector3d above =
       jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kHeadTop) + kAboveVertex * Vector3d::UnitZ();
-  return !isInView(seen_, above);
+  return !isInView(above);
 }
 
 /// Whether the feet are outside of the images of all cameras: what is seen does not show where the legs end.
 bool BodyTracker::areFeetCut() const {
   using enum humanmodel::Joint;
-  return !isInView(seen_, jointPosition(*rig_, body_.X_WS, kAnkleLeft)) &&
-         !isInView(seen_, jointPosition(*rig_, body_.X_WS, kAnkleRight));
+  return !isInView(jointPosition(*rig_, body_.X_WS, kAnkleLeft)) &&
+         !isInView(jointPosition(*rig_, body_.X_WS, kAnkleRight));
+}
+
+/// Whether an image reaches to the toes and the sole of a foot.
+bool BodyTracker::showsFoot() const {
+  using enum humanmodel::Joint;
+  const auto is_whole = [this](humanmodel::Joint ankle, humanmodel::Joint toe) {
+    const Vector3d heel = jointPosition(*rig_, body_.X_WS, ankle),
+                   tip = jointPosition(*rig_, body_.X_WS, toe);
+    return isInView(heel - kSole * Vector3d::UnitZ()) && isInView(tip - kSole * Vector3d::UnitZ());
+  };
+  return is_whole(kAnkleLeft, kToeLeft) || is_whole(kAnkleRight, kToeRight);
 }
 
 void BodyTracker::finish(double t) {

@@ -71,8 +71,10 @@ class BodyTracker {
   /// Whether the last body comes from a search that explains the image much better than the followed one did:
   /// the bodies before were wrong.
   bool wasReplaced() const { return was_replaced_; }
-  /// Whether neither the head nor the feet of the last body are within the images.
-  bool isCutAtBothEnds() const { return isHeadCut() && areFeetCut(); }
+  /// Whether neither the head nor a whole foot of the last body is within the images.
+  bool isCutAtBothEnds() const { return isHeadCut() && !showsFoot(); }
+  /// Whether the highest point of the last images is so low that hands may be at the floor.
+  bool isBent() const { return seen_.points().top() < kHandsOffFloor * rig_->height; }
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
 
@@ -82,34 +84,54 @@ class BodyTracker {
   static constexpr double kTurns = 1.0;
 
  private:
+  /// Share of the stature: shoulders are at most 0.19 below the vertex of an upright head and hands reach
+  /// 0.42 below them (Drillis and Contini), so that those of a higher person are clear of the floor. Those of
+  /// a person who stands hang higher than markStanding() looks.
+  static constexpr double kHandsOffFloor = 0.70;
+  /// Likewise: lower heads do not belong to people who stand.
+  static constexpr double kStandingHead = 0.85;
+  /// m: people whose highest point is lower lie, perhaps with raised knees; seated on the floor, the head is
+  /// at 0.8.
+  static constexpr double kLyingTop = 0.65;
+
   /// Of the initial search, until the person is found.
   struct Expected {
     bool away{false};
     std::optional<double> yaw;     ///< rad
     std::optional<bool> on_front;  ///< of a person who lies; nullopt: both are tried
   };
-  static constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10;  ///< of a search
+  static constexpr int kStartWideSteps = 6, kStartNarrowSteps = 10, kStartRounds = 3;  ///< of a search
   void loseSight();
   void searchAgain(double t);
   void find();
-  void tryStarts(const Vector3d& middle, double top, double facing, TrackedBody& best);
-  void tryRaised(const Vector3d& middle, double head, double facing, TrackedBody& best);
+  /// Of a search for somebody who does not lie.
+  struct Fits {
+    TrackedBody best;
+    AlikeFits all;
+  };
+  void tryStarts(const Vector3d& middle, double top, double facing, Fits& fits);
+  void tryRaised(const Vector3d& middle, double head, double facing, Fits& fits);
   void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
-                   double facing, TrackedBody& best);
+                   double facing, Fits& fits);
+  void tryBent(const Vector3d& middle, double top, Fits& fits);
+  void tryFrom(const RigPose& start, Fits& fits, int rounds = kStartRounds);
   void tryLying(const Vector3d& middle, TrackedBody& best);
   bool mayFace(double yaw) const;
-  void fitFrom(const RigPose& start);
+  void fitFrom(const RigPose& start, int rounds = kStartRounds);
   void placeBody();
   void uncrossLegs();
   void uncrossArms();
   void lowerLeg();
+  void plantLegs();
   void lowerArms();
   bool tryLikelier(const RigPose& start, double limit);
   void follow(double dt);
   void plantHiddenFeet();
   double headHeight() const;
+  bool isInView(const Vector3d& p_W) const;
   bool isHeadCut() const;
   bool areFeetCut() const;
+  bool showsFoot() const;
   void searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::Scope& legs);
   void finish(double t);
 

@@ -12,7 +12,8 @@ struct Facing {
   bool given{false};   ///< set by the user
   bool lies{false};    ///< in the images that were compared
   bool kneels{false};  ///< a body that faces either way kneels in more than half of them
-  bool is_cut{false};  ///< neither the head nor the feet are within more than half of them
+  /// More than half of them show neither the head nor the feet, or somebody who bends to the floor.
+  bool shows_little{false};
   /// Of the first images, facing away over facing the camera: the ratio of the fit costs, of people who do
   /// not lie with the factors of FacingTrial; NaN: not compared.
   double ratio{kNaN};
@@ -26,11 +27,11 @@ struct Facing {
   /// Likewise that people on the knees face away: with coarse images, that of 5 m, the ratio of those who
   /// face the camera was down to 0.79.
   static constexpr double kSureKneelingAway = 1.5;
-  /// Likewise without head and feet: a trunk with an arm faced the wrong way at 2.5.
-  static constexpr double kSureCut = 4.0;
-  double sure() const { return lies ? kSureLying : is_cut ? kSureCut : kSure; }
+  /// Likewise if they show little: a trunk with an arm faced the wrong way at 2.5, a bent person at 1.6.
+  static constexpr double kSureOfLittle = 4.0;
+  double sure() const { return lies ? kSureLying : shows_little ? kSureOfLittle : kSure; }
   double sureAway() const {
-    if (lies || is_cut) return sure();
+    if (lies || shows_little) return sure();
     return kneels ? kSureKneelingAway : kSureAway;
   }
   bool decided() const { return given || ratio < 1.0 / sureAway() || ratio > sure(); }

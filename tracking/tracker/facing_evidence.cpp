@@ -25,7 +25,7 @@ FacingEvidence facingEvidence(const BodyTracker& tracker) {
       tracker.fit().placeCost(tracker.seen(), body.X_WS,
                               DepthFit::bit(RigSegment::kFootLeft) | DepthFit::bit(RigSegment::kFootRight));
   evidence.kneels = kneels(body.X_WS);
-  evidence.is_cut = tracker.isCutAtBothEnds();
+  evidence.shows_little = tracker.isCutAtBothEnds() || tracker.isBent();
   evidence.p_WP = body.pose.X_WP.translation();
   evidence.distance = kInfinity;
   for (const BodyView& view : tracker.seen().views())

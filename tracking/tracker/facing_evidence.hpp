@@ -9,12 +9,12 @@ namespace abstand::tracking {
 struct FacingEvidence {
   static constexpr double kLow = 0.2;  ///< m above the floor: feet and ankles
 
-  double cost{kNaN};       ///< m^2, Misfit::cost
-  double low_points{0.0};  ///< number of points below kLow
-  double low_cost{0.0};    ///< m^2, sum of their robust squares
-  double empty_cost{0.0};  ///< m^2, DepthFit::placeCost of the feet: toes in empty space
-  bool kneels{false};      ///< a knee is on the floor: the toes point backwards
-  bool is_cut{false};      ///< neither the head nor the feet are within the images
+  double cost{kNaN};         ///< m^2, Misfit::cost
+  double low_points{0.0};    ///< number of points below kLow
+  double low_cost{0.0};      ///< m^2, sum of their robust squares
+  double empty_cost{0.0};    ///< m^2, DepthFit::placeCost of the feet: toes in empty space
+  bool kneels{false};        ///< a knee is on the floor: the toes point backwards
+  bool shows_little{false};  ///< neither the head nor the feet, or a bent person
 
   double distance{0.0};                   ///< m, of the pelvis from the nearest camera
   Vector3d p_WP{Vector3d::Zero()};        ///< m, the pelvis

@@ -27,7 +27,7 @@ void FacingTrial::add(double t, const FacingEvidence& camera, const FacingEviden
   const bool feet_count = !away.kneels;
   if (feet_count) ++images_of_feet_;
   if (camera.kneels || away.kneels) ++images_on_knees_;
-  if (camera.is_cut || away.is_cut) ++images_cut_;
+  if (camera.shows_little || away.shows_little) ++images_of_little_;
   camera_.add(camera, feet_count);
   away_.add(away, feet_count);
   const Vector3d p_W = 0.5 * (camera.p_WP + away.p_WP);
@@ -67,7 +67,7 @@ void FacingTrial::judge(Facing& facing) const {
   if (images_ < kMinImages && !(images_ >= kFewImages && clearness() > kClear)) return;
   facing.ratio = ratio();
   facing.kneels = 2 * images_on_knees_ > images_;
-  facing.is_cut = 2 * images_cut_ > images_;
+  facing.shows_little = 2 * images_of_little_ > images_;
 }
 
 }  // namespace abstand::tracking

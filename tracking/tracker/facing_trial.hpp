@@ -67,9 +67,9 @@ class FacingTrial {
     void add(const FacingEvidence& evidence, bool feet_count);
   };
   std::size_t images_{0};
-  std::size_t images_of_feet_{0};   ///< those in which the feet of both bodies are compared
-  std::size_t images_on_knees_{0};  ///< those in which any of the bodies kneels
-  std::size_t images_cut_{0};       ///< those that show neither head nor feet of any of the bodies
+  std::size_t images_of_feet_{0};    ///< those in which the feet of both bodies are compared
+  std::size_t images_on_knees_{0};   ///< those in which any of the bodies kneels
+  std::size_t images_of_little_{0};  ///< those that show neither head nor feet of any of the bodies
   Sums camera_, away_;
   double last_t_{kNaN};                ///< s
   Vector3d last_p_{Vector3d::Zero()};  ///< m, middle of both pelves

@@ -2,6 +2,7 @@
 #include "tracking/tracker/leg_posture.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tracking/tracker/limb_search.hpp"
 
@@ -9,7 +10,10 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kLeftLeg = 2, kRightLeg = 3;  // of kLimbs
-constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
+constexpr double kKneeOnFloor = 0.20;      // m; the knees of people who sit on a chair are at 0.4 and more
+constexpr double kBentKnee = 1.0;          // rad
+constexpr double kBelowHip = 0.2;          // m
+constexpr double kAnkleOfStanding = 0.08;  // m
 constexpr double kRaised = 0.25;  // m, of an ankle above the other one; feet of people who walk stay lower
 
 double ankleHeight(const RigPlacement& X_WS, std::size_t leg) {
@@ -28,6 +32,18 @@ std::optional<std::size_t> raisedLeg(const RigPlacement& X_WS) {
   if (left > right + kRaised) return kLeftLeg;
   if (right > left + kRaised) return kRightLeg;
   return std::nullopt;
+}
+
+std::optional<RigPose> plantedLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS,
+                                  std::size_t leg) {
+  const Limb& limb = kLimbs[leg];
+  if (std::abs(pose.angle[index(limb.lower)][0]) < kBentKnee) return std::nullopt;
+  Vector3d below = X_WS[index(limb.upper)].translation();
+  below.z() = kAnkleOfStanding;
+  if ((X_WS[index(limb.end)].translation() - below).norm() < kBelowHip) return std::nullopt;
+  RigPose planted = pose;
+  reachFor(rig, limb, X_WS, below, 0.0, planted);
+  return planted;
 }
 
 RigPose loweredLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, std::size_t leg) {

@@ -17,6 +17,11 @@ bool kneels(const RigPlacement& X_WS);
 /// the far arm.
 std::optional<std::size_t> raisedLeg(const RigPlacement& X_WS);
 
+/// The pose with the ankle of kLimbs[`leg`] on the floor below the hip, if the knee is bent and the ankle far
+/// from there; otherwise nullopt. Does not allocate or throw.
+std::optional<RigPose> plantedLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS,
+                                  std::size_t leg);
+
 /// The pose with kLimbs[`leg`] beside the other leg. `X_WS`: the placement of `pose`. Does not allocate or
 /// throw.
 RigPose loweredLeg(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, std::size_t leg);

@@ -52,6 +52,21 @@ void BodyTracker::lowerLeg() {
   if (tryLikelier(start, kLikelierCost)) velocity_.setZero();
 }
 
+/// A leg that a fit has folded where the images end, as of somebody who squats close to a camera: the foot is
+/// below the hip.
+void BodyTracker::plantLegs() {
+  if (lying_.lies) return;
+  for (std::size_t k = 0; k < kLimbs.size(); ++k) {
+    if (kLimbs[k].isArm()) continue;
+    const std::optional<RigPose> planted = plantedLeg(*rig_, body_.pose, body_.X_WS, k);
+    if (!planted) continue;
+    RigPlacement X_WS;
+    place(*rig_, *planted, X_WS);
+    if (isInView(X_WS[index(kLimbs[k].end)].translation())) continue;
+    if (tryLikelier(*planted, kLikelierCost)) velocity_.setZero();
+  }
+}
+
 /// An arm that was raised and whose forearm is hidden: the upper arm may explain points of the neck or the
 /// head that their shapes do not.
 void BodyTracker::lowerArms() {

@@ -1,7 +1,7 @@
 // Initial poses of people who lie, and which of their fits count.
 #pragma once
 
-#include "tracking/body/body_rig.hpp"
+#include "tracking/tracker/alike_fits.hpp"
 #include "tracking/tracker/body_view.hpp"
 
 namespace abstand::tracking {
@@ -9,13 +9,10 @@ namespace abstand::tracking {
 /// m, of a person who stands.
 double vertexAbovePelvis(const BodyRig& rig);
 
-/// m, for each joint.
-using JointRadii = std::array<double, humanmodel::kJointCount>;
-
-/// What is known of a person who was found lying.
+/// What is known of a person who was found lying, or low, as bent.
 struct Lying {
   bool lies{false};              ///< found by this search, and low since
-  JointRadii apart{};            ///< LyingFits::apart()
+  JointRadii apart{};            ///< LyingFits::apart(), or AlikeFits::apart()
   double front_over_back{kNaN};  ///< LyingFits::frontOverBack() of the last search; NaN: of none
 };
 

@@ -28,7 +28,7 @@ TEST(Facing, AwayOfPeopleWhoKneelNeedsMore) {
 }
 
 TEST(Facing, OfTrunksWithoutHeadAndFeetNeedsMore) {
-  const auto decided = [](double ratio) { return Facing{.is_cut = true, .ratio = ratio}.decided(); };
+  const auto decided = [](double ratio) { return Facing{.shows_little = true, .ratio = ratio}.decided(); };
   for (const double ratio : {0.24, 4.1}) EXPECT_TRUE(decided(ratio)) << ratio;
   for (const double ratio : {0.26, 1.0, 2.5, 3.9}) EXPECT_FALSE(decided(ratio)) << ratio;
 }

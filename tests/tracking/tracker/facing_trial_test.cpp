@@ -147,12 +147,12 @@ TEST(FacingTrial, PersonIsCutIfAnyBodyIsInMostImages) {
     FacingTrial trial;
     for (std::size_t i = 0; i < FacingTrial::kMinImages; ++i) {
       FacingEvidence camera = evidenceOf(1.0);
-      camera.is_cut = i < cut;
+      camera.shows_little = i < cut;
       trial.add(kPeriod * static_cast<double>(i), camera, evidenceOf(1.0));
     }
     Facing facing;
     trial.judge(facing);
-    EXPECT_EQ(facing.is_cut, 2 * cut > FacingTrial::kMinImages) << cut;
+    EXPECT_EQ(facing.shows_little, 2 * cut > FacingTrial::kMinImages) << cut;
   }
 }
 

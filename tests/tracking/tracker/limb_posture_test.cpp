@@ -56,6 +56,25 @@ TEST_F(LimbPosture, LoweredLegIsBesideTheOtherOne) {
     EXPECT_LE((lowered[index(joint)].translation() - upright[index(joint)].translation()).norm(), kNearly);
 }
 
+// Both feet of a squatting body, of which one was folded backwards.
+TEST_F(LimbPosture, FoldedLegIsPlantedBelowTheHip) {
+  constexpr double kSquat = 0.45, kAnkle = 0.15;  // m, from the floor to the hips, to the ankle at most
+  EXPECT_FALSE(plantedLeg(rig, RigPose{}, upright, kLeftLeg)) << "straight";
+  RigPose pose;
+  pose.X_WP = upright[0];
+  pose.X_WP.translation().z() = kSquat;
+  const RigPlacement low = placed(pose);
+  const Vector3d hip = low[index(kLimbs[kLeftLeg].upper)].translation();
+  reachFor(rig, kLimbs[kLeftLeg], low, hip - Vector3d(0.35, 0.0, 0.1), 0.0, pose);
+  const std::optional<RigPose> planted = plantedLeg(rig, pose, placed(pose), kLeftLeg);
+  ASSERT_TRUE(planted);
+  const RigPlacement X_WS = placed(*planted);
+  const Vector3d ankle = X_WS[index(kLimbs[kLeftLeg].end)].translation();
+  EXPECT_LE((ankle - hip).head<2>().norm(), kNearly);
+  EXPECT_LE(ankle.z(), kAnkle);
+  EXPECT_FALSE(plantedLeg(rig, *planted, X_WS, kLeftLeg)) << "is there";
+}
+
 TEST_F(LimbPosture, RaisedArmIsHungBesideTheTrunk) {
   const Limb& arm = kLimbs[kRightArm];
   EXPECT_FALSE(isRaised(upright, arm));

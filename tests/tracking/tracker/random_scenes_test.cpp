@@ -65,7 +65,9 @@ INSTANTIATE_TEST_SUITE_P(
     RandomScenes, DrawnClip,
     ::testing::Values(Drawn{1, 8, 1.0, "RaisedHandSeenFromTheSide"}, Drawn{1, 17, 0.8, "SquatsAndRises"},
                       Drawn{1, 19, 1.0, "CutOffAtTheChest"}, Drawn{1, 24, 1.0, "KneelsWithRaisedHands"},
-                      Drawn{1, 37, 0.55, "BendsAtFirst"}, Drawn{5, 48, 1.0, "SitsOnTheFloor"}),
+                      Drawn{1, 37, 0.9, "BendsAtFirst"}, Drawn{5, 6, 0.8, "BendsToTheFloorNearTheCamera"},
+                      Drawn{5, 48, 1.0, "SitsOnTheFloor"}, Drawn{8, 41, 1.0, "BackWithoutHeadAndFeet"},
+                      Drawn{8, 47, 0.75, "RisesNearTheCamera"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 
 }  // namespace random_scenes_test

@@ -15,7 +15,7 @@ LearnedBackground::LearnedBackground(std::size_t pixels, double learn_after)
     : learn_after_{static_cast<float>(learn_after)}, unassigned_(pixels), background_(pixels) {}
 
 void LearnedBackground::set(std::size_t pixel, float z) {
-  background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f};
+  background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f, z};
 }
 
 bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uint8_t label,

@@ -24,17 +24,24 @@ class LearnedBackground {
   /// Whether a depth `z` (m) is that of the background: within four mean deviations (somewhat more than three
   /// standard deviations), or within the camera's own variation.
   bool has(std::size_t pixel, float z) const { return isStable(background_[pixel], z); }
+  /// Whether an unassigned surface at depth `z` (m) has been stable for kSettled.
+  bool hasSettled(std::size_t pixel, float z) const {
+    return unassigned_[pixel].duration >= kSettled && isStable(unassigned_[pixel], z);
+  }
+  /// m; change of the mean depth of a settled surface, since it was stable for kReferenceAt.
+  float drift(std::size_t pixel) const { return unassigned_[pixel].z - unassigned_[pixel].reference; }
   /// An unassigned surface at depth `z` (m), `dt` (s) after the last image.
   void learn(std::size_t pixel, float z, float dt) {
     constexpr float kNew = 0.1f;  // weight of the newest depth in the means
     StablePixel& surface = unassigned_[pixel];
     if (!isStable(surface, z)) {
-      surface = {z, 0.5f * depthNoise(z), 0.0f};
+      surface = {z, 0.5f * depthNoise(z), 0.0f, z};
       return;
     }
     surface.deviation += kNew * (std::abs(z - surface.z) - surface.deviation);
     surface.z += kNew * (z - surface.z);
     surface.duration += dt;
+    if (surface.duration < kReferenceAt) surface.reference = surface.z;
     if (surface.duration >= learn_after_) background_[pixel] = surface;
   }
   /// A surface of a person: what was seen of an unassigned one is discarded.
@@ -46,16 +53,18 @@ class LearnedBackground {
   bool continues(std::span<const std::uint8_t> labels, std::uint8_t label, const DepthImage& image) const;
 
  private:
-  /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), and duration (s).
+  /// Depth history of a pixel: mean depth (m; 0: none), mean absolute deviation (m), duration (s), and the
+  /// mean depth at kReferenceAt.
   struct StablePixel {
-    float z{0.0f}, deviation{0.0f}, duration{0.0f};
+    float z{0.0f}, deviation{0.0f}, duration{0.0f}, reference{0.0f};
   };
   static bool isStable(const StablePixel& surface, float z) {
     return surface.z > 0.0f && std::abs(z - surface.z) <
                                    std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
   }
 
-  static constexpr float kMaxDeviation = 0.3f;  ///< m; surfaces that vary more are not static
+  static constexpr float kReferenceAt = 0.5f, kSettled = 0.7f;  ///< s
+  static constexpr float kMaxDeviation = 0.3f;                  ///< m; surfaces that vary more are not static
 
   float learn_after_;
   std::vector<StablePixel> unassigned_;  ///< current unassigned surface

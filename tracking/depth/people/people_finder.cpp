@@ -11,18 +11,9 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr double kGate = 0.35, kGateGrowth = 1.5, kMaxGate = 1.0;  // m, m/s, m: search radius around the last
-                                                                   // position
-constexpr double kJump = 0.3;   // m: limit of a person's motion between two images
-constexpr double kYoung = 1.0;  // s
-// s, m, m/s: who appears at the side of the image, where somebody was not seen for longer, is the same person
-// if the head is as high, compared with the highest of the last second. Elsewhere things hide people, who
-// bend behind them.
-constexpr double kSureAbsence = 0.5, kSameHeight = 0.12, kTopFalls = 0.3;
-constexpr double kAtSide = 0.5;  // m
-// m: new persons are at least this far from others; farther if their heads are so low that they are likelier
-// the back of a chair, or a part of the other.
-constexpr double kSplit = 0.4, kSplitLow = 0.8;
+// m: new persons are this far from others (kPeopleApart otherwise) if their heads are so low that they are
+// likelier the back of a chair, or a part of the other.
+constexpr double kSplitLow = 0.8;
 constexpr float kLowestOfNew = 1.2f;  // m
 // Cells of shoulders (Head::shoulders) of a new person, of one with less than kSmallBody (m^2) of surface,
 // and of one whose head is that low. Most heads of people have more than 4, but fewer in some images with
@@ -41,12 +32,14 @@ constexpr double kConnectedWithin = 0.2, kConnectedArea = 0.02;
 constexpr int kSureShoulders = 19;
 constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
-// m: a person who was found this near to an arrival is the one who arrived.
-constexpr double kSameArrival = 0.5;
-constexpr double kExpectedArea = 0.8;  // share of the surface at the arrival
 
 std::size_t pixelsOf(const DepthCamera& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
+}
+
+/// Whether a known object is nearer than `z` (m) at a pixel.
+bool hides(const DepthImage& known, std::size_t pixel, float z) {
+  return known.z[pixel] > 0.0f && known.z[pixel] < z;
 }
 
 }  // namespace
@@ -57,7 +50,8 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
       things_(camera),
       pieces_(camera),
       is_object_(pixelsOf(camera), 0),
-      background_(pixelsOf(camera), options.learn_after) {
+      background_(pixelsOf(camera), options.learn_after),
+      followed_(camera, options.keep, options.without_head) {
   floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixelsOf(camera), -1);
@@ -65,15 +59,12 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
   heads_.reserve(kMaxPeople);
-  tracks_.reserve(kMaxPeople);
-  arrivals_.reserve(kMaxArrivals);
   people_.persons.reserve(kMaxPeople);
 }
 
 void PeopleFinder::expect(SeenBefore seen) {
-  expected_ = std::move(seen.arrivals);
+  followed_.expect(std::move(seen.arrivals));
   things_.expect(seen.things);
-  for (const Arrival& arrival : expected_) next_id_ = std::max(next_id_, arrival.id + 1);
 }
 
 void PeopleFinder::findFloor(double t, const DepthImage& image) {
@@ -149,76 +140,17 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
         continue;
       }
       cell_of_[i] = cell;
-      plan_.add(cell, static_cast<double>(h), static_cast<double>(z * z) * pixel);
+      const double area = static_cast<double>(z * z) * pixel;
+      plan_.add(cell, static_cast<double>(h), area);
+      if (background_.hasSettled(i, z))
+        plan_.addSettled(cell, area, static_cast<double>(background_.drift(i)));
+      if (known && (hides(*known, i - (u > 0), z) || hides(*known, i + (u + 1 < image.width), z)))
+        plan_.markBesideKnown(cell);
       if (v < kBorderRows) plan_.markCut(cell);
       if (u < kBorderColumns || u >= image.width - kBorderColumns) plan_.markSide(cell);
     }
   }
   plan_.join();
-}
-
-double PeopleFinder::topOf(const Head& head) const { return static_cast<double>(plan_.cell(head.cell).top); }
-
-PeopleFinder::Place PeopleFinder::predicted(const Track& track, double t) {
-  return track.place + track.speed * std::min(t - track.seen, 0.3);
-}
-
-/// The nearest pair of a head and a person who has none yet, of those who were seen last, or of the others.
-PeopleFinder::Match PeopleFinder::nearestHead(double t, bool is_absent) {
-  Match nearest;
-  double best = kInfinity;
-  for (Track& track : tracks_) {
-    if (track.matched || (t - track.seen > kSureAbsence) != is_absent) continue;
-    const double gate = std::min(kGate + kGateGrowth * (t - track.seen), kMaxGate);
-    const bool is_compared = is_absent && isAtSide(track.place);
-    for (auto head = heads_.begin(); head != heads_.end(); ++head) {
-      if (is_compared && std::abs(topOf(*head) - track.top) > kSameHeight) continue;
-      const double distance = (head->place - predicted(track, t)).norm();
-      if (distance < std::min(best, gate)) best = distance, nearest = {&track, head};
-    }
-  }
-  return nearest;
-}
-
-void PeopleFinder::follow(double t) {
-  std::erase_if(tracks_, [](const Track& track) { return !std::isfinite(track.seen); });
-  for (Track& track : tracks_) track.here = track.matched = track.suspect = false;
-  const auto meet = [&](Track& track, const Place& place, bool has_head, double top) {
-    const double dt = t - track.seen;
-    track.top = std::max(top, track.top - kTopFalls * dt);
-    if (dt > 0.0 && dt < 0.5) track.speed = 0.7 * track.speed + 0.3 * (place - track.place) / dt;
-    track.suspect = t - track.born < kYoung || (place - track.place).norm() > kJump;
-    track.place = place;
-    track.seen = t;
-    if (has_head) track.head_seen = t;
-    track.here = true;
-    track.matched = has_head;
-  };
-  // Heads and persons greedily, nearest pair first, before those who were not seen for a while.
-  for (const bool is_absent : {false, true})
-    for (auto match = nearestHead(t, is_absent); match.track; match = nearestHead(t, is_absent)) {
-      meet(*match.track, middleOfBody(plan_, match.head->place), true, topOf(*match.head));
-      heads_.erase(match.head);
-    }
-  // Persons without a visible head stay with the surface at their last position.
-  for (Track& track : tracks_) {
-    if (track.matched || t - track.head_seen > options_.without_head) continue;
-    if (t - track.seen > kSureAbsence && isAtSide(track.place)) continue;
-    const Place place = middleOfBody(plan_, predicted(track, t));
-    bool is_free = true;
-    for (const Track& other : tracks_)
-      is_free = is_free && (!other.here || (other.place - place).norm() > kHeadsApart);
-    if (is_free && (place - track.place).norm() < kMaxGate && bodyArea(plan_, place, kBodyRadius) >= kMinBody)
-      meet(track, place, false, -kInfinity);
-  }
-  std::erase_if(tracks_, [&](const Track& track) { return t - track.seen > options_.keep; });
-}
-
-/// Whether a person at a place may leave the image to the left or right.
-bool PeopleFinder::isAtSide(const Place& place) const {
-  const double left = -camera_.cx / camera_.fx * place.y(),
-               right = (camera_.width - 1 - camera_.cx) / camera_.fx * place.y();
-  return std::min(place.x() - left, right - place.x()) < kAtSide;
 }
 
 /// Heads that no known person has are those of new people.
@@ -234,18 +166,17 @@ void PeopleFinder::addHeads(double t, const DepthImage& image) {
     const int fewest = is_low                   ? kMinShouldersOfLow
                        : head.body < kSmallBody ? kMinShouldersOfSmall
                                                 : kMinShoulders;
-    bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople) && head.shoulders >= fewest &&
-                  head.body >= kFewestBody;
-    const double apart = is_low ? kSplitLow : kSplit;
+    bool is_new = !followed_.full() && head.shoulders >= fewest && head.body >= kFewestBody;
+    const double apart = is_low ? kSplitLow : kPeopleApart;
     bool is_near = false;
-    for (const Track& track : tracks_) {
-      if (!track.here || (track.born == t && !is_low)) continue;
-      const double distance = (track.place - place).norm();
+    for (const FollowedPerson& person : followed_.all()) {
+      if (!person.here || (person.born == t && !is_low)) continue;
+      const double distance = (person.place - place).norm();
       is_new = is_new && distance >= apart && (distance >= kSplitLow || head.body >= kBodyBeside);
       is_near = is_near || distance < kSplitLow;
     }
     if (is_new && is_near) is_new = hasOwnBody(head, image);
-    if (is_new) addTrack(t, place, idAt(t, place));
+    if (is_new) followed_.add(t, plan_, place);
   }
 }
 
@@ -260,66 +191,21 @@ bool PeopleFinder::hasOwnBody(const Head& head, const DepthImage& image) {
   const SurfacePiece piece = pieces_.pieceAt(seed, image, is_object_, 1);
   const double own = pieces_.areaWithin(piece, image, cell_of_, head.place, kBodyRadius);
   double others = 0.0;
-  for (const Track& track : tracks_)
-    if (track.here) others += pieces_.areaWithin(piece, image, cell_of_, track.place, kConnectedWithin);
+  for (const FollowedPerson& person : followed_.all())
+    if (person.here) others += pieces_.areaWithin(piece, image, cell_of_, person.place, kConnectedWithin);
   return others < kConnectedArea && (own >= kBodyBeside || head.shoulders >= kSureShoulders);
-}
-
-/// People who will be found soon, and are already where they will be.
-void PeopleFinder::addExpected(double t) {
-  for (std::size_t k = 0; k < expected_.size();) {
-    const Arrival arrival = expected_[k];
-    bool is_new = t < arrival.t && t >= arrival.t - kForesight &&
-                  tracks_.size() < static_cast<std::size_t>(kMaxPeople) &&
-                  bodyArea(plan_, arrival.place, kBodyRadius) >= kExpectedArea * arrival.area;
-    for (const Track& track : tracks_)
-      is_new = is_new && !(track.here && (track.place - arrival.place).norm() < kSplit);
-    if (!is_new) {
-      ++k;
-      continue;
-    }
-    expected_.erase(expected_.begin() + static_cast<std::ptrdiff_t>(k));
-    addTrack(t, arrival.place, arrival.id).arrives = arrival.t;
-  }
-}
-
-/// The id of who arrives now at a place, who is then expected no more, or a new one.
-int PeopleFinder::idAt(double t, const Place& place) {
-  const auto distance = [&](const Arrival& arrival) {
-    return std::abs(arrival.t - t) <= kForesight ? (arrival.place - place).norm() : kInfinity;
-  };
-  const auto nearest =
-      std::min_element(expected_.begin(), expected_.end(),
-                       [&](const Arrival& a, const Arrival& b) { return distance(a) < distance(b); });
-  if (nearest == expected_.end() || distance(*nearest) >= kSameArrival) return next_id_++;
-  const int id = nearest->id;
-  expected_.erase(nearest);
-  return id;
-}
-
-PeopleFinder::Track& PeopleFinder::addTrack(double t, const Place& place, int id) {
-  Track track;
-  track.id = id;
-  if (arrivals_.size() < kMaxArrivals)
-    arrivals_.push_back({track.id, place, bodyArea(plan_, place, kBodyRadius), t});
-  track.place = place;
-  track.born = track.seen = track.head_seen = t;
-  track.here = track.suspect = true;
-  const auto after =
-      std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& other) { return other.id > track.id; });
-  return *tracks_.insert(after, track);
 }
 
 /// People who lie have no head of that kind: those who are followed stay, others are new.
 void PeopleFinder::followLying(double t) {
   lying_.find(plan_);
-  for (const Place& place : lying_.places()) keepOrAdd(t, place, kLyingReach);
+  for (const Place& place : lying_.places()) followed_.keepOrAdd(t, plan_, place, kLyingReach);
 }
 
 /// Likewise people whose heads are above the image.
 void PeopleFinder::followHeadless(double t) {
   headless_.find(plan_);
-  for (const Place& place : headless_.places()) keepOrAdd(t, place, kSplitLow);
+  for (const Place& place : headless_.places()) followed_.keepOrAdd(t, plan_, place, kSplitLow);
 }
 
 /// Likewise people who sit on the floor, by their heads.
@@ -327,18 +213,13 @@ void PeopleFinder::followOnFloor(double t) {
   findHeads(plan_, kLowHeads, kMaxPeople, heads_);
   for (const Head& head : heads_)
     if (head.shoulders >= kSureShoulders && head.body >= kBodyBeside)
-      keepOrAdd(t, middleOfBody(plan_, head.place), kSplitLow);
+      followed_.keepOrAdd(t, plan_, middleOfBody(plan_, head.place), kSplitLow);
 }
 
-/// A person at a place, without a head: one that is there within `reach` (m), or a new one.
-void PeopleFinder::keepOrAdd(double t, const Place& place, double reach) {
-  bool is_new = tracks_.size() < static_cast<std::size_t>(kMaxPeople);
-  for (Track& track : tracks_) {
-    if (!track.here || (track.place - place).norm() > reach) continue;
-    track.head_seen = t;
-    is_new = false;
-  }
-  if (is_new) addTrack(t, place, idAt(t, place));
+/// Likewise people who squat or bend with the head lower than the back.
+void PeopleFinder::followCrouched(double t) {
+  crouched_.find(t, plan_, [this](const Place& place) { return followed_.mayDisturb(place); });
+  for (const Place& place : crouched_.places()) followed_.keepOrAddCrouched(t, plan_, place, kSplitLow);
 }
 
 void PeopleFinder::label(const DepthImage& image) {
@@ -349,29 +230,29 @@ void PeopleFinder::label(const DepthImage& image) {
 }
 
 void PeopleFinder::dropUncovered(const DepthImage& image) {
-  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+  const std::vector<FollowedPerson>& people = followed_.all();
+  for (std::size_t k = 0; k < people.size(); ++k) {
     const auto label = static_cast<std::uint8_t>(k + 1);
-    if (!tracks_[k].here || !tracks_[k].suspect || !background_.continues(people_.label, label, image))
+    if (!people[k].here || !people[k].suspect || !background_.continues(people_.label, label, image))
       continue;
     for (std::size_t i = 0; i < image.z.size(); ++i) {
       if (people_.label[i] != label) continue;
       people_.label[i] = 0;
       background_.set(i, image.z[i]);
     }
-    std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.id == tracks_[k].id; });
-    tracks_[k].here = false;
-    tracks_[k].seen = -kInfinity;  // removed with the next image
+    followed_.withdraw(k);
   }
 }
 
 void PeopleFinder::describe(double t, const DepthImage& image) {
+  const std::vector<FollowedPerson>& people = followed_.all();
   const float dt = std::isfinite(last_t_) ? static_cast<float>(t - last_t_) : 0.0f;
   struct Sum {
     Vector3d p{Vector3d::Zero()};
     FoundPerson person;
   };
   std::array<Sum, kMaxPeople> sums;
-  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+  for (std::size_t p = 0; p < people.size(); ++p) {
     sums[p].person.left = image.width;
     sums[p].person.above = image.height;
     sums[p].person.top = 0.0;
@@ -399,11 +280,11 @@ void PeopleFinder::describe(double t, const DepthImage& image) {
     }
   std::array<std::uint8_t, kMaxPeople + 1> number{};
   bool is_same = true;
-  for (std::size_t p = 0; p < tracks_.size(); ++p) {
+  for (std::size_t p = 0; p < people.size(); ++p) {
     FoundPerson& person = sums[p].person;
     if (person.pixels >= kMinPixels) {
-      person.id = tracks_[p].id;
-      person.foreseen = t < tracks_[p].arrives;
+      person.id = people[p].id;
+      person.foreseen = t < people[p].arrives;
       person.centroid = sums[p].p / static_cast<double>(person.pixels);
       people_.persons.push_back(person);
       number[p + 1] = static_cast<std::uint8_t>(people_.persons.size());
@@ -423,22 +304,23 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   things_.look(image);
   projectToPlan(image, known);
   findHeads(plan_, kHighHeads, kMaxPeople, heads_);
-  follow(t);
+  followed_.follow(t, plan_, heads_);
   addHeads(t, image);
   followLying(t);
   followHeadless(t);
   followOnFloor(t);
-  addExpected(t);
+  followCrouched(t);
+  followed_.addExpected(t, plan_);
+  const std::vector<FollowedPerson>& people = followed_.all();
   std::array<std::optional<Place>, kMaxPeople> places;
-  for (std::size_t p = 0; p < tracks_.size(); ++p)
-    if (tracks_[p].here) places[p] = tracks_[p].place;
-  assignCells(std::span(places).first(tracks_.size()), plan_);
+  for (std::size_t p = 0; p < people.size(); ++p)
+    if (people[p].here) places[p] = people[p].place;
+  assignCells(std::span(places).first(people.size()), plan_);
   label(image);
   dropUncovered(image);
-  for (std::size_t p = 0; p < tracks_.size(); ++p)
-    if (tracks_[p].here)
-      things_.find(image, plane_, cell_of_, tracks_[p].place, static_cast<std::uint8_t>(p + 1),
-                   people_.label);
+  for (std::size_t p = 0; p < people.size(); ++p)
+    if (people[p].here)
+      things_.find(image, plane_, cell_of_, people[p].place, static_cast<std::uint8_t>(p + 1), people_.label);
   describe(t, image);
   last_t_ = t;
   return people_;

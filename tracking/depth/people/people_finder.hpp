@@ -1,7 +1,9 @@
 // Finds people in images of a fixed depth camera.
 #pragma once
 
+#include "tracking/depth/people/crouched_people.hpp"
 #include "tracking/depth/people/floor_plane.hpp"
+#include "tracking/depth/people/followed_people.hpp"
 #include "tracking/depth/people/furniture.hpp"
 #include "tracking/depth/people/headless_people.hpp"
 #include "tracking/depth/people/heads.hpp"
@@ -18,14 +20,6 @@ struct PeopleFinderOptions {
   double keep{2.0};           ///< s; time for which an unseen person keeps the id
   double without_head{10.0};  ///< s; time for which a person is followed without a visible head
   std::uint64_t seed{1};      ///< for the floor search
-};
-
-/// Where and when a person was first found.
-struct Arrival {
-  int id{-1};
-  PlanView::Place place{PlanView::Place::Zero()};  ///< m, in the plan view of the camera
-  double area{0.0};                                ///< m^2 of visible surface around it
-  double t{0.0};                                   ///< s
 };
 
 /// What a finder knows after a recording.
@@ -54,7 +48,8 @@ struct PeopleImage {
 /// a body. Touching people are separated by their heads and their earlier positions; people who overlap in
 /// the image but not on the floor are separate anyway. Detected people are followed without a visible head,
 /// too. A person who lies is detected by the outline (LyingPeople), one whose head is above the image, or
-/// beside or under the hands, by the trunk (HeadlessPeople). Raised fists above one trunk are one person
+/// beside or under the hands, by the trunk (HeadlessPeople). One who squats or bends, with the head lower
+/// than the back, is detected while moving (CrouchedPeople). Raised fists above one trunk are one person
 /// (shareTrunk).
 ///
 /// Surfaces too large and flat for a person (Furniture) belong to nobody, nor do things that stand beside a
@@ -73,20 +68,17 @@ struct PeopleImage {
 /// image. Cost: see README.md.
 class PeopleFinder {
  public:
-  static constexpr int kMaxPeople = 64;  ///< at once
-  static constexpr std::size_t kMaxArrivals = 1024;
+  static constexpr int kMaxPeople = FollowedPeople::kMax;  ///< at once
 
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
   /// Of a finder that has seen the same images: these people get the same ids, and are foreseen in up to
-  /// kForesight of images before, as soon as a surface of the size that they had is at the place. Things are
-  /// known from the first image on.
+  /// FollowedPeople::kForesight of images before, as soon as a surface of the size that they had is at the
+  /// place. Things are known from the first image on.
   void expect(SeenBefore seen);
-  static constexpr double kForesight = 1.0;  ///< s
-  /// Of all people so far, at most kMaxArrivals.
-  const std::vector<Arrival>& arrivals() const { return arrivals_; }
+  const std::vector<Arrival>& arrivals() const { return followed_.arrivals(); }
   /// These, and the things in the last image.
-  SeenBefore seen() const { return {arrivals_, things_.things()}; }
+  SeenBefore seen() const { return {arrivals(), things_.things()}; }
 
   /// `t` (s) increases. `known`: depths (m; 0: none) of known objects, such as a robot; pixels within 6 cm of
   /// them or behind them are unassigned. The result is valid until the next call.
@@ -97,41 +89,17 @@ class PeopleFinder {
 
  private:
   using Place = PlanView::Place;
-  struct Track {
-    int id{-1};
-    Place place{Place::Zero()}, speed{Place::Zero()};  ///< m, m/s
-    double born{0.0}, seen{0.0}, head_seen{0.0};       ///< s, first seen, last seen, last seen with a head
-    double arrives{-kInfinity};                        ///< s; foreseen before
-    double top{-kInfinity};                            ///< m, height of the head, of the last second
-    bool here{false};                                  ///< seen in this image
-    bool matched{false};                               ///< matched to a head of this image
-    bool suspect{false};  ///< younger than a second, or at a place where it was not
-                          ///< before
-  };
 
   void findFloor(double t, const DepthImage& image);
   void estimateFloorFromScene(const DepthImage& image);
   void projectToPlan(const DepthImage& image, const DepthImage* known);
   void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
-  void follow(double t);
-  /// `track` is null if there is none.
-  struct Match {
-    Track* track{nullptr};
-    std::vector<Head>::iterator head{};
-  };
-  Match nearestHead(double t, bool is_absent);
-  static Place predicted(const Track& track, double t);
-  double topOf(const Head& head) const;
-  bool isAtSide(const Place& place) const;
   void addHeads(double t, const DepthImage& image);
   bool hasOwnBody(const Head& head, const DepthImage& image);
   void followLying(double t);
   void followHeadless(double t);
   void followOnFloor(double t);
-  void keepOrAdd(double t, const Place& place, double reach);
-  void addExpected(double t);
-  int idAt(double t, const Place& place);
-  Track& addTrack(double t, const Place& place, int id);
+  void followCrouched(double t);
   void label(const DepthImage& image);
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
@@ -146,6 +114,7 @@ class PeopleFinder {
   Furniture furniture_;
   LyingPeople lying_;
   HeadlessPeople headless_;
+  CrouchedPeople crouched_;
   ThingsBeside things_;
   SurfacePieces pieces_;
   std::vector<std::uint8_t> is_object_;  ///< of each pixel, for pieces_
@@ -153,10 +122,8 @@ class PeopleFinder {
   LearnedBackground background_;
   std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;
-  std::vector<Track> tracks_;
-  std::vector<Arrival> arrivals_, expected_;
+  FollowedPeople followed_;
   PeopleImage people_;
-  int next_id_{1};
   double last_t_{kNaN};
 };
 

@@ -28,10 +28,13 @@ class PlanView {
     std::array<float, kSlabs> area{};  ///< m^2, visible
     float top{0.0f};                   ///< m
     float whole{0.0f};                 ///< m^2, sum of all slabs
+    float settled{0.0f};               ///< m^2 of it whose depth has been stable for a while ...
+    float drift{0.0f};                 ///< ... and the sum of how far (m) that drifted, times m^2
     int component{-1};
-    bool cut{false};         ///< the upper border of the image is there
-    bool side{false};        ///< the left or the right one is
-    std::int16_t owner{-1};  ///< index of the person that it belongs to; -1: none
+    bool cut{false};           ///< the upper border of the image is there
+    bool side{false};          ///< the left or the right one is
+    bool beside_known{false};  ///< a known object that is nearer adjoins it in the image
+    std::int16_t owner{-1};    ///< index of the person that it belongs to; -1: none
   };
 
   PlanView();
@@ -58,6 +61,14 @@ class PlanView {
   void markCut(int cell) { cells_[static_cast<std::size_t>(cell)].cut = true; }
   /// Likewise the left or the right border.
   void markSide(int cell) { cells_[static_cast<std::size_t>(cell)].side = true; }
+  /// A part of what was added, whose depth has been stable for a while, and drifted by `drift` (m).
+  void addSettled(int cell, double area, double drift) {
+    Cell& c = cells_[static_cast<std::size_t>(cell)];
+    c.settled += static_cast<float>(area);
+    c.drift += static_cast<float>(area * drift);
+  }
+  /// Notes that a known object is before the surface beside this one; after add().
+  void markBesideKnown(int cell) { cells_[static_cast<std::size_t>(cell)].beside_known = true; }
   /// Connects occupied cells up to 8 cm apart into components(), numbered in order of their first cell.
   void join();
 

@@ -17,6 +17,7 @@ class RepeatedPlaces {
     PlanView::Place place{PlanView::Place::Zero()};
     PlanView::Place first{PlanView::Place::Zero()};  ///< where it was found at first
     int images{1};                                   ///< consecutive ones, this one included
+    double since{0.0};                               ///< s, time of the first of them
     bool moved{false};                               ///< was farther than `far` from `first`
   };
   static constexpr std::size_t kMax = 8;      ///< places in an image
@@ -29,12 +30,12 @@ class RepeatedPlaces {
     count_ = 0;
   }
   bool full() const { return count_ == kMax; }
-  /// Not if full(). `far`: m.
-  const Entry& add(const PlanView::Place& place, double far = kInfinity) {
-    Entry entry{place, place};
+  /// Not if full(). `far`: m; `t`: s.
+  const Entry& add(const PlanView::Place& place, double far = kInfinity, double t = 0.0) {
+    Entry entry{place, place, 1, t, false};
     for (const Entry& before : std::span(last_).first(last_count_))
       if ((before.place - place).norm() < kSamePlace && before.images >= entry.images)
-        entry = {place, before.first, before.images + 1, before.moved};
+        entry = {place, before.first, before.images + 1, before.since, before.moved};
     entry.moved = entry.moved || (place - entry.first).norm() > far;
     return now_[count_++] = entry;
   }

@@ -109,7 +109,7 @@ TEST(ExpectedPeople, AreFoundAtMostOneSecondEarlier) {
   look(scene, first);
   second.expect(first.seen());
   const auto after = look(scene, second, {0, kLate});
-  const int earliest = kLate - static_cast<int>(std::lround(PeopleFinder::kForesight / kStep));
+  const int earliest = kLate - static_cast<int>(std::lround(FollowedPeople::kForesight / kStep));
   for (int i = 0; i < kImages; ++i)
     EXPECT_EQ(after[static_cast<std::size_t>(i)].size(), i < earliest ? 1u : 2u) << i;
 }

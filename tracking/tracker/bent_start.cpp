@@ -1,0 +1,62 @@
+// Extents, bent trunks, feet on the floor.
+#include "tracking/tracker/bent_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracking/tracker/limb_search.hpp"
+
+namespace abstand::tracking {
+namespace {
+
+/// Bent to the floor; squatting.
+struct Bend {
+  double pelvis, chest, head;  ///< rad, ahead, each relative to the one before
+  double hips;                 ///< m, below the highest point of the back
+};
+constexpr std::array<Bend, 2> kBends{{{1.1, 0.5, 0.0, 0.12}, {0.8, 0.3, -0.5, 0.32}}};
+constexpr double kBackBehindHips = 0.14;                    // m, of a bent trunk's skin
+constexpr double kAnkleHeight = 0.08, kAnklesAhead = 0.08;  // m
+constexpr double kHangs = 0.95;                             // share of the length of an arm
+
+}  // namespace
+
+void bentStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& middle, double top,
+                std::array<RigPose, kBentStarts>& starts) {
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Eigen::Vector2d off = (points.point(i) - middle).head<2>();
+    scatter += off * off.transpose();
+  }
+  // Direction of the larger eigenvalue.
+  const double angle = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
+  std::size_t k = 0;
+  for (const double end : {0.0, kPi}) {
+    const Eigen::Matrix3d yaw = Eigen::AngleAxisd(angle + end, Vector3d::UnitZ()).toRotationMatrix();
+    double rear = 0.0;
+    for (std::size_t i = 0; i < points.count; ++i)
+      rear = std::min(rear, yaw.col(0).dot(points.point(i) - middle));
+    for (const Bend& bend : kBends) {
+      RigPose& pose = starts[k++];
+      pose = {};
+      pose.X_WP.linear() = yaw * Eigen::AngleAxisd(bend.pelvis, Vector3d::UnitY());
+      pose.X_WP.translation() = middle + (rear + kBackBehindHips) * yaw.col(0);
+      pose.X_WP.translation().z() = std::max(top - bend.hips, kAnkleHeight);
+      pose.R_PS[index(RigSegment::kChest)] = Eigen::AngleAxisd(bend.chest, Vector3d::UnitY());
+      pose.R_PS[index(RigSegment::kHead)] = Eigen::AngleAxisd(bend.head, Vector3d::UnitY());
+      RigPlacement X_WS;
+      place(rig, pose, X_WS);
+      for (const Limb& limb : kLimbs) {
+        const Vector3d joint = X_WS[index(limb.upper)].translation();
+        Vector3d goal = joint + kAnklesAhead * yaw.col(0);
+        goal.z() = kAnkleHeight;
+        if (limb.isArm())
+          goal = joint - kHangs * (rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm()) *
+                             Vector3d::UnitZ();
+        reachFor(rig, limb, X_WS, goal, 0.0, pose);
+      }
+    }
+  }
+}
+
+}  // namespace abstand::tracking
