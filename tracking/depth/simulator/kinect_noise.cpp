@@ -21,6 +21,25 @@ double gauss(Random& random) {
   return radius * std::cos(2.0 * kPi * random.unit());
 }
 
+/// Normal deviates of a standard deviation, rounded: as std::lround(deviation * gauss(random)), and faster,
+/// as most are 0.
+class RoundedGauss {
+ public:
+  explicit RoundedGauss(double deviation)
+      : deviation_{deviation},
+        surely_zero_{(1.0 + kRounding) * std::exp(-0.5 * (0.5 / deviation) * (0.5 / deviation))} {}
+  int operator()(Random& random) const {
+    const double u = 1.0 - random.unit(), v = random.unit();
+    if (u > surely_zero_) return 0;  // the radius is below half a pixel
+    return static_cast<int>(
+        std::lround(deviation_ * (std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * v))));
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;  // share, of exponential and logarithm
+  double deviation_, surely_zero_;
+};
+
 bool oneSurface(float a, float b) {
   return a > 0.0f && b > 0.0f && std::abs(a - b) < kOneSurface * std::min(a, b);
 }
@@ -99,11 +118,11 @@ DepthImage seenByKinect(const DepthImage& ideal, const DepthCamera& camera, cons
     }
   }
   const double per_disparity = camera.fx * noise.baseline;
+  const RoundedGauss across(noise.across);
   for (int v = 0; v < ideal.height; ++v) {
     Random random(seed, frame * DepthCamera::kMaxPixels + static_cast<std::uint64_t>(v));
     for (int u = 0; u < ideal.width; ++u) {
-      const int from_u = u + static_cast<int>(std::lround(noise.across * gauss(random)));
-      const int from_v = v + static_cast<int>(std::lround(noise.across * gauss(random)));
+      const int from_u = u + across(random), from_v = v + across(random);
       const double normal = gauss(random);
       if (from_u < 0 || from_v < 0 || from_u >= ideal.width || from_v >= ideal.height) continue;
       const double z = static_cast<double>(lit.at(from_u, from_v));
