@@ -59,29 +59,25 @@ std::string LiveCameras::failureOf(std::size_t c, std::span<const tracking::Came
 
 std::vector<std::string> LiveCameras::news(std::span<const tracking::CameraShare> shares) {
   std::vector<std::string> news;
-  for (std::size_t c = 0; c < std::min(size(), shares.size()); ++c) {
-    if (has_hung_[c] || !std::isfinite(shares[c].hung_at)) continue;
-    has_hung_[c] = true;
-    news.push_back(names_[c] + format(": found the same image repeated since %.2f s, expected new ones: it "
-                                      "hangs, and is not used until then",
-                                      shares[c].hung_at));
+  const auto sayOnce = [&](std::vector<bool>& said, std::size_t c, const std::string& text) {
+    if (said[c]) return;
+    said[c] = true;
+    news.push_back(names_[c] + text);
+  };
+  const std::size_t known = std::min(size(), shares.size());
+  for (std::size_t c = 0; c < known; ++c)
+    if (std::isfinite(shares[c].hung_at))
+      sayOnce(has_hung_, c,
+              format(": found the same image repeated since %.2f s, expected new ones: it hangs, and is not "
+                     "used until then",
+                     shares[c].hung_at));
+  for (std::size_t c = 0; c < known; ++c) {
+    if (std::isfinite(shares[c].apart_since)) sayOnce(is_apart_, c, " " + tracking::apartReason(shares[c]));
+    if (std::isfinite(shares[c].late_since)) sayOnce(is_late_, c, " " + tracking::lateReason(shares[c]));
   }
-  for (std::size_t c = 0; c < std::min(size(), shares.size()); ++c) {
-    if (!is_apart_[c] && std::isfinite(shares[c].apart_since)) {
-      is_apart_[c] = true;
-      news.push_back(names_[c] + " " + tracking::apartReason(shares[c]));
-    }
-    if (!is_late_[c] && std::isfinite(shares[c].late_since)) {
-      is_late_[c] = true;
-      news.push_back(names_[c] + " " + tracking::lateReason(shares[c]));
-    }
-  }
-  for (std::size_t c = 0; size() > 1 && c < size(); ++c) {
-    const std::string failure = failureOf(c, shares);
-    if (failure.empty() || has_failed_[c]) continue;
-    has_failed_[c] = true;
-    news.push_back(names_[c] + ": " + failure);
-  }
+  for (std::size_t c = 0; size() > 1 && c < size(); ++c)
+    if (const std::string failure = failureOf(c, shares); !failure.empty())
+      sayOnce(has_failed_, c, ": " + failure);
   reported_.insert(reported_.end(), news.begin(), news.end());
   return news;
 }

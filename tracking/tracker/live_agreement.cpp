@@ -12,7 +12,10 @@ bool holdsNow(const CameraFault& fault) { return fault.until == kInfinity; }
 
 LiveAgreement::LiveAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options,
                              bool aside)
-    : cameras_(cameras.begin(), cameras.end()), agreement_(cameras_, options), views_(cameras_) {
+    : cameras_(cameras.begin(), cameras.end()),
+      agreement_(cameras_, options),
+      views_(cameras_),
+      pace_(cameras.size()) {
   if (aside) thread_ = std::thread([this] { run(); });
 }
 
@@ -42,13 +45,13 @@ void LiveAgreement::copy(const DepthMoment& moment, std::span<const DepthImage* 
 }
 
 void LiveAgreement::offer(const DepthMoment& moment, std::span<const DepthImage* const> known) {
-  if (moment.t < next_ || std::count(moment.is_new.begin(), moment.is_new.end(), true) < 2) return;
+  if (!pace_.isDue(moment.t, moment.is_new)) return;
   {
     const std::lock_guard lock(mutex_);
     if (error_) std::rethrow_exception(error_);
     if (is_ready_) return;
   }
-  next_ = moment.t + kEvery;
+  pace_.note(moment.t, moment.is_new);
   copy(moment, known, work_);
   if (!thread_.joinable()) return compare(work_);
   {

@@ -7,14 +7,15 @@
 #include <thread>
 
 #include "tracking/tracker/camera_agreement.hpp"
+#include "tracking/tracker/compare_pace.hpp"
 
 namespace abstand::tracking {
 
-/// CameraAgreement of the last kRemembered seconds, with some of the moments: at most one in kEvery, and none
-/// while another one is compared. What is found is known with the delay of its spans, 0.5 s and more, and
-/// remembered: a camera that jumped is the one that is wrong until the cameras agree again. One thread, and
-/// another one of its own if it compares aside. offer() does not allocate after the first moments, unless it
-/// compares inline.
+/// CameraAgreement of the last kRemembered seconds, with some of the moments: those of a ComparePace, and
+/// none while another one is compared. What is found is known with the delay of its spans, 0.5 s and more,
+/// and remembered: a camera that jumped is the one that is wrong until the cameras agree again. One thread,
+/// and another one of its own if it compares aside. offer() does not allocate after the first moments, unless
+/// it compares inline.
 class LiveAgreement {
  public:
   /// At least two cameras with poses in one world. `aside`: compares on a thread of its own.
@@ -32,7 +33,6 @@ class LiveAgreement {
   /// kRemembered.
   std::span<const CameraFault> faults();
 
-  static constexpr double kEvery = 0.06;       ///< s: every second image
   static constexpr double kJudged = 0.25;      ///< s between two judgements
   static constexpr double kRemembered = 30.0;  ///< s
 
@@ -52,7 +52,8 @@ class LiveAgreement {
   std::vector<DepthCamera> cameras_;
   CameraAgreement agreement_;  // of the thread, if there is one, with views_
   PeopleViews views_;
-  double next_{-kInfinity}, next_judged_{-kInfinity};  // s
+  ComparePace pace_;
+  double next_judged_{-kInfinity};  // s
   Work work_;
   std::vector<CameraFault> found_;  // by compare()
 

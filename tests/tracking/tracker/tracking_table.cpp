@@ -121,6 +121,8 @@ struct ClipResult {
 
 /// The cameras of the clips stand still where their files say: whatever is said of them is wrong.
 void printAlarms(const std::string& name, const tracking::ClipTrack& track) {
+  if (track.people.size() > 1)
+    std::fprintf(stderr, "%s: %zu people were found, expected one\n", name.c_str(), track.people.size());
   for (std::size_t c = 0; c < track.cameras.size(); ++c) {
     const tracking::CameraShare& camera = track.cameras[c];
     if (std::isfinite(camera.moved_at))
