@@ -286,6 +286,12 @@ bool BodyTracker::showsFoot() const {
   return is_whole(kAnkleLeft, kToeLeft) || is_whole(kAnkleRight, kToeRight);
 }
 
+bool BodyTracker::isBent() const {
+  const Vector3d trunk = jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kNeck) -
+                         jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kPelvis);
+  return trunk.z() < std::sqrt(0.5) * trunk.norm();
+}
+
 void BodyTracker::finish(double t) {
   uncertainty_.reuse(body_.frame);
   body_.frame = humanmodel::SkeletonFrame{};

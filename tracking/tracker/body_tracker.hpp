@@ -73,8 +73,8 @@ class BodyTracker {
   bool wasReplaced() const { return was_replaced_; }
   /// Whether neither the head nor a whole foot of the last body is within the images.
   bool isCutAtBothEnds() const { return isHeadCut() && !showsFoot(); }
-  /// Whether the highest point of the last images is so low that hands may be at the floor.
-  bool isBent() const { return seen_.points().top() < kHandsOffFloor * rig_->height; }
+  /// Whether the trunk of the last body is more level than upright.
+  bool isBent() const;
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
 
