@@ -20,7 +20,8 @@ class CrouchedPeople {
     unsettled_.start();
     drifting_.start();
     count_ = 0;
-    for (std::size_t k = 0; k < plan.components() && !unsettled_.full() && !drifting_.full(); ++k) {
+    for (std::size_t k = 0; k < plan.components() && count_ < places_.size(); ++k) {
+      if (unsettled_.full() || drifting_.full()) break;
       const Body body = bodyOf(plan, plan.component(k));
       if (!(body.unsettled || body.drifts) || is_disturbed(body.middle)) continue;
       bool is_person = false;

@@ -105,6 +105,19 @@ TEST_F(Crouched, SmallLargeFlatAndHighOnesAreNobody) {
   }
 }
 
+// As many as there is room for.
+TEST_F(Crouched, ManyAreFoundUpToALimit) {
+  std::size_t found = 0;
+  for (int k = 0; k < 100; ++k) {
+    for (int person = 0; person < 14; ++person)
+      add({-4.0 + 1.2 * (person % 7), person < 7 ? 2.0 : 4.0},
+          person % 2 == 0 ? kMoves : Surface{0.85, 0.05});
+    found = find();
+    ASSERT_LE(found, RepeatedPlaces::kMax);
+  }
+  EXPECT_GE(found, RepeatedPlaces::kMax / 2);
+}
+
 TEST_F(Crouched, AllocateNothing) {
   add({0.1, kNear}, kStill);
   plan_.join();
