@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/tracker/leg_posture.hpp"
 #include "tracking/tracker/limb_search.hpp"
+#include "tracking/tracker/longest_extent.hpp"
 
 namespace abstand::tracking {
 namespace {
@@ -15,21 +17,15 @@ struct Bend {
   double hips;                 ///< m, below the highest point of the back
 };
 constexpr std::array<Bend, 2> kBends{{{1.1, 0.5, 0.0, 0.12}, {0.8, 0.3, -0.5, 0.32}}};
-constexpr double kBackBehindHips = 0.14;                    // m, of a bent trunk's skin
-constexpr double kAnkleHeight = 0.08, kAnklesAhead = 0.08;  // m
-constexpr double kHangs = 0.95;                             // share of the length of an arm
+constexpr double kBackBehindHips = 0.14;  // m, of a bent trunk's skin
+constexpr double kAnklesAhead = 0.08;     // m
+constexpr double kHangs = 0.95;           // share of the length of an arm
 
 }  // namespace
 
 void bentStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& middle, double top,
                 std::array<RigPose, kBentStarts>& starts) {
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const Eigen::Vector2d off = (points.point(i) - middle).head<2>();
-    scatter += off * off.transpose();
-  }
-  // Direction of the larger eigenvalue.
-  const double angle = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
+  const double angle = longestExtent(points, middle);
   std::size_t k = 0;
   for (const double end : {0.0, kPi}) {
     const Eigen::Matrix3d yaw = Eigen::AngleAxisd(angle + end, Vector3d::UnitZ()).toRotationMatrix();
@@ -50,9 +46,7 @@ void bentStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& mi
         const Vector3d joint = X_WS[index(limb.upper)].translation();
         Vector3d goal = joint + kAnklesAhead * yaw.col(0);
         goal.z() = kAnkleHeight;
-        if (limb.isArm())
-          goal = joint - kHangs * (rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm()) *
-                             Vector3d::UnitZ();
+        if (limb.isArm()) goal = joint - kHangs * lengthOf(rig, limb) * Vector3d::UnitZ();
         reachFor(rig, limb, X_WS, goal, 0.0, pose);
       }
     }

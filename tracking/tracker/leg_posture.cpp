@@ -10,10 +10,9 @@ namespace abstand::tracking {
 namespace {
 
 constexpr std::size_t kLeftLeg = 2, kRightLeg = 3;  // of kLimbs
-constexpr double kKneeOnFloor = 0.20;      // m; the knees of people who sit on a chair are at 0.4 and more
-constexpr double kBentKnee = 1.0;          // rad
-constexpr double kBelowHip = 0.2;          // m
-constexpr double kAnkleOfStanding = 0.08;  // m
+constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
+constexpr double kBentKnee = 1.0;      // rad
+constexpr double kBelowHip = 0.2;      // m
 constexpr double kRaised = 0.25;  // m, of an ankle above the other one; feet of people who walk stay lower
 
 double ankleHeight(const RigPlacement& X_WS, std::size_t leg) {
@@ -39,7 +38,7 @@ std::optional<RigPose> plantedLeg(const BodyRig& rig, const RigPose& pose, const
   const Limb& limb = kLimbs[leg];
   if (std::abs(pose.angle[index(limb.lower)][0]) < kBentKnee) return std::nullopt;
   Vector3d below = X_WS[index(limb.upper)].translation();
-  below.z() = kAnkleOfStanding;
+  below.z() = kAnkleHeight;
   if ((X_WS[index(limb.end)].translation() - below).norm() < kBelowHip) return std::nullopt;
   RigPose planted = pose;
   reachFor(rig, limb, X_WS, below, 0.0, planted);

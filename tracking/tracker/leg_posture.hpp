@@ -8,6 +8,8 @@
 
 namespace abstand::tracking {
 
+inline constexpr double kAnkleHeight = 0.08;  ///< m, of somebody who stands
+
 /// Whether a knee is on the floor z = 0. There is no chair then, thighs stand on the floor beside the hands,
 /// and the toes point backwards.
 bool kneels(const RigPlacement& X_WS);

@@ -169,7 +169,7 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, const Scope&
   if (!limb.isArm()) {
     const BodyRig& rig = fit_->rig();
     const Vector3d hip = X_WS[index(rig[limb.upper].parent)] * rig[limb.upper].p_parent;
-    const double length = rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm();
+    const double length = lengthOf(rig, limb);
     attempt(hip - length * Vector3d::UnitZ(), 0.0);
   }
   return found;

@@ -34,6 +34,11 @@ inline constexpr std::array<std::array<humanmodel::Joint, 4>, 4> kLimbJoints{{
      humanmodel::Joint::kToeRight},
 }};
 
+/// m, of the straight limb, without hand or foot.
+inline double lengthOf(const BodyRig& rig, const Limb& limb) {
+  return rig[limb.lower].p_parent.norm() + rig[limb.end].p_parent.norm();
+}
+
 /// Inverse kinematics: puts the end joint (wrist, ankle) of a limb at `goal` (world), or as near as possible,
 /// with the elbow (knee) rotated by `swivel` (rad) about the line from shoulder to wrist, from pointing down
 /// (arm) or forward (leg).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/tracker/longest_extent.hpp"
 #include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -33,13 +34,7 @@ double vertexAbovePelvis(const BodyRig& rig) {
 
 void lyingStarts(const BodyRig& rig, const SeenPoints& points, const Vector3d& middle,
                  std::array<LyingStart, kLyingStarts>& starts) {
-  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const Eigen::Vector2d off = (points.point(i) - middle).head<2>();
-    scatter += off * off.transpose();
-  }
-  // Direction of the larger eigenvalue.
-  const double angle = 0.5 * std::atan2(2.0 * scatter(0, 1), scatter(0, 0) - scatter(1, 1));
+  const double angle = longestExtent(points, middle);
   std::size_t k = 0;
   for (const double end : {0.0, kPi}) {
     const Vector3d head(std::cos(angle + end), std::sin(angle + end), 0.0);

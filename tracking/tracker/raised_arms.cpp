@@ -21,7 +21,7 @@ bool isRaised(const RigPlacement& X_WS, const Limb& arm) {
 
 RigPose hangingArm(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS, const Limb& arm) {
   constexpr double kStretched = 0.97;  // of the length of the arm, as the elbows of hanging arms are bent
-  const double length = kStretched * (rig[arm.lower].p_parent.norm() + rig[arm.end].p_parent.norm());
+  const double length = kStretched * lengthOf(rig, arm);
   const Vector3d shoulder = X_WS[index(arm.upper)].translation();
   RigPose hanging = pose;
   reachFor(rig, arm, X_WS, shoulder - length * X_WS[index(rig[arm.upper].parent)].linear().col(2), 0.0,

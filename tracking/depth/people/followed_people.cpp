@@ -152,22 +152,23 @@ void FollowedPeople::add(double t, const PlanView& plan, const Place& place) {
   insert(t, plan, place, idAt(t, place));
 }
 
-void FollowedPeople::keepOrAdd(double t, const PlanView& plan, const Place& place, double reach) {
+FollowedPerson* FollowedPeople::keepOrInsert(double t, const PlanView& plan, const Place& place,
+                                             double reach) {
   bool is_new = !full();
   for (FollowedPerson& person : people_) {
     if (!person.here || (person.place - place).norm() > reach) continue;
     person.head_seen = t;
     is_new = false;
   }
-  if (is_new) add(t, plan, place);
+  return is_new ? &insert(t, plan, place, idAt(t, place)) : nullptr;
+}
+
+void FollowedPeople::keepOrAdd(double t, const PlanView& plan, const Place& place, double reach) {
+  keepOrInsert(t, plan, place, reach);
 }
 
 void FollowedPeople::keepOrAddCrouched(double t, const PlanView& plan, const Place& place, double reach) {
-  const std::size_t before = people_.size();
-  keepOrAdd(t, plan, place, reach);
-  if (people_.size() == before) return;
-  for (FollowedPerson& person : people_)
-    if (person.born == t && person.place == place) person.low = true;
+  if (FollowedPerson* person = keepOrInsert(t, plan, place, reach)) person->low = true;
 }
 
 bool FollowedPeople::mayDisturb(const Place& place) const {

@@ -74,6 +74,8 @@ class FollowedPeople {
   Match nearestHead(double t, const PlanView& plan, std::vector<Head>& heads, bool is_absent);
   bool isAtSide(const PlanView::Place& place) const;
   int idAt(double t, const PlanView::Place& place);
+  /// The new person of keepOrAdd(), null if there is none.
+  FollowedPerson* keepOrInsert(double t, const PlanView& plan, const PlanView::Place& place, double reach);
   FollowedPerson& insert(double t, const PlanView& plan, const PlanView::Place& place, int id);
 
   DepthCamera camera_;

@@ -15,10 +15,12 @@ constexpr float kOneSurface = 0.03f;
 constexpr float kLit = 0.02f;
 constexpr double kNoiseFrom = 0.4;  // m, of the formula of Nguyen and others
 
+/// Box, Muller 1958: a normal deviate of two uniform ones, `u` above 0.
+double gaussOf(double u, double v) { return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * v); }
+
 double gauss(Random& random) {
-  // Box, Muller 1958; the argument of the logarithm is above 0.
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.unit()));
-  return radius * std::cos(2.0 * kPi * random.unit());
+  const double u = 1.0 - random.unit(), v = random.unit();
+  return gaussOf(u, v);
 }
 
 /// Normal deviates of a standard deviation, rounded: as std::lround(deviation * gauss(random)), and faster,
@@ -31,8 +33,7 @@ class RoundedGauss {
   int operator()(Random& random) const {
     const double u = 1.0 - random.unit(), v = random.unit();
     if (u > surely_zero_) return 0;  // the radius is below half a pixel
-    return static_cast<int>(
-        std::lround(deviation_ * (std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * v))));
+    return static_cast<int>(std::lround(deviation_ * gaussOf(u, v)));
   }
 
  private:
