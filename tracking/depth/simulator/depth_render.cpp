@@ -51,14 +51,18 @@ void DepthRender::fill(const Vector3d& a, const Vector3d& b, const Vector3d& c) 
   const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
   // The negated form also rejects NaN.
   if (!(std::abs(area) > 0.0)) return;
+  const double sign = area > 0.0 ? 1.0 : -1.0;
   const auto first = [](double lower, int) { return static_cast<int>(std::ceil(std::max(0.0, lower))); };
   const auto last = [](double upper, int size) {
     return static_cast<int>(std::floor(std::min(upper, size - 1.0)));
   };
   for (int y = first(v.minCoeff(), 0); y <= last(v.maxCoeff(), image_.height); ++y) {
     for (int x = first(u.minCoeff(), 0); x <= last(u.maxCoeff(), image_.width); ++x) {
-      const double wb = ((x - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (y - v[0])) / area;
-      const double wc = ((u[1] - u[0]) * (y - v[0]) - (x - u[0]) * (v[1] - v[0])) / area;
+      const double b_of_area = (x - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (y - v[0]),
+                   c_of_area = (u[1] - u[0]) * (y - v[0]) - (x - u[0]) * (v[1] - v[0]);
+      // Most points of the rectangle around a large triangle end here, before the divisions.
+      if (b_of_area * sign < 0.0 || c_of_area * sign < 0.0) continue;
+      const double wb = b_of_area / area, wc = c_of_area / area;
       const double wa = 1.0 - wb - wc;
       if (wa < 0.0 || wb < 0.0 || wc < 0.0) continue;
       const auto z = static_cast<float>(1.0 / (wa * inverse[0] + wb * inverse[1] + wc * inverse[2]));

@@ -5,6 +5,7 @@
 
 #include "core/base/error.hpp"
 #include "core/geometry/shape.hpp"
+#include "core/math/random.hpp"
 #include "tracking/depth/simulator/depth_render.hpp"
 #include "tracking/depth/simulator/kinect_noise.hpp"
 
@@ -121,6 +122,38 @@ TEST(KinectNoise, ShadowWidthFollowsProjectorBaseline) {
   const double width = camera.fx * noise.baseline * (1 / 1.5 - 1 / 3.0);
   EXPECT_NEAR(dark, width, 2.0);
   EXPECT_EQ(left, dark);
+}
+
+// The plain formula of Box and Muller, for each pixel.
+TEST(KinectNoise, PixelsAreDisplacedByNormalDeviates) {
+  constexpr std::uint64_t kSeed = 3, kFrame = 2;
+  const auto depthOf = [](int u) { return 2.0f + 0.001f * static_cast<float>(u); };  // m, tells the column
+  tracking::DepthCamera camera;
+  tracking::DepthImage ideal(camera.width, camera.height);
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) ideal.at(u, v) = depthOf(u);
+  tracking::KinectNoise noise;
+  noise.along = noise.along_growth = 0.0;
+  noise.disparity_step = 1e-6;
+  for (const double across : {0.4, 0.8, 3.0}) {
+    noise.across = across;
+    const tracking::DepthImage seen = tracking::seenByKinect(ideal, camera, noise, kSeed, kFrame);
+    for (int v = 0; v < camera.height; ++v) {
+      Random random(kSeed, kFrame * tracking::DepthCamera::kMaxPixels + static_cast<std::uint64_t>(v));
+      const auto displaced = [&](int from) {
+        const double u = 1.0 - random.unit(), w = random.unit();
+        return from + static_cast<int>(
+                          std::lround(across * (std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * w))));
+      };
+      for (int u = 0; u < camera.width; ++u) {
+        const int from_u = displaced(u), from_v = displaced(v);
+        random.unit(), random.unit();  // of the depth
+        const bool is_inside = from_u >= 0 && from_v >= 0 && from_u < camera.width && from_v < camera.height;
+        ASSERT_NEAR(seen.at(u, v), is_inside ? depthOf(from_u) : 0.0f, 1e-4)
+            << across << ": " << u << " " << v;
+      }
+    }
+  }
 }
 
 TEST(KinectNoise, HalvedImageHasSameDepthNoise) {
