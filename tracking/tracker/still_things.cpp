@@ -34,6 +34,10 @@ bool StillThings::isThing(const Pixel& pixel, float z) const {
 }
 
 void StillThings::update(const PersonImage& image, View& view) {
+  if (!view.has_any) {
+    std::copy(image.is_person.begin(), image.is_person.end(), view.is_person.begin());
+    return;
+  }
   const auto width = static_cast<std::size_t>(image.image->width);
   for (std::size_t i = 0; i < view.pixels.size(); ++i) {
     view.is_person[i] = image.is_person[i];
@@ -66,6 +70,7 @@ void StillThings::keep(std::span<const PersonImage> all, std::span<const PersonI
     for (std::size_t i = 0; i < view.pixels.size(); ++i)
       if (all[k].is_person[i] != 0 && rest[k].is_person[i] == 0)
         view.pixels[i] = {.z = all[k].image->z[i], .kept = true};
+    view.has_any = true;
   }
 }
 
@@ -98,7 +103,10 @@ void StillThings::note(const DepthCamera& camera, const Vector3d& p_C, const Rea
   for (int y = std::max(0, v - kPointPixels); y <= std::min(camera.height - 1, v + kPointPixels); ++y)
     for (int x = std::max(0, u - kPointPixels); x <= std::min(camera.width - 1, u + kPointPixels); ++x) {
       Pixel& pixel = view.pixels[static_cast<std::size_t>(y * camera.width + x)];
-      if (pixel.z == 0.0f && (of.is_apart || of.is_chair)) pixel = {.z = z, .stretch = stretch_};
+      if (pixel.z == 0.0f && (of.is_apart || of.is_chair)) {
+        pixel = {.z = z, .stretch = stretch_};
+        view.has_any = true;
+      }
       if (pixel.z == 0.0f || std::abs(pixel.z - z) >= noiseAt(z)) continue;
       pixel.z += kMeanWeight * (z - pixel.z);
       if (of.is_chair && pixel.chair_image != image_ && pixel.chair < kChairImages) {

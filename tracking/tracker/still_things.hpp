@@ -59,6 +59,7 @@ class StillThings {
   struct View {
     std::size_t number{0};  ///< PersonImage::number
     std::vector<Pixel> pixels;
+    bool has_any{false};  ///< whether a pixel may have anything
     std::vector<std::uint8_t> is_person;
   };
   View& viewOf(const PersonImage& image);

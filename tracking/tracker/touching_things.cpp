@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/simd.hpp"
 #include "tracking/depth/people/learned_background.hpp"
 #include "tracking/tracker/bone.hpp"
 
@@ -35,7 +36,8 @@ Vector3d pointAt(const PersonImage& image, std::size_t i) {
 bool isAt(float mean, float z) { return std::abs(z - mean) < 0.5f * depthNoise(z); }
 
 /// Adds an image to TouchingThings::View, several pixels at a time.
-void noteDepths(std::span<const float> depths, float* mean, std::int32_t* images, std::int32_t* away) {
+[[gnu::always_inline]] inline void noteEach(std::span<const float> depths, float* mean, std::int32_t* images,
+                                            std::int32_t* away) {
   for (std::size_t i = 0; i < depths.size(); ++i) {
     const float z = depths[i], last = mean[i];
     const std::int32_t had = images[i], was_away = away[i];
@@ -49,6 +51,19 @@ void noteDepths(std::span<const float> depths, float* mean, std::int32_t* images
     away[i] = !is_measured ? was_away : is_new ? 0 : next_away;
   }
 }
+
+void noteDepths(std::span<const float> depths, float* mean, std::int32_t* images, std::int32_t* away) {
+  noteEach(depths, mean, images, away);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void noteWithAvx2(std::span<const float> depths, float* mean, std::int32_t* images,
+                                          std::int32_t* away) {
+  noteEach(depths, mean, images, away);
+}
+#else
+constexpr auto noteWithAvx2 = noteDepths;
+#endif
 
 bool isMeasured(const PersonImage& image, std::size_t i) {
   return image.is_person[i] != 0 && image.image->z[i] > 0.0f;
@@ -115,7 +130,8 @@ TouchingThings::View& TouchingThings::viewOf(const PersonImage& image) {
 void TouchingThings::see(std::span<const PersonImage> images) {
   for (const PersonImage& image : images) {
     View& view = viewOf(image);
-    noteDepths(image.image->z, view.z.data(), view.images.data(), view.away.data());
+    (usesAvx2() ? noteWithAvx2 : noteDepths)(image.image->z, view.z.data(), view.images.data(),
+                                             view.away.data());
   }
 }
 

@@ -16,6 +16,7 @@ LearnedBackground::LearnedBackground(std::size_t pixels, double learn_after)
 
 void LearnedBackground::set(std::size_t pixel, float z) {
   background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f, z};
+  if (isLearned(unassigned_[pixel])) unassigned_[pixel] = {};
 }
 
 bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uint8_t label,
@@ -24,7 +25,7 @@ bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uin
   int even = 0, steps = 0;
   const auto compare = [&](std::size_t inside, std::size_t outside) {
     if (labels[inside] != label || labels[outside] != 0) return;
-    const float z = image.z[inside], behind = background_[outside].z;
+    const float z = image.z[inside], behind = backgroundOf(outside).z;
     if (behind > 0.0f) ++(std::abs(behind - z) < 2.0f * depthNoise(z) ? even : steps);
   };
   for (std::size_t i = 0; i + width < image.z.size(); ++i) {

@@ -23,7 +23,7 @@ class LearnedBackground {
 
   /// Whether a depth `z` (m) is that of the background: within four mean deviations (somewhat more than three
   /// standard deviations), or within the camera's own variation.
-  bool has(std::size_t pixel, float z) const { return isStable(background_[pixel], z); }
+  bool has(std::size_t pixel, float z) const { return isStable(backgroundOf(pixel), z); }
   /// Whether an unassigned surface at depth `z` (m) has been stable for kSettled.
   bool hasSettled(std::size_t pixel, float z) const {
     return unassigned_[pixel].duration >= kSettled && isStable(unassigned_[pixel], z);
@@ -35,6 +35,7 @@ class LearnedBackground {
     constexpr float kNew = 0.1f;  // weight of the newest depth in the means
     StablePixel& surface = unassigned_[pixel];
     if (!isStable(surface, z)) {
+      keepBackground(pixel);
       surface = {z, 0.5f * depthNoise(z), 0.0f, z};
       return;
     }
@@ -42,10 +43,12 @@ class LearnedBackground {
     surface.z += kNew * (z - surface.z);
     surface.duration += dt;
     if (surface.duration < kReferenceAt) surface.reference = surface.z;
-    if (surface.duration >= learn_after_) background_[pixel] = surface;
   }
-  /// A surface of a person: what was seen of an unassigned one is discarded.
-  void cover(std::size_t pixel) { unassigned_[pixel] = {}; }
+  /// A surface of a person: what was seen of an unassigned one is discarded, unless it is the background.
+  void cover(std::size_t pixel) {
+    keepBackground(pixel);
+    unassigned_[pixel] = {};
+  }
   /// Sets the background at once.
   void set(std::size_t pixel, float z);
   /// Whether most of the background beside the pixels with this label continues their depth: the surface was
@@ -58,6 +61,14 @@ class LearnedBackground {
   struct StablePixel {
     float z{0.0f}, deviation{0.0f}, duration{0.0f}, reference{0.0f};
   };
+  bool isLearned(const StablePixel& surface) const { return surface.duration >= learn_after_; }
+  const StablePixel& backgroundOf(std::size_t pixel) const {
+    return isLearned(unassigned_[pixel]) ? unassigned_[pixel] : background_[pixel];
+  }
+  /// Before another surface is at the pixel.
+  void keepBackground(std::size_t pixel) {
+    if (isLearned(unassigned_[pixel])) background_[pixel] = unassigned_[pixel];
+  }
   static bool isStable(const StablePixel& surface, float z) {
     return surface.z > 0.0f && std::abs(z - surface.z) <
                                    std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
@@ -67,8 +78,8 @@ class LearnedBackground {
   static constexpr float kMaxDeviation = 0.3f;                  ///< m; surfaces that vary more are not static
 
   float learn_after_;
-  std::vector<StablePixel> unassigned_;  ///< current unassigned surface
-  std::vector<StablePixel> background_;  ///< learned; z 0: not learned
+  std::vector<StablePixel> unassigned_;  ///< current unassigned surface; the background if isLearned()
+  std::vector<StablePixel> background_;  ///< otherwise: the one learned before; z 0: none
 };
 
 }  // namespace abstand::tracking

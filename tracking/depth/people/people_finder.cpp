@@ -55,6 +55,7 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   floor_given_ = !camera.X_WC.matrix().isIdentity(0.0);
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixelsOf(camera), -1);
+  objects_.reserve(pixelsOf(camera));
   people_.label.assign(pixelsOf(camera), 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
@@ -106,6 +107,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
   constexpr int kBorderColumns = 4;  // at its sides, where a Kinect's noise leaves pixels out
   constexpr int kEvery = 3;          // pixels and rows of background that are looked at
   plan_.clear();
+  objects_.clear();
   const Vector3d up = plane_.up;
   const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
   const Eigen::Vector3f U = up.cast<float>(), A = ahead.cast<float>(), R = right.cast<float>();
@@ -119,6 +121,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
     const bool notes_background = !has_furniture && furniture_.any() && v % kEvery == 0;
     std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width);
     for (int u = 0; u < image.width; ++u, ++i) {
+      if (has_furniture && cell_of_[i] < 0) continue;  // nor without furniture
       cell_of_[i] = -1;
       const float z = image.z[i];
       if (!(z > nearest && z < farthest)) continue;
@@ -140,6 +143,7 @@ void PeopleFinder::project(const DepthImage& image, const DepthImage* known, boo
         continue;
       }
       cell_of_[i] = cell;
+      objects_.push_back(static_cast<std::uint32_t>(i));
       const double area = static_cast<double>(z * z) * pixel;
       plan_.add(cell, static_cast<double>(h), area);
       if (background_.hasSettled(i, z))
@@ -222,11 +226,10 @@ void PeopleFinder::followCrouched(double t) {
   for (const Place& place : crouched_.places()) followed_.keepOrAddCrouched(t, plan_, place, kSplitLow);
 }
 
-void PeopleFinder::label(const DepthImage& image) {
-  for (std::size_t i = 0; i < image.z.size(); ++i) {
-    const int owner = cell_of_[i] < 0 ? -1 : plan_.cell(cell_of_[i]).owner;
-    people_.label[i] = static_cast<std::uint8_t>(owner + 1);
-  }
+void PeopleFinder::label() {
+  std::fill(people_.label.begin(), people_.label.end(), std::uint8_t{0});
+  for (const std::uint32_t i : objects_)
+    people_.label[i] = static_cast<std::uint8_t>(plan_.cell(cell_of_[i]).owner + 1);
 }
 
 void PeopleFinder::dropUncovered(const DepthImage& image) {
@@ -316,7 +319,7 @@ const PeopleImage& PeopleFinder::find(double t, const DepthImage& image, const D
   for (std::size_t p = 0; p < people.size(); ++p)
     if (people[p].here) places[p] = people[p].place;
   assignCells(std::span(places).first(people.size()), plan_);
-  label(image);
+  label();
   dropUncovered(image);
   for (std::size_t p = 0; p < people.size(); ++p)
     if (people[p].here)

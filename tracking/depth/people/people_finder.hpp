@@ -100,7 +100,7 @@ class PeopleFinder {
   void followHeadless(double t);
   void followOnFloor(double t);
   void followCrouched(double t);
-  void label(const DepthImage& image);
+  void label();
   void dropUncovered(const DepthImage& image);
   void describe(double t, const DepthImage& image);
 
@@ -119,6 +119,7 @@ class PeopleFinder {
   SurfacePieces pieces_;
   std::vector<std::uint8_t> is_object_;  ///< of each pixel, for pieces_
   std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
+  std::vector<std::uint32_t> objects_;   ///< pixels that have a cell
   LearnedBackground background_;
   std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;
