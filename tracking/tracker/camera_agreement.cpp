@@ -26,17 +26,35 @@ CameraAgreement::CameraAgreement(std::span<const DepthCamera> cameras, const Tra
     for (std::size_t k = i + 1; k < cameras.size(); ++k) pairs_.push_back({i, k});
 }
 
+void CameraAgreement::refuseSame(const DepthMoment& moment) {
+  for (Pair& pair : pairs_) {
+    if (pair.differs || !moment.is_new[pair.first] || !moment.is_new[pair.second]) continue;
+    pair.differs = moment.frames[pair.first]->image.z != moment.frames[pair.second]->image.z;
+    pair.same += !pair.differs;
+    if (pair.same == kSameImages)
+      throw UsageError("found the same images in the recordings of cameras " +
+                       std::to_string(pair.first + 1) + " and " + std::to_string(pair.second + 1) +
+                       ", expected different cameras");
+  }
+}
+
+void CameraAgreement::note(const DepthMoment& moment, const PeopleViews& views) {
+  refuseSame(moment);
+  for (std::size_t c = 0; c < cameras_.size(); ++c) {
+    if (!moment.is_new[c]) continue;
+    moved_[c] = views.movedAt(c);
+    noteHang(c, moment.t, views.unchangedSince(c));
+  }
+}
+
 void CameraAgreement::see(const DepthMoment& moment, PeopleViews& views) {
   for (std::size_t c = 0; c < cameras_.size(); ++c) {
     if (!moment.is_new[c]) continue;
     cameras_[c].see(moment, views);
     found_[c] += cameras_[c].findsPlaces();
-    moved_[c] = views.movedAt(c);
-    noteHang(c, moment.t, views.unchangedSince(c));
   }
   for (Pair& pair : pairs_) {
     if (!moment.is_new[pair.first] || !moment.is_new[pair.second]) continue;
-    refuseSame(moment, pair);
     compare(moment.t, pair);
     pair.through.push_back(
         throughAt(moment.t, cameras_[pair.first].labelled(), cameras_[pair.second].labelled()));
@@ -50,15 +68,6 @@ void CameraAgreement::forgetBefore(double t) {
     std::erase_if(pair.through, isBefore);
   }
   std::erase_if(hangs_, [t](const CameraFault& hang) { return hang.until < t; });
-}
-
-void CameraAgreement::refuseSame(const DepthMoment& moment, Pair& pair) {
-  if (pair.differs) return;
-  pair.differs = moment.frames[pair.first]->image.z != moment.frames[pair.second]->image.z;
-  pair.same += !pair.differs;
-  if (pair.same == kSameImages)
-    throw UsageError("found the same images in the recordings of cameras " + std::to_string(pair.first + 1) +
-                     " and " + std::to_string(pair.second + 1) + ", expected different cameras");
 }
 
 /// The images of a camera at `t` (s) have been equal since `since` (s).

@@ -18,8 +18,11 @@ class CameraAgreement {
   /// At least two cameras with poses in one world; they must outlive this object.
   CameraAgreement(std::span<const DepthCamera> cameras, const TrackedPerson::Options& options);
 
-  /// `moment.t` (s) increases; `views` of these cameras has seen the moment. Throws UsageError if the first
-  /// images of two cameras are the same: it is one recording.
+  /// Of all moments, before see(): which cameras hang or were moved. Throws UsageError if the first images of
+  /// two cameras are the same: it is one recording.
+  void note(const DepthMoment& moment, const PeopleViews& views);
+  /// Compares the places of people; not all moments need to be compared. `moment.t` (s) increases; `views` of
+  /// these cameras has seen the moment.
   void see(const DepthMoment& moment, PeopleViews& views);
   /// Leaves out what was seen before `t` (s) in faults() from now on.
   void forgetBefore(double t);
@@ -35,7 +38,7 @@ class CameraAgreement {
     std::size_t same{0};  ///< images from the start that are equal
     bool differs{false};  ///< later ones are not counted
   };
-  static void refuseSame(const DepthMoment& moment, Pair& pair);
+  void refuseSame(const DepthMoment& moment);
   void noteHang(std::size_t camera, double t, double since);
   void compare(double t, Pair& pair) const;
   template <class Seen>

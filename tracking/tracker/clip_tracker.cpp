@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "humanmodel/joint_covariance.hpp"
 #include "tracking/tracker/camera_agreement.hpp"
 #include "tracking/tracker/camera_stand.hpp"
+#include "tracking/tracker/compare_pace.hpp"
 #include "tracking/tracker/doubtful_cameras.hpp"
 #include "tracking/tracker/learned_people.hpp"
 #include "tracking/tracker/processor_seconds.hpp"
@@ -70,23 +72,33 @@ class ClipPasses {
     if (options_.progress) options_.progress(pass * moments_.size() + i + 1, passes_ * moments_.size());
   }
 
-  /// First pass: the bodies of the people, where they arrive, and things. Of several cameras also what cannot
-  /// be trusted of them; if images cannot be used, a second pass without these learns the rest.
+  /// First pass: the bodies of the people, where they arrive, and things. Of several cameras also whether
+  /// they disagree, compared as often as live ones. If so, another pass compares all images, and if some of
+  /// them cannot be used, a last one without these learns the rest.
   void learnPeople() {
-    std::optional<CameraAgreement> agreement;
-    if (cameras_.size() > 1) agreement.emplace(cameras_, options_.person);
-    learnPeopleWith(agreement ? &*agreement : nullptr);
-    if (!agreement) return;
-    faults_ = agreement->faults();
-    if (std::none_of(faults_.begin(), faults_.end(),
-                     [](const CameraFault& fault) { return fault.leavesOut(); }))
-      return;
-    learned_ = LearnedPeople(options_.person);
-    ++passes_;
-    learnPeopleWith(nullptr);
+    const bool compares = cameras_.size() > 1;
+    learnPeopleWith(compares ? Compared::kEverySecond : Compared::kNone);
+    if (faults_.empty()) return;
+    learnAgainWith(Compared::kAll);
+    if (std::any_of(faults_.begin(), faults_.end(), std::mem_fn(&CameraFault::leavesOut)))
+      learnAgainWith(Compared::kNone);
   }
 
-  void learnPeopleWith(CameraAgreement* agreement) {
+  /// Moments in which cameras are compared.
+  enum class Compared : std::uint8_t { kNone, kEverySecond, kAll };
+
+  void learnAgainWith(Compared compared) {
+    learned_ = LearnedPeople(options_.person);
+    if (compared != Compared::kNone) faults_.clear();
+    ++passes_;
+    learnPeopleWith(compared);
+  }
+
+  /// Sets faults_ if it compares; they are respected otherwise.
+  void learnPeopleWith(Compared compared) {
+    std::optional<CameraAgreement> agreement;
+    if (compared != Compared::kNone) agreement.emplace(cameras_, options_.person);
+    ComparePace pace(cameras_.size());
     moments_.rewind();
     PeopleViews views(cameras_);
     DepthMoment moment;
@@ -94,13 +106,18 @@ class ClipPasses {
       const double begin = processorSeconds();
       leaveOutFaulty(moment.t, views);
       views.see(moment, options_.known);
-      if (agreement) agreement->see(moment, views);
+      if (agreement) agreement->note(moment, views);
+      if (agreement && (compared == Compared::kAll || pace.isDue(moment.t, moment.is_new))) {
+        pace.note(moment.t, moment.is_new);
+        agreement->see(moment, views);
+      }
       learned_.see(moment.t, views);
       track_.seconds += processorSeconds() - begin;
       noteProgress(passes_ - 2, i);
     }
     const double begin = processorSeconds();
     learned_.settle(views);
+    if (agreement) faults_ = agreement->faults();
     track_.seconds += processorSeconds() - begin;
     seen_ = views.seen();
   }

@@ -1,4 +1,4 @@
-// How often live cameras are compared.
+// How often several cameras are compared.
 #pragma once
 
 #include <algorithm>

@@ -78,6 +78,7 @@ void LiveAgreement::compare(const Work& work) {
     const auto c = static_cast<std::size_t>(&camera - cameras_.data());
     return work.has_known[c] ? &work.known[c] : nullptr;
   });
+  agreement_.note(moment, views_);
   agreement_.see(moment, views_);
   if (work.t < next_judged_) return;
   next_judged_ = work.t + kJudged;
