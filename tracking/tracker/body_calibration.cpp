@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.hpp"
+#include "tracking/tracker/stature.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
@@ -17,12 +18,8 @@ constexpr int kSteps = 5;                          // solver steps for an image 
 constexpr std::array kChanges{0.06, 0.03, 0.015};  // relative change of a size, by sweep
 // Share of the cost for each size that is 10 % off the usual one; regularises sizes that no image shows.
 constexpr double kUnusual = 0.01;
-constexpr double kStatureStep = 0.05;  // m
-constexpr int kStatureSteps = 15;      // solver steps for an image and a changed stature
-// m; mean and standard deviation of the statures of women and men together (ANSUR II: 1.63 and 1.76 m), and
-// the share of the cost for each stature that is one standard deviation off. A body that points at the camera
-// hardly shows its length.
-constexpr double kMeanStature = 1.70, kStatureDeviation = 0.10, kUnusualStature = 0.05;
+constexpr double kStatureStep = 0.05;    // m
+constexpr int kStatureSteps = 15;        // solver steps for an image and a changed stature
 constexpr double kPlausibleCost = 1.15;  // times the smallest
 constexpr double kAlikeCost = 1.05;      // likewise, of statures that explain the images alike
 constexpr double kMaxFactor = 1.25;      // and its inverse: limits of human proportions
@@ -142,9 +139,8 @@ std::optional<BodyCalibration::PlausibleStatures> BodyCalibration::plausibleStat
   const auto note = [&](double height, std::vector<RigPose>& poses) {
     humanmodel::HumanOptions body = start;
     body.height = height;
-    const double unusual = (height - kMeanStature) / kStatureDeviation;
     const double cost = costOf(body, kStatureSteps, poses);
-    costs.push_back({height, cost, cost * (1.0 + kUnusualStature * unusual * unusual)});
+    costs.push_back({height, cost, cost * Stature::unusual(height)});
   };
   // From the stature of the poses outwards, so that each fit starts from one of nearly the same size.
   const auto is_within = [&](double height) { return height >= limits[0] && height <= limits[1]; };

@@ -103,7 +103,7 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, F
     tryPostures(kRaisedStarts, middle, rig_->height - above, facing, fits);
   if (top < kHandsOffFloor * rig_->height) tryBent(middle, top, fits);
   if (const std::optional<double> head = headBelowHands(seen_)) tryRaised(middle, *head, facing, fits);
-  if (!is_cut_) return;
+  if (!is_cut_.above) return;
   tryPostures(kCutStarts, middle, top - above, facing, fits);
   if (top < rig_->height) tryPostures(kOnFloorStarts, middle, rig_->height - above, facing, fits);
 }

@@ -32,6 +32,9 @@ constexpr double kVeryDoubtful = 1.2e-3, kMuchBetterCost = 0.3;
 constexpr Backoff::Waits kSearchLost{10, 0.15, 1.0, 0.15};
 constexpr Backoff::Waits kSearchDoubtful{0, 0.5, 2.0, 4.0};
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
+constexpr double kFarAway =
+    3.5;  // m; a Kinect's depths of a surface scatter by 2 cm there, and in steps of 3.6
+constexpr double kWorse = 1.1;  // times the cost of the last pose; feet that are planted cost something
 // Of a limb's positions: times the smallest cost. None that costs more than LimbAlternatives::kAlike times
 // the limb of the fitted body is an alternative.
 constexpr double kKept = 2.0;
@@ -43,11 +46,22 @@ constexpr double kAboveVertex = 0.20;
 
 constexpr double kSole = 0.05;  // m, below ankles and toes at most
 
+bool hasPerson(std::span<const std::uint8_t> row) {
+  return std::find(row.begin(), row.end(), std::uint8_t{1}) != row.end();
+}
+
 /// Whether the upper border of an image cuts off the person.
 bool isCutAbove(std::span<const PersonImage> images) {
   return std::any_of(images.begin(), images.end(), [](const PersonImage& image) {
-    const auto row = image.is_person.first(static_cast<std::size_t>(image.image->width));
-    return std::find(row.begin(), row.end(), std::uint8_t{1}) != row.end();
+    return hasPerson(image.is_person.first(static_cast<std::size_t>(image.image->width)));
+  });
+}
+
+/// Whether the lower border of each image does that shows the person.
+bool isCutBelow(std::span<const PersonImage> images) {
+  return std::all_of(images.begin(), images.end(), [](const PersonImage& image) {
+    return hasPerson(image.is_person.last(static_cast<std::size_t>(image.image->width))) ||
+           !hasPerson(image.is_person);
   });
 }
 
@@ -90,7 +104,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
   const double highest = headHeight(), top = highest / rig_->height;
   if (!(highest < (lying_.lies ? kLyingTop : kHandsOffFloor * rig_->height))) lying_ = {};
   fit_.keepAboveFloor(lying_.lies);
-  is_cut_ = isCutAbove(images);
+  is_cut_ = {isCutAbove(images), isCutBelow(images)};
   const bool may_sit = top > kHandsOffFloor && top < kStandingHead;
   fit_.keepLegsApart(may_sit);
   if (may_sit && !(body_.found && kneels(body_.X_WS))) {
@@ -185,11 +199,7 @@ void BodyTracker::searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::S
     found |= limbs_.search(seen_, k, kLimbs[k].isArm() ? arms : legs, random_, other);
   if (!found) return;
   fit_.refine(seen_, other, narrow_, kNarrowSteps, other);
-  RigPlacement X_WS;
-  place(*rig_, body_.pose, X_WS);
-  const double before = fit_.misfit(seen_, X_WS).cost;
-  place(*rig_, other, X_WS);
-  if (fit_.misfit(seen_, X_WS).cost < before) body_.pose = other;
+  if (costOf(other) < costOf(body_.pose)) body_.pose = other;
 }
 
 /// Feet of a person of whose lower legs nothing has been seen for a while, as behind a bench. For shorter,
@@ -216,6 +226,7 @@ void BodyTracker::follow(double dt) {
   body_.pose = expected;
   fit_.refine(seen_, expected, wide_, kWideSteps, body_.pose);
   fit_.refine(seen_, expected, narrow_, kNarrowSteps, body_.pose);
+  returnTo(last);
   searchLimbs({100, 0.2, kKept}, {30, 0.12, kKept});
   velocity_ =
       continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
@@ -224,6 +235,19 @@ void BodyTracker::follow(double dt) {
   lowerLeg();
   plantLegs();
   lowerArms();
+}
+
+/// The steps of a fit do not compare its cost, and the noise of somebody far away, or limbs that the image
+/// cuts off, lead some of them astray. A pose that explains the image worse than the last one does is then
+/// refined from that, in small steps. Not so of others, who have things in their hands that arms would
+/// explain better.
+void BodyTracker::returnTo(const RigPose& last) {
+  if (!is_cut_.above && !is_cut_.below && meanDistance() < kFarAway) return;
+  const double limit = costOf(body_.pose) / kWorse;
+  if (!(costOf(last) < limit)) return;
+  RigPose near = last;
+  fit_.refine(seen_, last, narrow_, kNarrowSteps, near);
+  if (costOf(near) < limit) body_.pose = near;
 }
 
 /// Somebody who sits down, and whose legs were lost in the chair before, is found again on the chair;
@@ -248,6 +272,21 @@ void BodyTracker::searchAgain(double t) {
   badly_ = badly;
 }
 
+/// m, of the points from the cameras that see them.
+double BodyTracker::meanDistance() const {
+  const SeenPoints& points = seen_.points();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < points.count; ++i) sum += (points.point(i) - seen_.eyeOf(i)).norm();
+  return sum / static_cast<double>(points.count);
+}
+
+/// m^2, of a pose in the last image.
+double BodyTracker::costOf(const RigPose& pose) {
+  RigPlacement X_WS;
+  place(*rig_, pose, X_WS);
+  return fit_.misfit(seen_, X_WS).cost;
+}
+
 /// Of its pose.
 void BodyTracker::placeBody() {
   place(*rig_, body_.pose, body_.X_WS);
@@ -262,7 +301,7 @@ bool BodyTracker::isInView(const Vector3d& p_W) const {
 
 /// Whether the border cuts off the person at the head: what is seen of it does not show where it ends.
 bool BodyTracker::isHeadCut() const {
-  if (!is_cut_) return false;
+  if (!is_cut_.above) return false;
   const Vector3d above =
       jointPosition(*rig_, body_.X_WS, humanmodel::Joint::kHeadTop) + kAboveVertex * Vector3d::UnitZ();
   return !isInView(above);

@@ -71,8 +71,9 @@ class BodyTracker {
   /// Whether the last body comes from a search that explains the image much better than the followed one did:
   /// the bodies before were wrong.
   bool wasReplaced() const { return was_replaced_; }
-  /// Whether neither the head nor a whole foot of the last body is within the images.
-  bool isCutAtBothEnds() const { return isHeadCut() && !showsFoot(); }
+  /// Whether neither the head nor a whole foot of the last body is within the images. What they cut off
+  /// below may be a leg that a wrong body bends into them.
+  bool isCutAtBothEnds() const { return isHeadCut() && (is_cut_.below || !showsFoot()); }
   /// Whether the trunk of the last body is more level than upright.
   bool isBent() const;
   const BodyObservation& seen() const { return seen_; }
@@ -126,6 +127,9 @@ class BodyTracker {
   void lowerArms();
   bool tryLikelier(const RigPose& start, double limit);
   void follow(double dt);
+  void returnTo(const RigPose& last);
+  double costOf(const RigPose& pose);
+  double meanDistance() const;
   void plantHiddenFeet();
   double headHeight() const;
   bool isInView(const Vector3d& p_W) const;
@@ -153,7 +157,11 @@ class BodyTracker {
   double stature_deviation_{0.0};        ///< m
   Lying lying_;
   bool was_replaced_{false};
-  bool is_cut_{false};  ///< the upper border of the last image cuts off the person
+  struct Cut {
+    bool above{false};  ///< by the upper border of an image
+    bool below{false};  ///< by the lower one of all images
+  };
+  Cut is_cut_;  ///< the person in the last images
   bool facing_known_{true};
   Expected expected_;
   int badly_{0};  ///< consecutive images that the body did not explain

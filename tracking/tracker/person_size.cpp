@@ -27,12 +27,17 @@ constexpr double kHigher = 0.06;       // m, above the measured stature: hair, a
 constexpr double kFeetOnFloor = 0.10;  // m, of ankles and toes
 constexpr double kSteady = 0.04;       // m, largest difference of the heights of images that are measured
 
-/// Whether a body in this posture explains the image so much better than the assumed one.
-bool isLikelier(OtherPosture::Kind kind, const DepthMisfit& other, const DepthMisfit& assumed) {
+/// Whether the body `other` in this posture explains the image so much better than the assumed one, which is
+/// `height` (m) tall.
+bool isLikelier(const OtherPosture& posture, const DepthMisfit& other, double height,
+                const DepthMisfit& assumed) {
   using enum OtherPosture::Kind;
+  const OtherPosture::Kind kind = posture.kind;
   const double cost = kind == kKneeling ? kKneelingCost : kind == kLowered ? kLoweredCost : kOtherCost;
-  if (other.cost >= cost * assumed.cost) return false;
   const bool is_upright = kind == kRaisedArms || kind == kChild;
+  // Somebody short whose raised hand is the highest would otherwise be a giant who sits.
+  const double rarer = is_upright ? 1.0 : Stature::unusual(posture.stature.used) / Stature::unusual(height);
+  if (std::max(1.0, rarer) * other.cost >= cost * assumed.cost) return false;
   return is_upright || 1.0 - other.explained < kLeavesUnexplained * (1.0 - assumed.explained);
 }
 
@@ -62,6 +67,7 @@ void TrackedPerson::makeMeasured() {
 bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) {
   if (stature_.source == Stature::Source::kGiven || !std::isfinite(stature_.seen)) return false;
   const DepthMisfit assumed = now_.track(t, images).misfit;
+  const double height = stature_.used;
   double best = kInfinity;
   std::array<double, 2> interval{kInfinity, -kInfinity};
   for (const OtherPosture& other : otherPostures(stature_)) {
@@ -69,7 +75,7 @@ bool TrackedPerson::checkUpright(double t, std::span<const PersonImage> images) 
     trial.tracker->allowChair(false);  // the upright body explains all points, too
     const TrackedBody& found = trial.track(t, images);
     trial.tracker->allowChair(true);
-    if (!found.found || !isLikelier(other.kind, found.misfit, assumed) ||
+    if (!found.found || !isLikelier(other, found.misfit, height, assumed) ||
         !isIn(other.kind, found.frame, *trial.rig))
       continue;
     interval = {std::min(interval[0], other.stature.interval[0]),

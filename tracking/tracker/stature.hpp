@@ -66,6 +66,9 @@ struct Stature {
   /// Default if the images show nothing.
   static constexpr double kUsual = 1.70;
 
+  /// Factor on the cost of the images for a body of this stature (m): 1 for the mean adult, more for others.
+  static double unusual(double height);
+
   static Stature given(double height);
   /// Of a child, or another person who stands and is `seen` (m) high, less than kShortestUpright.
   static Stature ofChild(double seen);

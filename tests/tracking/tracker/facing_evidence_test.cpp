@@ -11,27 +11,40 @@
 namespace abstand::tracking {
 namespace facing_evidence_test {
 
-/// A person who stands and faces the camera, 2.8 m away: the right body, and one that faces the other way.
+BodyFollower follower() {
+  constexpr double kStature = 1.75;  // m
+  humanmodel::HumanOptions body;
+  body.height = kStature;
+  return {body, Stature::given(kStature), {}, 1};
+}
+
+/// An image of a person who stands and faces the camera at `eye` (m), which looks at z = `look` (m).
+struct ImageOfStanding {
+  ImageOfStanding(const Vector3d& eye, double look)
+      : clip{testing::simulate({.recording = testing::projectFile("data/scenes/hug_reach.bvh"),
+                                .end = 0.1,
+                                .eye = eye,
+                                .look = {0.0, 0.0, look},
+                                .width = 320})} {
+    clip.stream->next(frame);
+    for (const float z : frame.image.z) mask.push_back(z > 0.0f);
+  }
+  PersonImage person() const { return {&frame.image, &clip.stream->camera(), mask}; }
+
+  testing::SimulatedClip clip;
+  DepthFrame frame;
+  std::vector<std::uint8_t> mask;
+};
+
+/// 2.8 m away: the right body, and one that faces the other way.
 class EvidenceOfStanding : public ::testing::Test {
  protected:
   void SetUp() override {
-    testing::SimulatedClip clip = testing::simulate(
-        {.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 0.1, .width = 320});
-    DepthFrame frame;
-    ASSERT_TRUE(clip.stream->next(frame));
-    std::vector<std::uint8_t> mask(frame.image.z.size());
-    for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
-    const PersonImage image{&frame.image, &clip.stream->camera(), mask};
+    const ImageOfStanding standing({2.8, 0.0, 1.2}, 0.9);
+    const PersonImage image = standing.person();
     ASSERT_TRUE(right.track(0.0, {&image, 1}).found);
     turned.startTurned(right);
     ASSERT_TRUE(turned.track(0.0, {&image, 1}).found);
-  }
-
-  static BodyFollower follower() {
-    constexpr double kStature = 1.75;  // m
-    humanmodel::HumanOptions body;
-    body.height = kStature;
-    return {body, Stature::given(kStature), {}, 1};
   }
 
   BodyFollower right = follower(), turned = follower();
@@ -61,6 +74,19 @@ TEST_F(EvidenceOfStanding, AddsUpToTheCostOfTheImage) {
   const double of_points = DepthFit::robustMean(score.data(), points.count) * count;
   const double of_high = DepthFit::robustMean(high.data(), high.size()) * static_cast<double>(high.size());
   EXPECT_NEAR(of_high + evidence.low_cost, of_points, kRounding * of_points);
+}
+
+// Images 0.8 m high at the person.
+TEST(EvidenceOfSomebodyNear, IsLittleWithoutHeadAndFeet) {
+  const auto shows_little = [](double look) {
+    const ImageOfStanding near({1.0, 0.0, look}, look);
+    const PersonImage image = near.person();
+    BodyFollower body = follower();
+    EXPECT_TRUE(body.track(0.0, {&image, 1}).found) << look;
+    return facingEvidence(*body.tracker).shows_little;
+  };
+  EXPECT_TRUE(shows_little(1.1));
+  EXPECT_FALSE(shows_little(1.5)) << "the head";
 }
 
 TEST_F(EvidenceOfStanding, AllocatesNothing) {

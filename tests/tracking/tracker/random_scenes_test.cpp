@@ -67,7 +67,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Drawn{1, 19, 1.0, "CutOffAtTheChest"}, Drawn{1, 24, 1.0, "KneelsWithRaisedHands"},
                       Drawn{1, 37, 0.9, "BendsAtFirst"}, Drawn{5, 6, 0.8, "BendsToTheFloorNearTheCamera"},
                       Drawn{5, 48, 1.0, "SitsOnTheFloor"}, Drawn{8, 41, 1.0, "BackWithoutHeadAndFeet"},
-                      Drawn{8, 47, 0.75, "RisesNearTheCamera"}),
+                      Drawn{8, 47, 0.75, "RisesNearTheCamera"},
+                      Drawn{11, 0, 1.0, "SquatsBehindAThingFarAway"},
+                      Drawn{11, 5, 1.0, "SitsFarAwayWithARaisedHand"},
+                      Drawn{11, 27, 1.0, "HalfHiddenByABenchFarAway"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 
 }  // namespace random_scenes_test

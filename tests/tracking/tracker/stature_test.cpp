@@ -143,6 +143,13 @@ TEST(Stature, DeviationIsThatFromTheStatureUsed) {
   EXPECT_NEAR(s.deviation(), std::sqrt(sum), 1e-6);
 }
 
+TEST(Stature, RareOnesCostMore) {
+  EXPECT_DOUBLE_EQ(Stature::unusual(1.70), 1.0);
+  EXPECT_NEAR(Stature::unusual(1.80), 1.05, 1e-12) << "a standard deviation";
+  EXPECT_NEAR(Stature::unusual(1.60), 1.05, 1e-12);
+  EXPECT_NEAR(Stature::unusual(2.00), 1.45, 1e-12) << "three";
+}
+
 TEST(Stature, IsUnknownWithoutImages) {
   const Stature s = measureStature({});
   EXPECT_FALSE(s.known());
