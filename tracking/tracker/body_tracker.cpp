@@ -32,8 +32,8 @@ constexpr double kVeryDoubtful = 1.2e-3, kMuchBetterCost = 0.3;
 constexpr Backoff::Waits kSearchLost{10, 0.15, 1.0, 0.15};
 constexpr Backoff::Waits kSearchDoubtful{0, 0.5, 2.0, 4.0};
 constexpr int kWideSteps = 4, kNarrowSteps = 4;
-constexpr double kFarAway =
-    3.5;  // m; a Kinect's depths of a surface scatter by 2 cm there, and in steps of 3.6
+// m; a Kinect's depths of a surface scatter by 2 cm there, in steps of 3.6 cm.
+constexpr double kFarAway = 3.5;
 constexpr double kWorse = 1.1;  // times the cost of the last pose; feet that are planted cost something
 // Of a limb's positions: times the smallest cost. None that costs more than LimbAlternatives::kAlike times
 // the limb of the fitted body is an alternative.
