@@ -25,7 +25,7 @@ class LiveAgreement {
   LiveAgreement& operator=(const LiveAgreement&) = delete;
 
   /// `moment.t` (s) increases. `known` (m; 0: none): images of known things, one for each camera, or null.
-  /// Throws what CameraAgreement::see() has thrown.
+  /// Throws what CameraAgreement::note() has thrown.
   void offer(const DepthMoment& moment, std::span<const DepthImage* const> known);
   /// Whether a moment is being compared: the next one is not.
   bool isBusy();

@@ -16,7 +16,7 @@ LearnedBackground::LearnedBackground(std::size_t pixels, double learn_after)
 
 void LearnedBackground::set(std::size_t pixel, float z) {
   background_[pixel] = {z, 0.5f * depthNoise(z), 0.0f, z};
-  if (isLearned(unassigned_[pixel])) unassigned_[pixel] = {};
+  if (isLearned(unassigned_[pixel])) unassigned_[pixel] = {};  // or that would still be the background
 }
 
 bool LearnedBackground::continues(std::span<const std::uint8_t> labels, std::uint8_t label,
