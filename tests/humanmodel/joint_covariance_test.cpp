@@ -64,7 +64,7 @@ TEST(JointCovariance, EllipsoidHolds99PercentOfNormalErrors) {
   constexpr int kErrors = 40000;
   // Three standard deviations of the share.
   constexpr double kSampling = 3.0 * 0.0005;
-  // Median of the chi distribution with three degrees of freedom; the figure of docs/tracking.md.
+  // Median of the chi distribution with three degrees of freedom; the figure of docs/tracking-uncertainty.md.
   constexpr double kMedianRatio = kSpreadQuantile / 1.5382, kMedianSampling = 0.03;
   Random random(1, 0);
   const Matrix3d C = randomCovariance(random);

@@ -126,7 +126,7 @@ TEST(CameraFaults, AreNoneOfCalibratedCameras) {
   EXPECT_EQ(track.cameras.at(1).without, 0u);
 }
 
-// Of another clip (docs/tracking.md), the raw means were 58 and 235 mm for 3 and 10 degrees before.
+// Of another clip (docs/tracking-cameras.md), the raw means were 58 and 235 mm for 3 and 10 degrees before.
 TEST(CameraFaults, PushedAsideIsLeftOut) {
   for (const double degrees : {4.0, 10.0}) {
     const ClipTrack track = trackedWith(pushedTo(kSide, turned(kSide, unit::deg(degrees))));

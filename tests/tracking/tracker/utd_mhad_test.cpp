@@ -21,7 +21,7 @@ using testing::JointErrors;
 
 constexpr double kRate = 30.0;  // Hz, of the set
 // Errors with the constant offset of each joint removed, at the clock offset that is estimated: target of
-// docs/tracking.md. Without it: 0.047 and 0.048 m.
+// docs/tracking-validation.md. Without it: 0.047 and 0.048 m.
 constexpr double kOfKinect = 0.045;         // m
 constexpr double kOfKinectAsTimed = 0.050;  // m, with the times of the files
 // Raw: the sensor means other points by its joints.

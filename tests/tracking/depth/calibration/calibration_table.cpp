@@ -1,4 +1,4 @@
-// Prints the tables of docs/tracking.md, "Camera calibration", which scripts/calibration-table writes.
+// Prints the tables of docs/camera-calibration.md, which scripts/calibration-table writes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

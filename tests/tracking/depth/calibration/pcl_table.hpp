@@ -1,4 +1,4 @@
-// Comparisons of filters of PCL with plain loops, for docs/tracking.md.
+// Comparisons of filters of PCL with plain loops, for docs/camera-calibration.md.
 #pragma once
 
 namespace abstand::testing {

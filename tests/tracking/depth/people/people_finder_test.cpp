@@ -306,7 +306,7 @@ std::vector<geometry::TriangleMesh> chair(double back, double yaw, const Vector3
   return parts;
 }
 
-// Without the rule for shoulders, a chair was a person in 175 of 288 views (docs/tracking.md).
+// Without the rule for shoulders, a chair was a person in 175 of 288 views (docs/tracking-things.md).
 TEST(PeopleFinder, ChairsAreNoPeople) {
   constexpr int kImages = 15;  // at 30 Hz, long before the chair is learned as background
   for (const double back : {0.9, 1.0, 1.15})
