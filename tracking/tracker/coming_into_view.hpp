@@ -12,8 +12,8 @@ namespace abstand::tracking {
 double visibleArea(std::span<const PersonImage> images);
 
 /// Follows how much of a person is seen in the first kLongest seconds. A body that is searched for when only
-/// an arm is in the image stays wrong (docs/tracking-views.md, *From the first image*). One thread. Allocates in
-/// these seconds.
+/// an arm is in the image stays wrong (docs/tracking-views.md, *From the first image*). One thread. Allocates
+/// in these seconds.
 class ComingIntoView {
  public:
   static constexpr double kLongest = 2.0;  ///< s

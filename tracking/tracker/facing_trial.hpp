@@ -11,9 +11,9 @@ namespace abstand::tracking {
 
 /// Adds what the images say of two bodies that follow the same person, one that faced the camera at first and
 /// one that faced away: motion refutes the wrong one. The ratio is that of the costs of both, times two
-/// factors for what is little of an image but tells the front (docs/tracking-views.md has measured values): toes
-/// that only the body that faces the camera explains, and walking forward. Toes do not count in images in
-/// which the other body kneels, nor if these are more than half of all: its feet point to the camera, too.
+/// factors for what is little of an image but tells the front (docs/tracking-views.md has measured values):
+/// toes that only the body that faces the camera explains, and walking forward. Toes do not count in images
+/// in which the other body kneels, nor if these are more than half of all: its feet point to the camera, too.
 /// Toes that are not seen tell nothing, as cameras lose them in the floor. One thread. Allocates nothing,
 /// does not throw.
 class FacingTrial {

@@ -12,7 +12,8 @@ namespace abstand::tracking {
 /// wrong jumps. Even motion is predicted and counts nothing. The standard deviation is kTime times the change
 /// of velocity from one image to the next (m/s), the largest of the past, each decayed with kDecay; before
 /// the first image, it was kUnknown. With kTime at least 0.994 of the raw errors of each clip that it was
-/// chosen with are within reach, without the term 0.983 (docs/tracking-uncertainty.md). Does not allocate or throw.
+/// chosen with are within reach, without the term 0.983 (docs/tracking-uncertainty.md). Does not allocate or
+/// throw.
 class JointMotion {
  public:
   using Spreads = std::array<double, humanmodel::kJointCount>;

@@ -35,7 +35,8 @@ struct FitState {
 /// - Fold: the hips, and the knee of a thigh, are up to 0.2 m off where the thigh lies on the trunk: a term
 ///   that begins at an angle of 60 degrees between both and is whole at 20.
 /// The constants were chosen on the simulated captures and postures of tests/tracking/tracker; those of a
-/// good fit on a part of them and judged on the others (docs/tracking-uncertainty.md). Does not allocate or throw.
+/// good fit on a part of them and judged on the others (docs/tracking-uncertainty.md). Does not allocate or
+/// throw.
 JointCovariances trackedCovariances(const BodyRig& rig, const BodySolver& problem, const FitState& state);
 
 }  // namespace abstand::tracking

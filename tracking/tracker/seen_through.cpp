@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/math/quantile.hpp"
 
@@ -19,12 +20,13 @@ double hiddenBeside(const LabelledImage& to, const Eigen::Vector2d& pixel, const
   const int reach = static_cast<int>(SeenThrough::kFarthest / per_pixel);
   const int stride = std::max(1, 2 * reach / kSearchedAcross);
   const int u = static_cast<int>(pixel.x()), v = static_cast<int>(pixel.y());
-  double nearest = SeenThrough::kFarthest / per_pixel;
+  long nearest2 = std::numeric_limits<long>::max();  // pixels^2
   for (int y = std::max(0, v - reach); y <= std::min(to.image->height - 1, v + reach); y += stride)
     for (int x = std::max(0, u - reach); x <= std::min(to.image->width - 1, u + reach); x += stride)
       if (static_cast<double>(to.image->at(x, y)) < p_C.z() + far)
-        nearest = std::min(nearest, std::hypot(x - u, y - v));
-  return nearest * per_pixel;
+        nearest2 =
+            std::min(nearest2, static_cast<long>(x - u) * (x - u) + static_cast<long>(y - v) * (y - v));
+  return std::min(SeenThrough::kFarthest, std::sqrt(static_cast<double>(nearest2)) * per_pixel);
 }
 
 }  // namespace

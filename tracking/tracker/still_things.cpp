@@ -34,13 +34,11 @@ bool StillThings::isThing(const Pixel& pixel, float z) const {
 }
 
 void StillThings::update(const PersonImage& image, View& view) {
-  if (!view.has_any) {
-    std::copy(image.is_person.begin(), image.is_person.end(), view.is_person.begin());
-    return;
-  }
+  std::copy(image.is_person.begin(), image.is_person.end(), view.is_person.begin());
+  if (view.begin == view.end) return;
   const auto width = static_cast<std::size_t>(image.image->width);
-  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
-    view.is_person[i] = image.is_person[i];
+  const std::size_t end = std::min(view.pixels.size(), view.end + width);
+  for (std::size_t i = view.begin < width ? 0 : view.begin - width; i < end; ++i) {
     Pixel& pixel = view.pixels[i];
     const float z = image.image->z[i];
     if (pixel.z > 0.0f && z > 0.0f) {
@@ -68,9 +66,10 @@ void StillThings::keep(std::span<const PersonImage> all, std::span<const PersonI
   for (std::size_t k = 0; k < all.size(); ++k) {
     View& view = viewOf(all[k]);
     for (std::size_t i = 0; i < view.pixels.size(); ++i)
-      if (all[k].is_person[i] != 0 && rest[k].is_person[i] == 0)
+      if (all[k].is_person[i] != 0 && rest[k].is_person[i] == 0) {
         view.pixels[i] = {.z = all[k].image->z[i], .kept = true};
-    view.has_any = true;
+        view.mayHave(i);
+      }
   }
 }
 
@@ -102,10 +101,11 @@ void StillThings::note(const DepthCamera& camera, const Vector3d& p_C, const Rea
   const auto z = static_cast<float>(p_C.z());
   for (int y = std::max(0, v - kPointPixels); y <= std::min(camera.height - 1, v + kPointPixels); ++y)
     for (int x = std::max(0, u - kPointPixels); x <= std::min(camera.width - 1, u + kPointPixels); ++x) {
-      Pixel& pixel = view.pixels[static_cast<std::size_t>(y * camera.width + x)];
+      const auto i = static_cast<std::size_t>(y * camera.width + x);
+      Pixel& pixel = view.pixels[i];
       if (pixel.z == 0.0f && (of.is_apart || of.is_chair)) {
         pixel = {.z = z, .stretch = stretch_};
-        view.has_any = true;
+        view.mayHave(i);
       }
       if (pixel.z == 0.0f || std::abs(pixel.z - z) >= noiseAt(z)) continue;
       pixel.z += kMeanWeight * (z - pixel.z);

@@ -1,6 +1,7 @@
 // Surfaces beside a person that stay where they are while the person's legs move.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "tracking/tracker/depth_fit.hpp"
@@ -59,8 +60,12 @@ class StillThings {
   struct View {
     std::size_t number{0};  ///< PersonImage::number
     std::vector<Pixel> pixels;
-    bool has_any{false};  ///< whether a pixel may have anything
+    std::size_t begin{0}, end{0};  ///< of the pixels that may have anything
     std::vector<std::uint8_t> is_person;
+    void mayHave(std::size_t pixel) {
+      begin = begin == end ? pixel : std::min(begin, pixel);
+      end = std::max(end, pixel + 1);
+    }
   };
   View& viewOf(const PersonImage& image);
   bool isThing(const Pixel& pixel, float z) const;

@@ -70,8 +70,8 @@ class LearnedBackground {
     if (isLearned(unassigned_[pixel])) background_[pixel] = unassigned_[pixel];
   }
   static bool isStable(const StablePixel& surface, float z) {
-    return surface.z > 0.0f && std::abs(z - surface.z) <
-                                   std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
+    const float varies = std::max(depthNoise(z), std::min(4.0f * surface.deviation, kMaxDeviation));
+    return (surface.z > 0.0f) & (std::abs(z - surface.z) < varies);
   }
 
   static constexpr float kReferenceAt = 0.5f, kSettled = 0.7f;  ///< s

@@ -44,6 +44,36 @@ bool hides(const DepthImage& known, std::size_t pixel, float z) {
 
 }  // namespace
 
+/// Axes of the plan view in the camera's frame, for the points of rays (x, y, 1).
+class PeopleFinder::PlanAxes {
+ public:
+  /// The parts of a row of the image.
+  struct Row {
+    float up, ahead, right;
+  };
+  explicit PlanAxes(const FloorPlane& plane) : height_{static_cast<float>(plane.height)} {
+    const Vector3d ahead = (Vector3d::UnitZ() - plane.up.z() * plane.up).normalized();
+    up_ = plane.up.cast<float>();
+    ahead_ = ahead.cast<float>();
+    right_ = ahead.cross(plane.up).cast<float>();
+  }
+  Row row(float y) const {
+    return {up_.y() * y + up_.z(), ahead_.y() * y + ahead_.z(), right_.y() * y + right_.z()};
+  }
+  /// Slope of a ray.
+  float slopeAt(const Row& row, float x) const { return up_.x() * x + row.up; }
+  /// m above the floor, of the point of a ray at depth `z` (m).
+  float heightAt(const Row& row, float x, float z) const { return z * slopeAt(row, x) + height_; }
+  int cellAt(const Row& row, float x, float z) const {
+    return PlanView::cellAt(static_cast<double>(z * (right_.x() * x + row.right)),
+                            static_cast<double>(z * (ahead_.x() * x + row.ahead)));
+  }
+
+ private:
+  Eigen::Vector3f up_, ahead_, right_;
+  float height_;  ///< m, of the camera
+};
+
 PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options)
     : camera_(camera),
       options_(options),
@@ -56,6 +86,7 @@ PeopleFinder::PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions&
   if (floor_given_) people_.floor = plane_ = floorOfWorld(camera.X_WC);
   cell_of_.assign(pixelsOf(camera), -1);
   objects_.reserve(pixelsOf(camera));
+  columns_.assign(static_cast<std::size_t>(camera.width), 0);
   people_.label.assign(pixelsOf(camera), 0);
   for (int u = 0; u < camera.width; ++u) x_.push_back(static_cast<float>((u - camera.cx) / camera.fx));
   for (int v = 0; v < camera.height; ++v) y_.push_back(static_cast<float>((v - camera.cy) / camera.fy));
@@ -98,62 +129,89 @@ void PeopleFinder::estimateFloorFromScene(const DepthImage& image) {
 }
 
 void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* known) {
-  project(image, known, false);
-  if (furniture_.find(plan_)) project(image, known, true);
+  const PlanAxes axes(plane_);
+  project(image, known, axes);
+  if (furniture_.find(plan_)) removeFurniture(image, known, axes);
 }
 
-void PeopleFinder::project(const DepthImage& image, const DepthImage* known, bool has_furniture) {
-  constexpr int kBorderRows = 2;     // of the image, at its upper border
-  constexpr int kBorderColumns = 4;  // at its sides, where a Kinect's noise leaves pixels out
-  constexpr int kEvery = 3;          // pixels and rows of background that are looked at
+/// Columns of row `v` whose depths are within the gate and not of the background; with `notes_background`
+/// also some that are. Computed without branches, as which pixels are follows no pattern.
+std::span<const int> PeopleFinder::columnsToProject(const DepthImage& image, int v, bool notes_background) {
+  constexpr int kEvery = 3;
+  const auto nearest = static_cast<float>(options_.nearest), farthest = static_cast<float>(options_.farthest);
+  std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width), count = 0;
+  for (int u = 0; u < image.width; ++u, ++i) {
+    const float z = image.z[i];
+    const bool is_noted = notes_background & (u % kEvery == 0);
+    columns_[count] = u;
+    count += static_cast<std::size_t>((z > nearest) & (z < farthest) & (!background_.has(i, z) | is_noted));
+  }
+  return std::span(columns_).first(count);
+}
+
+void PeopleFinder::project(const DepthImage& image, const DepthImage* known, const PlanAxes& axes) {
+  constexpr int kEvery = 3;  // rows of background that are looked at
   plan_.clear();
   objects_.clear();
-  const Vector3d up = plane_.up;
-  const Vector3d ahead = (Vector3d::UnitZ() - up.z() * up).normalized(), right = ahead.cross(up);
-  const Eigen::Vector3f U = up.cast<float>(), A = ahead.cast<float>(), R = right.cast<float>();
-  const auto height = static_cast<float>(plane_.height);
-  const auto nearest = static_cast<float>(options_.nearest), farthest = static_cast<float>(options_.farthest);
-  const double pixel = 1.0 / (camera_.fx * camera_.fy);
+  std::fill(cell_of_.begin(), cell_of_.end(), -1);
   const bool has_floor = people_.floor.has_value();
   for (int v = 0; v < image.height; ++v) {
-    const float y = y_[static_cast<std::size_t>(v)];
-    const float up_row = U.y() * y + U.z(), ahead_row = A.y() * y + A.z(), right_row = R.y() * y + R.z();
-    const bool notes_background = !has_furniture && furniture_.any() && v % kEvery == 0;
-    std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width);
-    for (int u = 0; u < image.width; ++u, ++i) {
-      if (has_furniture && cell_of_[i] < 0) continue;  // nor without furniture
-      cell_of_[i] = -1;
-      const float z = image.z[i];
-      if (!(z > nearest && z < farthest)) continue;
-      const bool is_background = background_.has(i, z);
-      if (is_background && !(notes_background && u % kEvery == 0)) continue;
+    const PlanAxes::Row row = axes.row(y_[static_cast<std::size_t>(v)]);
+    for (const int u : columnsToProject(image, v, furniture_.any() && v % kEvery == 0)) {
+      const std::size_t i =
+          static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(u);
+      const float z = image.z[i], x = x_[static_cast<std::size_t>(u)];
       if (known && known->z[i] > 0.0f && z > known->z[i] - 0.06f) continue;
+      const bool is_background = background_.has(i, z);
       if (!is_background && things_.has(i, z)) continue;
-      const float x = x_[static_cast<std::size_t>(u)];
-      const float rise = U.x() * x + up_row;  // slope of the ray
-      const float h = z * rise + height;
+      const float h = axes.heightAt(row, x, z);
       // A variation along the ray is scaled by its slope in height.
-      const float sole = has_floor ? 0.02f + depthNoise(z) * std::abs(rise) : 0.0f;
+      const float sole = has_floor ? 0.02f + depthNoise(z) * std::abs(axes.slopeAt(row, x)) : 0.0f;
       if (h < sole || h >= static_cast<float>(PlanView::kHighest)) continue;
-      const int cell = PlanView::cellAt(static_cast<double>(z * (R.x() * x + right_row)),
-                                        static_cast<double>(z * (A.x() * x + ahead_row)));
-      if (cell < 0 || (has_furniture && h < furniture_.topOf(cell))) continue;
+      const int cell = axes.cellAt(row, x, z);
+      if (cell < 0) continue;
       if (is_background) {
         furniture_.noteBackground(cell, h);
         continue;
       }
       cell_of_[i] = cell;
       objects_.push_back(static_cast<std::uint32_t>(i));
-      const double area = static_cast<double>(z * z) * pixel;
-      plan_.add(cell, static_cast<double>(h), area);
-      if (background_.hasSettled(i, z))
-        plan_.addSettled(cell, area, static_cast<double>(background_.drift(i)));
-      if (known && (hides(*known, i - (u > 0), z) || hides(*known, i + (u + 1 < image.width), z)))
-        plan_.markBesideKnown(cell);
-      if (v < kBorderRows) plan_.markCut(cell);
-      if (u < kBorderColumns || u >= image.width - kBorderColumns) plan_.markSide(cell);
+      addToPlan(static_cast<std::uint32_t>(i), image, known, h);
     }
   }
+  plan_.join();
+}
+
+/// Adds a pixel whose surface is `h` (m) above the floor to its cell.
+void PeopleFinder::addToPlan(std::uint32_t i, const DepthImage& image, const DepthImage* known, float h) {
+  constexpr int kBorderRows = 2;     // of the image, at its upper border
+  constexpr int kBorderColumns = 4;  // at its sides, where a Kinect's noise leaves pixels out
+  const auto width = static_cast<std::uint32_t>(image.width);
+  const auto u = static_cast<int>(i % width), v = static_cast<int>(i / width);
+  const float z = image.z[i];
+  const int cell = cell_of_[i];
+  const double area = static_cast<double>(z * z) * (1.0 / (camera_.fx * camera_.fy));
+  plan_.add(cell, static_cast<double>(h), area);
+  if (background_.hasSettled(i, z)) plan_.addSettled(cell, area, static_cast<double>(background_.drift(i)));
+  if (known && (hides(*known, i - (u > 0), z) || hides(*known, i + (u + 1 < image.width), z)))
+    plan_.markBesideKnown(cell);
+  if (v < kBorderRows) plan_.markCut(cell);
+  if (u < kBorderColumns || u >= image.width - kBorderColumns) plan_.markSide(cell);
+}
+
+/// The plan view again, without what is furniture.
+void PeopleFinder::removeFurniture(const DepthImage& image, const DepthImage* known, const PlanAxes& axes) {
+  plan_.clear();
+  const auto width = static_cast<std::uint32_t>(image.width);
+  std::erase_if(objects_, [&](std::uint32_t i) {
+    const float h = axes.heightAt(axes.row(y_[i / width]), x_[i % width], image.z[i]);
+    if (h < furniture_.topOf(cell_of_[i])) {
+      cell_of_[i] = -1;
+      return true;
+    }
+    addToPlan(i, image, known, h);
+    return false;
+  });
   plan_.join();
 }
 

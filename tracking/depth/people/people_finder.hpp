@@ -73,7 +73,7 @@ class PeopleFinder {
   explicit PeopleFinder(const DepthCamera& camera, const PeopleFinderOptions& options = {});
 
   /// Of a finder that has seen the same images: these people get the same ids, and are foreseen in up to
-  /// FollowedPeople::kForesight of images before, as soon as a surface of the size that they had is at the
+  /// FollowedPeople::kForesight of images before, as soon as half of the surface that they had is at the
   /// place. Things are known from the first image on.
   void expect(SeenBefore seen);
   const std::vector<Arrival>& arrivals() const { return followed_.arrivals(); }
@@ -89,11 +89,15 @@ class PeopleFinder {
 
  private:
   using Place = PlanView::Place;
+  class PlanAxes;
 
   void findFloor(double t, const DepthImage& image);
   void estimateFloorFromScene(const DepthImage& image);
   void projectToPlan(const DepthImage& image, const DepthImage* known);
-  void project(const DepthImage& image, const DepthImage* known, bool has_furniture);
+  std::span<const int> columnsToProject(const DepthImage& image, int v, bool notes_background);
+  void project(const DepthImage& image, const DepthImage* known, const PlanAxes& axes);
+  void addToPlan(std::uint32_t i, const DepthImage& image, const DepthImage* known, float h);
+  void removeFurniture(const DepthImage& image, const DepthImage* known, const PlanAxes& axes);
   void addHeads(double t, const DepthImage& image);
   bool hasOwnBody(const Head& head, const DepthImage& image);
   void followLying(double t);
@@ -120,6 +124,7 @@ class PeopleFinder {
   std::vector<std::uint8_t> is_object_;  ///< of each pixel, for pieces_
   std::vector<int> cell_of_;             ///< of each pixel; -1: ignored
   std::vector<std::uint32_t> objects_;   ///< pixels that have a cell
+  std::vector<int> columns_;             ///< of a row
   LearnedBackground background_;
   std::vector<float> x_, y_;  ///< of the rays with z = 1
   std::vector<Head> heads_;

@@ -8,8 +8,6 @@
 namespace abstand::tracking {
 namespace {
 
-constexpr int kBridge = 3;  // pixels to the next measured one
-
 struct PixelStep {
   int u, v;
 };
@@ -18,7 +16,7 @@ constexpr std::array<PixelStep, 4> kFourSides{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}
 /// The next measured pixel in a direction; -1: none.
 int nextMeasured(const DepthImage& image, std::size_t from, PixelStep side) {
   const int u = static_cast<int>(from) % image.width, v = static_cast<int>(from) / image.width;
-  for (int step = 1; step <= kBridge; ++step) {
+  for (int step = 1; step <= SurfacePieces::kBridge; ++step) {
     const int x = u + step * side.u, y = v + step * side.v;
     if (x < 0 || y < 0 || x >= image.width || y >= image.height) return -1;
     if (image.at(x, y) != 0.0f) return y * image.width + x;

@@ -58,6 +58,7 @@ class SurfacePieces {
   /// m, side of the largest square in the image that the piece fills, at the depth of the piece.
   double breadth(const SurfacePiece& piece, const DepthImage& image);
 
+  static constexpr int kBridge = 3;  ///< pixels to the next measured one, of neighbours
   /// m, between neighbours of one surface: slopes, and the noise of a Kinect.
   static float stepAt(float z) { return 0.05f + 0.003f * z * z; }
 

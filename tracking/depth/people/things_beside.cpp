@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tracking/depth/people/body_area.hpp"
 #include "tracking/depth/people/learned_background.hpp"
@@ -115,6 +116,20 @@ void ThingsBeside::take(const SurfacePiece& piece, const DepthImage& image, std:
   }
 }
 
+/// Sets is_thing_ of all rows in which the pieces, or what is beside them, are.
+void ThingsBeside::markThings(const DepthImage& image) {
+  std::uint32_t first = std::numeric_limits<std::uint32_t>::max(), last = 0;
+  for (const SurfacePiece& piece : pieces_.pieces())
+    for (const std::uint32_t i : pieces_.pixels(piece)) {
+      first = std::min(first, i);
+      last = std::max(last, i);
+    }
+  const std::size_t beside = SurfacePieces::kBridge * static_cast<std::size_t>(image.width);
+  const std::size_t begin = first < beside ? 0 : first - beside;
+  const std::size_t end = std::min(image.z.size(), last + beside + 1);
+  for (std::size_t i = begin; i < end; ++i) is_thing_[i] = image.z[i] > 0.0f && has(i, image.z[i]);
+}
+
 /// The piece with most surface near the middle of the body; null: none.
 const SurfacePiece* ThingsBeside::trunkOf(const DepthImage& image, std::span<const int> cell_of,
                                           const PlanView::Place& place) const {
@@ -139,7 +154,7 @@ void ThingsBeside::find(const DepthImage& image, const FloorPlane& floor, std::s
   const double top = extentOf(*trunk, image, floor).high;
   if (top < kSeatedTop) return;
   const bool stands = top > kStandingTop;
-  for (std::size_t i = 0; i < image.z.size(); ++i) is_thing_[i] = image.z[i] > 0.0f && has(i, image.z[i]);
+  markThings(image);
   for (int round = 0; round < kRounds; ++round)
     for (const SurfacePiece& piece : pieces) {
       const bool is_thing = is_thing_[pieces_.pixels(piece).front()] != 0;

@@ -51,6 +51,7 @@ class ThingsBeside {
     double low, high;
   };
   Extent extentOf(const SurfacePiece& piece, const DepthImage& image, const FloorPlane& floor) const;
+  void markThings(const DepthImage& image);
   const SurfacePiece* trunkOf(const DepthImage& image, std::span<const int> cell_of,
                               const PlanView::Place& place) const;
   bool isThing(const SurfacePiece& piece, const DepthImage& image, const Extent& extent, bool stands,
