@@ -141,7 +141,7 @@ class ClipPasses {
       for (; next > 0 && next < then.number; ++next)
         noteMoment(track_, place_, person, times_[next], nullptr, true);
       const KeptMoment::Image& image = then.images.front();
-      record({then.number, person, image.frame, *image.camera, tracker.rig(), best.bodies[i]}, then.lag,
+      record({then.number, person, *image.frame, *image.camera, tracker.rig(), best.bodies[i]}, then.lag,
              tracker);
       next = then.number + 1;
     }

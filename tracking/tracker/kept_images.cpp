@@ -13,7 +13,10 @@ void KeptImages::keep(std::size_t number, const DepthMoment& moment, int person,
 
 void KeptImages::add(std::size_t number, const DepthMoment& moment, const PersonImage& image, int id) {
   KeptMoment& kept = kept_[{image.number, id}].emplace_back(KeptMoment{number, moment.t, moment.lag});
-  kept.add(image, moment.frames[image.number]->t);
+  std::pair<std::size_t, std::shared_ptr<const DepthFrame>>& last = last_[image.number];
+  if (!last.second || last.first != number)
+    last = {number, std::make_shared<const DepthFrame>(*moment.frames[image.number])};
+  kept.add(image, last.second);
 }
 
 std::vector<KeptMoment> KeptImages::take(int person, const PeopleViews& views) {

@@ -29,6 +29,8 @@ class KeptImages {
 
   /// Of one camera each, by its number and PeopleViews::idOf(); by increasing number of the moment.
   std::map<std::pair<std::size_t, int>, std::vector<KeptMoment>> kept_;
+  /// By camera: number of the last moment of which an image was kept, and the image.
+  std::map<std::size_t, std::pair<std::size_t, std::shared_ptr<const DepthFrame>>> last_;
 };
 
 }  // namespace abstand::tracking

@@ -172,7 +172,8 @@ void TrackedPerson::keepMeasured(double t, std::span<const PersonImage> images) 
   if (measured_.size() == kMeasured) measured_.erase(measured_.begin());
   KeptMoment& moment = measured_.emplace_back();
   moment.t = t;
-  for (const PersonImage& image : images) moment.add(image, t);
+  for (const PersonImage& image : images)
+    moment.add(image, std::make_shared<const DepthFrame>(DepthFrame{t, *image.image}));
 }
 
 /// Tracks the body that faces as assumed.

@@ -70,7 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Drawn{8, 47, 0.75, "RisesNearTheCamera"},
                       Drawn{11, 0, 1.0, "SquatsBehindAThingFarAway"},
                       Drawn{11, 5, 1.0, "SitsFarAwayWithARaisedHand"},
-                      Drawn{11, 27, 1.0, "HalfHiddenByABenchFarAway"}),
+                      Drawn{11, 27, 1.0, "HalfHiddenByABenchFarAway"},
+                      Drawn{14, 3, 1.0, "RisesAfterASecond"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 
 }  // namespace random_scenes_test

@@ -24,7 +24,8 @@ class StartTrialOfReaching : public ::testing::Test {
       std::vector<std::uint8_t> mask(frame.image.z.size());
       for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = frame.image.z[i] > 0.0f;
       moments.push_back({moments.size(), frame.t, 0.0});
-      moments.back().add({&frame.image, &clip_.stream->camera(), mask}, frame.t);
+      moments.back().add({&frame.image, &clip_.stream->camera(), mask},
+                         std::make_shared<const DepthFrame>(frame));
     }
     return moments;
   }

@@ -20,11 +20,12 @@ constexpr double kYoung = 1.0;  // s
 // bend behind them.
 constexpr double kSureAbsence = 0.5, kSameHeight = 0.12, kTopFalls = 0.3;
 constexpr double kAtSide = 0.5;  // m
-// m: a person who was found this near to an arrival is the one who arrived.
-constexpr double kSameArrival = 0.5;
+// m, s: a person who was found this near to an arrival is the one who arrived.
+constexpr double kSameArrival = 0.5, kSameTime = 1.0;
 // m: people move things within their reach, and hide what is behind their arms.
 constexpr double kMovesWithin = 1.2, kBroadestHalf = 0.5;
-constexpr double kExpectedArea = 0.8;  // share of the surface at the arrival
+// Share of the surface at the arrival. With 0.8, people who bend at first were not foreseen.
+constexpr double kExpectedArea = 0.5;
 
 double topOf(const PlanView& plan, const Head& head) { return static_cast<double>(plan.cell(head.cell).top); }
 
@@ -106,25 +107,25 @@ bool FollowedPeople::isAtSide(const Place& place) const {
 }
 
 void FollowedPeople::addExpected(double t, const PlanView& plan) {
-  for (std::size_t k = 0; k < expected_.size();) {
-    const Arrival arrival = expected_[k];
+  for (const Arrival& arrival : expected_) {
     bool is_new = t < arrival.t && t >= arrival.t - kForesight && !full() &&
                   bodyArea(plan, arrival.place, kBodyRadius) >= kExpectedArea * arrival.area;
     for (const FollowedPerson& person : people_)
-      is_new = is_new && !(person.here && (person.place - arrival.place).norm() < kPeopleApart);
-    if (!is_new) {
-      ++k;
-      continue;
-    }
-    expected_.erase(expected_.begin() + static_cast<std::ptrdiff_t>(k));
-    insert(t, plan, arrival.place, arrival.id).arrives = arrival.t;
+      is_new = is_new && person.id != arrival.id &&
+               !(person.here && (person.place - arrival.place).norm() < kPeopleApart);
+    if (is_new) insert(t, plan, arrival.place, arrival.id).arrives = arrival.t;
   }
+  std::erase_if(expected_, [&](const Arrival& arrival) {
+    return t >= arrival.t && std::any_of(people_.begin(), people_.end(), [&](const FollowedPerson& person) {
+             return person.id == arrival.id;
+           });
+  });
 }
 
 /// The id of who arrives now at a place, who is then expected no more, or a new one.
 int FollowedPeople::idAt(double t, const Place& place) {
   const auto distance = [&](const Arrival& arrival) {
-    return std::abs(arrival.t - t) <= kForesight ? (arrival.place - place).norm() : kInfinity;
+    return std::abs(arrival.t - t) <= kSameTime ? (arrival.place - place).norm() : kInfinity;
   };
   const auto nearest =
       std::min_element(expected_.begin(), expected_.end(),
@@ -132,6 +133,8 @@ int FollowedPeople::idAt(double t, const Place& place) {
   if (nearest == expected_.end() || distance(*nearest) >= kSameArrival) return next_id_++;
   const int id = nearest->id;
   expected_.erase(nearest);
+  // Whoever was foreseen there is not followed any more.
+  std::erase_if(people_, [id](const FollowedPerson& person) { return person.id == id; });
   return id;
 }
 

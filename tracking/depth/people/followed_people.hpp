@@ -36,7 +36,8 @@ class FollowedPeople {
  public:
   static constexpr int kMax = 64;  ///< at once
   static constexpr std::size_t kMaxArrivals = 1024;
-  static constexpr double kForesight = 1.0;  ///< s, see addExpected()
+  /// s, see addExpected(). A second pass copies the images of that time: 150 MB at 640 x 480.
+  static constexpr double kForesight = 4.0;
 
   /// Times (s) for which an unseen person keeps the id, and for which one is followed without a head.
   FollowedPeople(const DepthCamera& camera, double keep, double without_head);
@@ -60,7 +61,9 @@ class FollowedPeople {
   void keepOrAddCrouched(double t, const PlanView& plan, const PlanView::Place& place, double reach);
   /// Whether somebody who was found with a head is or was near a place, or may hide it from the camera.
   bool mayDisturb(const PlanView::Place& place) const;
-  /// Adds people who arrive within kForesight, and of whom as much surface is already at the place.
+  /// Adds people who arrive within kForesight, and of whom half as much surface is already at the place: who
+  /// bends, or is partly hidden, shows less than at the arrival. Who is lost before arriving may be added
+  /// again.
   void addExpected(double t, const PlanView& plan);
   /// Forgets who was nobody, with the arrival; the entry remains until the next image.
   void withdraw(std::size_t k);

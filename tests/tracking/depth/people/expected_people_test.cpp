@@ -38,10 +38,12 @@ void draw(DepthImage& image, double right, bool has_head) {
 struct Scene {
   std::array<int, 2> head_from{0, 0};
   std::array<int, 2> there_from{0, 0};
+  int hidden_from{0}, hidden_until{0};  ///< images in which the left one is not there
   DepthImage image(int i) const {
     DepthImage image(levelCamera().width, levelCamera().height);
     for (std::size_t k = 0; k < 2; ++k)
-      if (i >= there_from[k]) draw(image, k == 0 ? -0.6 : 0.6, i >= head_from[k]);
+      if (i >= there_from[k] && (k == 1 || i < hidden_from || i >= hidden_until))
+        draw(image, k == 0 ? -0.6 : 0.6, i >= head_from[k]);
     return image;
   }
 };
@@ -50,10 +52,10 @@ constexpr int kImages = 20;
 
 /// In each image the ids of the people, from left to right. Person k + 1 is foreseen before image arrives[k].
 std::vector<std::vector<int>> look(const Scene& scene, PeopleFinder& finder,
-                                   std::array<int, 2> arrives = {0, 0}) {
+                                   std::array<int, 2> arrives = {0, 0}, double step = kStep) {
   std::vector<std::vector<int>> ids;
   for (int i = 0; i < kImages; ++i) {
-    std::vector<FoundPerson> people = finder.find(kStep * i, scene.image(i)).persons;
+    std::vector<FoundPerson> people = finder.find(step * i, scene.image(i)).persons;
     EXPECT_TRUE(std::is_sorted(people.begin(), people.end(),
                                [](const FoundPerson& a, const FoundPerson& b) { return a.id < b.id; }));
     std::sort(people.begin(), people.end(),
@@ -102,16 +104,33 @@ TEST(ExpectedPeople, AreNotWhereNobodyIsYet) {
   EXPECT_EQ(look(scene, second), before);
 }
 
-TEST(ExpectedPeople, AreFoundAtMostOneSecondEarlier) {
+TEST(ExpectedPeople, AreFoundAtMostTheForesightEarlier) {
   constexpr int kLate = 15;
+  constexpr double kSlow = 0.4;                                 // s between images
+  const PeopleFinderOptions options{.learn_after = kInfinity};  // who stands still is no background
   const Scene scene{.head_from = {kLate, 0}};
-  PeopleFinder first(levelCamera()), second(levelCamera());
-  look(scene, first);
+  PeopleFinder first(levelCamera(), options), second(levelCamera(), options);
+  look(scene, first, {0, 0}, kSlow);
   second.expect(first.seen());
-  const auto after = look(scene, second, {0, kLate});
-  const int earliest = kLate - static_cast<int>(std::lround(FollowedPeople::kForesight / kStep));
+  const auto after = look(scene, second, {0, kLate}, kSlow);
+  const int earliest = kLate - static_cast<int>(std::lround(FollowedPeople::kForesight / kSlow));
+  ASSERT_GT(earliest, 0);
   for (int i = 0; i < kImages; ++i)
     EXPECT_EQ(after[static_cast<std::size_t>(i)].size(), i < earliest ? 1u : 2u) << i;
+}
+
+// Hidden for a while, as by somebody who passes, before the arrival.
+TEST(ExpectedPeople, KeepTheirNumbersIfTheyAreLostBefore) {
+  constexpr double kSlow = 0.4;  // s between images; they are forgotten after five
+  const Scene scene{.head_from = {15, 0}, .hidden_from = 8, .hidden_until = 14};
+  const PeopleFinderOptions options{.learn_after = kInfinity};
+  PeopleFinder first(levelCamera(), options), second(levelCamera(), options);
+  look(scene, first, {0, 0}, kSlow);
+  second.expect(first.seen());
+  const auto after = look(scene, second, {0, 15}, kSlow);
+  EXPECT_EQ(after[7], (std::vector<int>{2, 1}));
+  EXPECT_EQ(after[13], (std::vector<int>{1}));
+  for (std::size_t i = 14; i < kImages; ++i) EXPECT_EQ(after[i], (std::vector<int>{2, 1})) << i;
 }
 
 }  // namespace expected_people_test
