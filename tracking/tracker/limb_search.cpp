@@ -166,12 +166,13 @@ bool LimbSearch::search(const BodyObservation& seen, std::size_t k, const Scope&
     attempt(p + kUnderSkin * (p - seen.views()[points.view[i]].eye()).normalized(),
             uniform(random, -1.5, 1.5));
   }
-  if (!limb.isArm()) {
-    const BodyRig& rig = fit_->rig();
-    const Vector3d hip = X_WS[index(rig[limb.upper].parent)] * rig[limb.upper].p_parent;
-    const double length = lengthOf(rig, limb);
-    attempt(hip - length * Vector3d::UnitZ(), 0.0);
-  }
+  const BodyRig& rig = fit_->rig();
+  const Vector3d joint = X_WS[index(rig[limb.upper].parent)] * rig[limb.upper].p_parent;
+  const double length = lengthOf(rig, limb);
+  attempt(joint - length * Vector3d::UnitZ(), 0.0);
+  if (limb.isArm())
+    for (const BodyView& view : seen.views())
+      attempt(joint + length * (joint - view.eye()).normalized(), 0.0);
   return found;
 }
 

@@ -63,8 +63,9 @@ class LimbSearch {
     bool recorded{true};  ///< what was tried becomes tries()
   };
   /// Of kLimbs[`limb`], tries random positions around the wrist, positions of points that no segment
-  /// explains, and for a leg the straight one below the hip, on which a person stands. `pose` changes only if
-  /// one is better; returns whether it did.
+  /// explains, and the straight limb that hangs, as a leg on which a person stands. Of an arm also the one
+  /// that points away from a camera, as the trunk may hide it while it explains points of the other arm.
+  /// `pose` changes only if one is better; returns whether it did.
   bool search(const BodyObservation& seen, std::size_t limb, const Scope& scope, std::mt19937_64& random,
               RigPose& pose);
   /// What the last recorded search for kLimbs[`limb`] tried, the place where it started included.

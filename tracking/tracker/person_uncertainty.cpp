@@ -20,18 +20,27 @@ constexpr double kOfStatureSeen = 0.10, kOfStatureCut = 0.20, kOfStatureHidden =
                  kOfStatureStraight = 0.40;
 constexpr double kConfirmed = 0.2;  // s; until then, a person who was found may be in another posture
 
+/// m^2, of a joint that may be `distance` (m) away.
+double variance(double distance) {
+  const double deviation = distance / humanmodel::kSpreadQuantile;
+  return deviation * deviation;
+}
+
 /// The places of hidden joints are counted from the last one of the limb that is seen, which has an error,
-/// too.
+/// too. A wrist may be `elsewhere` (m), and the hidden hand with it. The same of knees made the reach of feet
+/// behind a bench half as large again, which all were within it before.
 void attachHidden(const humanmodel::SkeletonFrame& frame, const JointCovariances& tracked,
-                  JointCovariances& covariance) {
-  for (const std::array<humanmodel::Joint, 4>& limb : kLimbJoints) {
+                  const LimbAlternatives::Distances& elsewhere, JointCovariances& covariance) {
+  for (std::size_t k = 0; k < kLimbs.size(); ++k) {
     Matrix3d attached = Matrix3d::Zero();
-    for (const humanmodel::Joint joint : limb) {
+    for (const humanmodel::Joint joint : kLimbJoints[k]) {
       const auto j = static_cast<std::size_t>(joint);
-      if (frame.state[j] == humanmodel::JointState::kInferred)
+      if (frame.state[j] == humanmodel::JointState::kInferred) {
         covariance[j] = humanmodel::sumEnclosing(covariance[j], attached);
-      else
-        attached = tracked[j];
+        continue;
+      }
+      attached = tracked[j];
+      if (kLimbs[k].isArm()) attached.diagonal().array() += variance(elsewhere[j]);
     }
   }
 }
@@ -91,7 +100,7 @@ void PersonUncertainty::state(const SearchedImage& image, const PersonDoubts& do
                                                        .support = body.support});
   JointCovariances covariance = tracked;
   addTerms(doubts, body, seen, covariance);
-  attachHidden(frame, tracked, covariance);
+  attachHidden(frame, tracked, alternatives_.distance(), covariance);
   const humanmodel::SkeletonFrame other = doubts.facing_known ? frame : flippedFacing(frame);
   frame.covariance = std::move(memory_);  // all are written below
   for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {

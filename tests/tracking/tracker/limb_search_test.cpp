@@ -92,5 +92,26 @@ TEST_F(SearchedLimbs, EndAtTheSamePlaceHoweverManyCostsAreExact) {
   }
 }
 
+// Where an arm may be that explains nothing: it hangs, or the trunk hides it.
+TEST_F(SearchedLimbs, TryArmsThatHangOrPointAwayFromTheCamera) {
+  constexpr double kStretched = 2e-3;  // m; a straight arm is not quite
+  RigPlacement X_WS;
+  place(rig, start, X_WS);
+  for (const std::size_t limb : {0u, 1u}) {
+    found(limb, 1.1);
+    const Vector3d shoulder = X_WS[index(kLimbs[limb].upper)].translation();
+    const Vector3d away = (shoulder - seen->views()[0].eye()).normalized();
+    const double length = lengthOf(rig, kLimbs[limb]);
+    for (const Vector3d& direction : {Vector3d(-Vector3d::UnitZ()), away}) {
+      const std::span<const LimbTry> tries = limbs->tries(limb);
+      EXPECT_TRUE(std::any_of(tries.begin(), tries.end(),
+                              [&](const LimbTry& one) {
+                                return (one.end - (shoulder + length * direction)).norm() < kStretched;
+                              }))
+          << limb << " " << direction.transpose();
+    }
+  }
+}
+
 }  // namespace limb_search_test
 }  // namespace abstand::tracking

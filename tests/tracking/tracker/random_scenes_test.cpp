@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Drawn{11, 0, 1.0, "SquatsBehindAThingFarAway"},
                       Drawn{11, 5, 1.0, "SitsFarAwayWithARaisedHand"},
                       Drawn{11, 27, 1.0, "HalfHiddenByABenchFarAway"},
-                      Drawn{14, 3, 1.0, "RisesAfterASecond"}),
+                      Drawn{12, 14, 1.0, "OtherArmBehindTheTrunk"}, Drawn{14, 3, 1.0, "RisesAfterASecond"}),
     [](const auto& tested) { return std::string(tested.param.what); });
 
 }  // namespace random_scenes_test

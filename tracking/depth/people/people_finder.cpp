@@ -203,15 +203,17 @@ void PeopleFinder::addToPlan(std::uint32_t i, const DepthImage& image, const Dep
 void PeopleFinder::removeFurniture(const DepthImage& image, const DepthImage* known, const PlanAxes& axes) {
   plan_.clear();
   const auto width = static_cast<std::uint32_t>(image.width);
-  std::erase_if(objects_, [&](std::uint32_t i) {
+  std::size_t kept = 0;
+  for (const std::uint32_t i : objects_) {
     const float h = axes.heightAt(axes.row(y_[i / width]), x_[i % width], image.z[i]);
     if (h < furniture_.topOf(cell_of_[i])) {
       cell_of_[i] = -1;
-      return true;
+      continue;
     }
+    objects_[kept++] = i;
     addToPlan(i, image, known, h);
-    return false;
-  });
+  }
+  objects_.resize(kept);
   plan_.join();
 }
 
