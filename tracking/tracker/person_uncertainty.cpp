@@ -27,8 +27,8 @@ double variance(double distance) {
 }
 
 /// The places of hidden joints are counted from the last one of the limb that is seen, which has an error,
-/// too. A wrist may be `elsewhere` (m), and the hidden hand with it. The same of knees made the reach of feet
-/// behind a bench half as large again, which all were within it before.
+/// too. A wrist may be `elsewhere` (m), and the hidden hand with it. Doing the same for knees made the reach
+/// of feet behind a bench half as large again, although all of them were within it before.
 void attachHidden(const humanmodel::SkeletonFrame& frame, const JointCovariances& tracked,
                   const LimbAlternatives::Distances& elsewhere, JointCovariances& covariance) {
   for (std::size_t k = 0; k < kLimbs.size(); ++k) {
