@@ -32,6 +32,7 @@ constexpr double kConnectedWithin = 0.2, kConnectedArea = 0.02;
 constexpr int kSureShoulders = 19;
 constexpr double kLyingReach = 0.7;  // m, from the middle of a person who lies
 constexpr std::size_t kMinPixels = 30;
+constexpr int kEveryOfBackground = 3;  // rows and columns of background that are looked at
 
 std::size_t pixelsOf(const DepthCamera& camera) {
   return static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
@@ -137,12 +138,11 @@ void PeopleFinder::projectToPlan(const DepthImage& image, const DepthImage* know
 /// Columns of row `v` whose depths are within the gate and not of the background; with `notes_background`
 /// also some that are. Computed without branches, as which pixels are follows no pattern.
 std::span<const int> PeopleFinder::columnsToProject(const DepthImage& image, int v, bool notes_background) {
-  constexpr int kEvery = 3;
   const auto nearest = static_cast<float>(options_.nearest), farthest = static_cast<float>(options_.farthest);
   std::size_t i = static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width), count = 0;
   for (int u = 0; u < image.width; ++u, ++i) {
     const float z = image.z[i];
-    const bool is_noted = notes_background & (u % kEvery == 0);
+    const bool is_noted = notes_background & (u % kEveryOfBackground == 0);
     columns_[count] = u;
     count += static_cast<std::size_t>((z > nearest) & (z < farthest) & (!background_.has(i, z) | is_noted));
   }
@@ -150,14 +150,13 @@ std::span<const int> PeopleFinder::columnsToProject(const DepthImage& image, int
 }
 
 void PeopleFinder::project(const DepthImage& image, const DepthImage* known, const PlanAxes& axes) {
-  constexpr int kEvery = 3;  // rows of background that are looked at
   plan_.clear();
   objects_.clear();
   std::fill(cell_of_.begin(), cell_of_.end(), -1);
   const bool has_floor = people_.floor.has_value();
   for (int v = 0; v < image.height; ++v) {
     const PlanAxes::Row row = axes.row(y_[static_cast<std::size_t>(v)]);
-    for (const int u : columnsToProject(image, v, furniture_.any() && v % kEvery == 0)) {
+    for (const int u : columnsToProject(image, v, furniture_.any() && v % kEveryOfBackground == 0)) {
       const std::size_t i =
           static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(u);
       const float z = image.z[i], x = x_[static_cast<std::size_t>(u)];
