@@ -55,8 +55,8 @@ void BodyFollower::startTurned(const BodyFollower& last) {
   RigPose turned = flippedFacing(*rig, other.body().pose);
   const double turned_cost = refineTurned(*rig, other.seen(), turned);
   const TrackedBody& searched = tracker->search(other, yawOf(other.body().pose) + kPi);
-  const RigPose pose = searched.misfit.cost < turned_cost ? searched.pose : turned;
-  tracker->resume(pose, {}, other.body().frame.t);
+  const bool is_better = searched.misfit.cost < turned_cost && !faceAlike(searched.pose, other.body().pose);
+  tracker->resume(is_better ? searched.pose : turned, {}, other.body().frame.t);
 }
 
 }  // namespace abstand::tracking

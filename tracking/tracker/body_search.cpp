@@ -4,6 +4,7 @@
 #include "tracking/tracker/bent_start.hpp"
 #include "tracking/tracker/body_tracker.hpp"
 #include "tracking/tracker/head_peak.hpp"
+#include "tracking/tracker/leg_posture.hpp"
 #include "tracking/tracker/raised_arms.hpp"
 #include "tracking/tracker/turned_round.hpp"
 
@@ -72,7 +73,7 @@ void BodyTracker::find() {
     views += 1.0;
   }
   middle /= views;
-  Fits fits{{}, AlikeFits(*rig_)};
+  Fits fits{{}, kInfinity, AlikeFits(*rig_)};
   if (top < kLyingTop) {
     tryLying(middle, fits.best);
   } else if (front_) {
@@ -84,7 +85,8 @@ void BodyTracker::find() {
   }
   if (!lying_.lies && top < kHandsOffFloor * rig_->height) lying_.apart = fits.all.apart();
   body_ = fits.best;
-  if (std::isfinite(body_.misfit.cost)) uncrossLegs(), uncrossArms(), lowerLeg(), plantLegs(), lowerArms();
+  if (std::isfinite(body_.misfit.cost))
+    standLegs(), uncrossLegs(), uncrossArms(), lowerLeg(), plantLegs(), lowerArms();
   body_.found = body_.misfit.explained > kFoundAbove;
   velocity_.setZero();
   badly_ = 0;
@@ -101,7 +103,7 @@ void BodyTracker::tryStarts(const Vector3d& middle, double top, double facing, F
   tryPostures(postures, middle, top - above, facing, fits);
   if (top > rig_->height + kHandsHighest)
     tryPostures(kRaisedStarts, middle, rig_->height - above, facing, fits);
-  if (top < kHandsOffFloor * rig_->height) tryBent(middle, top, fits);
+  if (top < kHandsOffFloor * rig_->height) tryBent(middle, top, facing, fits);
   if (const std::optional<double> head = headBelowHands(seen_)) tryRaised(middle, *head, facing, fits);
   if (!is_cut_.above) return;
   tryPostures(kCutStarts, middle, top - above, facing, fits);
@@ -126,10 +128,10 @@ void BodyTracker::tryRaised(const Vector3d& middle, double head, double facing, 
 }
 
 /// Of a person whose hands may be at the floor. The head may be at either end, whichever way is expected.
-void BodyTracker::tryBent(const Vector3d& middle, double top, Fits& fits) {
+void BodyTracker::tryBent(const Vector3d& middle, double top, double facing, Fits& fits) {
   constexpr int kBentRounds = 6;  // legs that bend, and arms before them, are found late
   std::array<RigPose, kBentStarts> starts;
-  bentStarts(*rig_, seen_.points(), middle, top, starts);
+  bentStarts(*rig_, seen_.points(), middle, top, facing, starts);
   for (const RigPose& start : starts) tryFrom(start, fits, kBentRounds);
 }
 
@@ -151,9 +153,12 @@ void BodyTracker::tryPostures(std::span<const StartPosture> postures, const Vect
 
 void BodyTracker::tryFrom(const RigPose& start, Fits& fits, int rounds) {
   fitFrom(start, rounds);
-  if (!mayFace(yawOf(body_.pose))) return;
-  fits.all.add(body_.misfit.cost, body_.X_WS);
-  if (body_.misfit.cost < fits.best.misfit.cost) fits.best = body_;
+  if (!mayFace(yawOf(body_.pose)) || isHeadlong(body_.X_WS)) return;
+  const double cost = body_.misfit.cost * (floats() ? kFloats : 1.0);
+  fits.all.add(cost, body_.X_WS);
+  if (!(cost < fits.cost)) return;
+  fits.cost = cost;
+  fits.best = body_;
 }
 
 bool BodyTracker::mayFace(double yaw) const {

@@ -116,7 +116,7 @@ const TrackedBody& BodyTracker::track(double t, std::span<const PersonImage> ima
     lost_.reset();
   } else if (body_.found) {
     follow(dt);
-    badly_ = body_.misfit.explained < kLostBelow ? badly_ + 1 : 0;
+    badly_ = body_.misfit.explained < kLostBelow || isHeadlong(body_.X_WS) ? badly_ + 1 : 0;
     if (badly_ >= kBadImages) body_.found = false;
     const bool is_doubtful = may_sit && body_.misfit.cost > kDoubtful && !areFeetCut();
     if (body_.found && (is_doubtful || body_.misfit.cost > kVeryDoubtful)) searchAgain(t);
@@ -182,16 +182,6 @@ void BodyTracker::widenHands(const std::array<double, 2>& extent) {
   humanmodel::addRadius(body_.frame, kHandRight, extent[1]);
 }
 
-void BodyTracker::encloseOther(const humanmodel::SkeletonFrame& other) {
-  humanmodel::SkeletonFrame& frame = body_.frame;
-  for (std::size_t j = 0; j < humanmodel::kJointCount; ++j) {
-    const auto joint = static_cast<humanmodel::Joint>(j);
-    const Matrix3d either = humanmodel::enclosingCovariance(humanmodel::covarianceOf(frame, joint),
-                                                            humanmodel::covarianceOf(other, joint));
-    humanmodel::setCovariance(frame, joint, humanmodel::sumWithOffset(either, other.p[j] - frame.p[j]));
-  }
-}
-
 void BodyTracker::searchLimbs(const LimbSearch::Scope& arms, const LimbSearch::Scope& legs) {
   bool found = false;
   RigPose other = body_.pose;
@@ -231,6 +221,7 @@ void BodyTracker::follow(double dt) {
   velocity_ =
       continues ? BodySolver::Vector(difference(*rig_, last, body_.pose) / dt) : BodySolver::Vector::Zero();
   placeBody();
+  standLegs();
   uncrossArms();
   lowerLeg();
   plantLegs();

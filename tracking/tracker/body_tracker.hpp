@@ -5,6 +5,8 @@
 #include <random>
 
 #include "tracking/tracker/backoff.hpp"
+#include "tracking/tracker/leg_posture.hpp"
+#include "tracking/tracker/other_facing.hpp"
 #include "tracking/tracker/person_uncertainty.hpp"
 
 namespace abstand::tracking {
@@ -55,9 +57,8 @@ class BodyTracker {
   /// Adds to the reach of the left and the right hand in the last image: m by which things in them extend
   /// beyond them.
   void widenHands(const std::array<double, 2>& extent);
-  /// Adds to the reach of each joint in the last image its place and reach in `other`, another body of the
-  /// same person.
-  void encloseOther(const humanmodel::SkeletonFrame& other);
+  /// Adds to the reach of each joint in the last image that in `other`: encloseOtherFacing().
+  void encloseOther(const TrackedBody& other) { encloseOtherFacing(other, body_); }
   /// Continues from a pose as if it had been found in the last image; `lying`: of the tracker that found it;
   /// `since` (s): of the first image in which it found it.
   void resume(const RigPose& pose, const Lying& lying, double since = -kInfinity);
@@ -76,9 +77,13 @@ class BodyTracker {
   bool isCutAtBothEnds() const { return isHeadCut() && (is_cut_.below || !showsFoot()); }
   /// Whether the trunk of the last body is more level than upright.
   bool isBent() const;
+  /// Whether the last body does not lie, and has both feet in the air.
+  bool floats() const { return !lying_.lies && tracking::floats(body_.X_WS); }
   const BodyObservation& seen() const { return seen_; }
   const DepthFit& fit() const { return fit_; }
 
+  /// Times the cost of a body that floats, at which one that does not is the likelier one.
+  static constexpr double kFloats = 1.5;
   /// m, typical distance from the visible skin to the middle of the body.
   static constexpr double kHalfBody = 0.10;
   /// s; a person out of sight for longer may have turned around.
@@ -108,13 +113,14 @@ class BodyTracker {
   /// Of a search for somebody who does not lie.
   struct Fits {
     TrackedBody best;
+    double cost;  ///< m^2, of `best`, by which fits are compared
     AlikeFits all;
   };
   void tryStarts(const Vector3d& middle, double top, double facing, Fits& fits);
   void tryRaised(const Vector3d& middle, double head, double facing, Fits& fits);
   void tryPostures(std::span<const StartPosture> postures, const Vector3d& middle, double pelvis,
                    double facing, Fits& fits);
-  void tryBent(const Vector3d& middle, double top, Fits& fits);
+  void tryBent(const Vector3d& middle, double top, double facing, Fits& fits);
   void tryFrom(const RigPose& start, Fits& fits, int rounds = kStartRounds);
   void tryLying(const Vector3d& middle, TrackedBody& best);
   bool mayFace(double yaw) const;
@@ -122,6 +128,7 @@ class BodyTracker {
   void placeBody();
   void uncrossLegs();
   void uncrossArms();
+  void standLegs();
   void lowerLeg();
   void plantLegs();
   void lowerArms();

@@ -127,16 +127,16 @@ class ClipPasses {
              std::span<const PersonImage> images, const PeopleViews& views) {
     kept_.keep(number, moment, person, images, views);
     if (moment.t < learned.start) return;
-    const StartTrial& trial =
+    StartTrial& trial =
         starts_.try_emplace(person, options_.person, learned.body, moment.t, learned.cost).first->second;
     if (moment.t < std::min(trial.end(), learned.last)) return;
-    const std::vector<KeptMoment> moments = kept_.take(person, views);
-    StartTrial::Result best = trial.run(moments);
-    starts_.erase(person);
+    trial.add(kept_.take(person, views));
+    StartTrial::Result best = trial.run();
+    if (best.contradicts_first && moment.t < learned.last && trial.extend()) return;
     const TrackedPerson& tracker = trackers_.try_emplace(person, std::move(*best.tracker)).first->second;
     std::size_t next = 0;
-    for (std::size_t i = 0; i < moments.size(); ++i) {
-      const KeptMoment& then = moments[i];
+    for (std::size_t i = 0; i < trial.moments().size(); ++i) {
+      const KeptMoment& then = trial.moments()[i];
       if (next == 0 && !best.bodies[i].found) continue;
       for (; next > 0 && next < then.number; ++next)
         noteMoment(track_, place_, person, times_[next], nullptr, true);
@@ -145,6 +145,7 @@ class ClipPasses {
              tracker);
       next = then.number + 1;
     }
+    starts_.erase(person);
   }
 
   /// A camera was moved: its images are not used for the first bodies.

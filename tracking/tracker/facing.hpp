@@ -35,6 +35,8 @@ struct Facing {
     return kneels ? kSureKneelingAway : kSureAway;
   }
   bool decided() const { return given || ratio < 1.0 / sureAway() || ratio > sure(); }
+  /// Whether `ratio` is of the other direction.
+  bool contradicts() const { return away ? ratio > 1.0 : ratio < 1.0; }
   /// Of a person who lies: sets `lies`, `away` and `ratio` from two ratios of costs, facing away over facing
   /// the camera: `turning`, of turned poses, and `searching`, of searches from both sides; NaN: none. A
   /// turned pose has lost what a search would find: if they disagree, `ratio` is 1, else the less certain of

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t kLeftLeg = 2, kRightLeg = 3;  // of kLimbs
 constexpr double kKneeOnFloor = 0.20;  // m; the knees of people who sit on a chair are at 0.4 and more
+constexpr double kOffFloor = 0.25;     // m, of an ankle, on no step
+constexpr double kInTheAir = 0.50;     // m, likewise; of people on high chairs up to 0.4
+constexpr double kHeadAbove = 0.20;    // m, of somebody who does not lie
 constexpr double kBentKnee = 1.0;      // rad
 constexpr double kBelowHip = 0.2;      // m
 constexpr double kRaised = 0.25;  // m, of an ankle above the other one; feet of people who walk stay lower
@@ -19,11 +22,37 @@ double ankleHeight(const RigPlacement& X_WS, std::size_t leg) {
   return X_WS[index(kLimbs[leg].end)].translation().z();
 }
 
+/// m, of their joints.
+double headAbovePelvis(const RigPlacement& X_WS) {
+  return X_WS[index(RigSegment::kHead)].translation().z() -
+         X_WS[index(RigSegment::kPelvis)].translation().z();
+}
+
 }  // namespace
 
 bool kneels(const RigPlacement& X_WS) {
   return std::min(X_WS[index(RigSegment::kCalfLeft)].translation().z(),
                   X_WS[index(RigSegment::kCalfRight)].translation().z()) < kKneeOnFloor;
+}
+
+bool isHeadlong(const RigPlacement& X_WS) {
+  return headAbovePelvis(X_WS) < 0.0 &&
+         std::min(ankleHeight(X_WS, kLeftLeg), ankleHeight(X_WS, kRightLeg)) > kOffFloor;
+}
+
+bool floats(const RigPlacement& X_WS) {
+  return headAbovePelvis(X_WS) > kHeadAbove &&
+         std::min(ankleHeight(X_WS, kLeftLeg), ankleHeight(X_WS, kRightLeg)) > kInTheAir;
+}
+
+RigPose standingLegs(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS) {
+  RigPose standing = pose;
+  for (const std::size_t leg : {kLeftLeg, kRightLeg}) {
+    Vector3d below = X_WS[index(kLimbs[leg].upper)].translation();
+    below.z() = kAnkleHeight;
+    reachFor(rig, kLimbs[leg], X_WS, below, 0.0, standing);
+  }
+  return standing;
 }
 
 std::optional<std::size_t> raisedLeg(const RigPlacement& X_WS) {

@@ -14,6 +14,15 @@ inline constexpr double kAnkleHeight = 0.08;  ///< m, of somebody who stands
 /// and the toes point backwards.
 bool kneels(const RigPlacement& X_WS);
 
+/// Whether the head is below the pelvis and neither foot near the floor z = 0: people who bend stand.
+bool isHeadlong(const RigPlacement& X_WS);
+
+/// Whether the head is above the pelvis and both feet are higher above the floor than those of somebody who
+/// stands, or sits on a chair: legs may explain what arms should.
+bool floats(const RigPlacement& X_WS);
+/// The pose with both ankles below the hips, on the floor as far as they reach. Does not allocate or throw.
+RigPose standingLegs(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS);
+
 /// Of kLimbs, the leg whose ankle is well above the one of the other leg; nullopt if there is none. Of
 /// somebody who is seen from the side, the far leg is hidden by the near one, and free to explain points of
 /// the far arm.

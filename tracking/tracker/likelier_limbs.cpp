@@ -30,6 +30,16 @@ void BodyTracker::uncrossLegs() {
   if (crossesLegs(body_.X_WS)) tryLikelier(uncrossedLegs(*rig_, body_.pose, body_.X_WS), kLikelierCost);
 }
 
+/// Legs that a fit has raised where the arms are, as of somebody of whom nothing else is seen above a bench.
+/// Those of somebody who sits on a table explain points that nothing else does.
+void BodyTracker::standLegs() {
+  if (!floats()) return;
+  RigPose start = standingLegs(*rig_, body_.pose, body_.X_WS);
+  for (std::size_t k = 0; k < kLimbs.size(); ++k)
+    if (kLimbs[k].isArm()) limbs_.search(seen_, k, {120, 0.3, 1.0, false}, random_, start);
+  if (tryLikelier(start, kFloats)) velocity_.setZero();
+}
+
 /// Arms that a fit has exchanged, as when they are raised above the head within a few images. Not of people
 /// who lie: from above, arms beside the head of somebody on the front look alike either way.
 void BodyTracker::uncrossArms() {

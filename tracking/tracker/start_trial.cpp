@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace abstand::tracking {
@@ -40,11 +41,25 @@ StartTrial::StartTrial(const TrackedPerson::Options& options, std::shared_ptr<co
   for (const Start& one : starts_) counted_from_ = std::max(counted_from_, one.t);
 }
 
-StartTrial::Result StartTrial::run(std::span<const KeptMoment> moments) const {
-  Result best{nullptr, {}, kInfinity};
-  for (const Start& start : starts_) compete(start, known_, moments, std::numeric_limits<int>::max(), best);
-  if (mayFaceOtherWay()) letOtherWayCompete(moments, best);
-  continueBefore(moments, best);
+void StartTrial::add(std::vector<KeptMoment> moments) {
+  std::move(moments.begin(), moments.end(), std::back_inserter(moments_));
+}
+
+bool StartTrial::extend() {
+  if (counted_ == kCountedLonger) return false;
+  counted_ = kCountedLonger;
+  return true;
+}
+
+StartTrial::Result StartTrial::run() const {
+  Result best;
+  for (const Start& start : starts_) compete(start, known_, std::numeric_limits<int>::max(), best);
+  Result other;
+  if (mayFaceOtherWay()) other = bestOfOtherWay(best.cost);
+  continueBefore(best);
+  if (!other.tracker) return best;
+  continueBefore(other);
+  revise(std::move(other), best);
   return best;
 }
 
@@ -53,17 +68,30 @@ bool StartTrial::mayFaceOtherWay() const {
   return facing.decided() && !facing.given && !facing.lies;
 }
 
-void StartTrial::letOtherWayCompete(std::span<const KeptMoment> moments, Result& best) const {
+/// The best body that faces the other way and refutes one of this cost; no tracker if there is none.
+StartTrial::Result StartTrial::bestOfOtherWay(double cost) const {
   const auto other_way = turned(*known_);
-  Result refuting{nullptr, {}, kRefuted * best.cost};
+  Result refuting;
+  refuting.cost = kRefuted * cost;
   for (const Start& start : starts_)
-    if (!start.on_path) compete(start, other_way, moments, kVainSearches, refuting);
-  if (!refuting.tracker) return;
-  // What both passes say together: the first one compared more images, but from a wrong first pose, perhaps.
-  const double trial = refuting.cost / best.cost, first = known_->facing.ratio;
-  const double ratio = first * (other_way->facing.away ? trial : 1.0 / trial);
-  if ((ratio < 1.0) == other_way->facing.away) best = std::move(refuting);
-  best.tracker->decideFacing(ratio);
+    if (!start.on_path) compete(start, other_way, kVainSearches, refuting);
+  return refuting;
+}
+
+/// What both passes say together: the first one compared more images, but from a wrong first pose, perhaps. A
+/// longer trial compares as many, from the best of several first poses.
+void StartTrial::revise(Result other, Result& best) const {
+  const bool away = !known_->facing.away;
+  const double trial = away ? other.cost / best.cost : best.cost / other.cost;
+  const auto counted = std::count_if(moments_.begin(), moments_.end(),
+                                     [this](const KeptMoment& moment) { return moment.t >= counted_from_; });
+  const bool decides_alone = counted >= static_cast<std::ptrdiff_t>(FacingTrial::kMinImages);
+  const double ratio = decides_alone ? trial : trial * known_->facing.ratio;
+  if ((ratio < 1.0) == away) std::swap(best, other);
+  best.tracker->reviseFacing(ratio, std::move(*other.tracker));
+  if (best.tracker->facing().decided()) return;
+  best.contradicts_first = true;
+  for (std::size_t i = 0; i < best.bodies.size(); ++i) encloseOtherFacing(other.bodies[i], best.bodies[i]);
 }
 
 double StartTrial::costOf(const TrackedBody& body) const {
@@ -72,33 +100,33 @@ double StartTrial::costOf(const TrackedBody& body) const {
 
 /// Tracks a candidate through the moments from its start on, unless it is not found in the first `vain`
 /// images. If it costs less than `best`, replaces it.
-void StartTrial::compete(const Start& start, const std::shared_ptr<const KnownBody>& known,
-                         std::span<const KeptMoment> moments, int vain, Result& best) const {
+void StartTrial::compete(const Start& start, const std::shared_ptr<const KnownBody>& known, int vain,
+                         Result& best) const {
   TrackedPerson::Options options = options_;
   options.seed += start.seed;
   options.starts_on_path = start.on_path;
-  Result candidate{std::make_unique<TrackedPerson>(options, known), {}, 0.0};
-  candidate.bodies.resize(moments.size());
-  const double counted_from = std::min(counted_from_, moments.back().t - kCounted);
+  Result candidate{std::make_unique<TrackedPerson>(options, known), {}, 0.0, false};
+  candidate.bodies.resize(moments_.size());
+  const double counted_from = std::min(counted_from_, moments_.back().t - kCounted);
   bool was_found = false;
-  for (std::size_t i = 0; i < moments.size() && candidate.cost < best.cost; ++i) {
-    if (moments[i].t >= start.t) {
-      candidate.bodies[i] = *candidate.tracker->see(moments[i].t, moments[i].views());
+  for (std::size_t i = 0; i < moments_.size() && candidate.cost < best.cost; ++i) {
+    if (moments_[i].t >= start.t) {
+      candidate.bodies[i] = *candidate.tracker->see(moments_[i].t, moments_[i].views());
       was_found = was_found || candidate.bodies[i].found;
       if (!was_found && --vain == 0) return;
     }
-    if (moments[i].t >= counted_from) candidate.cost += costOf(candidate.bodies[i]);
+    if (moments_[i].t >= counted_from) candidate.cost += costOf(candidate.bodies[i]);
   }
   if (candidate.cost < best.cost) best = std::move(candidate);
 }
 
 /// Tracks the body backwards from where it was found first.
-void StartTrial::continueBefore(std::span<const KeptMoment> moments, Result& best) const {
+void StartTrial::continueBefore(Result& best) const {
   const auto found = std::find_if(best.bodies.begin(), best.bodies.end(),
                                   [](const TrackedBody& body) { return body.found; });
   if (found == best.bodies.end()) return;
   for (auto i = static_cast<std::size_t>(found - best.bodies.begin()); i > 0; --i) {
-    const KeptMoment& moment = moments[i - 1];
+    const KeptMoment& moment = moments_[i - 1];
     TrackedBody body = best.tracker->seeBefore(moment.t, moment.views());
     if (!body.found && moment.t < start_) return;
     best.bodies[i - 1] = std::move(body);

@@ -37,15 +37,10 @@ const TrackedBody& trackBoth(double t, std::span<const PersonImage> images, bool
   return now.track(t, images);
 }
 
-/// Both facing directions count while the images do not decide.
-void encloseOther(BodyFollower& now, const BodyFollower& other) {
-  const TrackedBody &mine = now.tracker->body(), &its = other.tracker->body();
-  if (mine.found) now.tracker->encloseOther(its.found ? its.frame : flippedFacing(mine.frame));
-}
-
 }  // namespace
 
-TrackedPerson::TrackedPerson(const Options& options) : options_{options}, separations_{kSeparations} {
+TrackedPerson::TrackedPerson(const Options& options)
+    : options_{options}, separations_{kSeparations}, searches_{kSeparations} {
   facing_.away = options.away.value_or(false);
   facing_.given = options.away.has_value();
   if (!options.height) return;
@@ -61,6 +56,7 @@ TrackedPerson::TrackedPerson(const Options& options, std::shared_ptr<const Known
       now_{followerOf(known->assumed.body, stature_, facing_.away)},
       things_{known->things},
       separations_{kSeparations},
+      searches_{kSeparations},
       known_{std::move(known)},
       started_{true},
       fitted_{true},
@@ -112,6 +108,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
     images = things_.remove(all);
     track(t, images);
   }
+  searchAnew(t, images);
   if (now_.tracker->body().found) found_t_ = t;
   tryOtherFacing();
   compareFacings(t, images);
@@ -122,7 +119,7 @@ const TrackedBody* TrackedPerson::see(double t, std::span<const PersonImage> all
   now_.learn();
   if (other_) {
     other_.learn();
-    if (!facing_.decided()) encloseOther(now_, other_);
+    if (!facing_.decided()) now_.tracker->encloseOther(other_.tracker->body());
   }
   compareMeasured(t);  // last, as `images` are valid until the next things_.remove()
   return &body;
@@ -150,7 +147,7 @@ TrackedBody TrackedPerson::seeBefore(double t, std::span<const PersonImage> all)
   before_.tracker->widenHands(now_.held.extent());
   if (other_before_) {
     other_before_.tracker->widenHands(other_.held.extent());
-    if (!facing_.decided()) encloseOther(before_, other_before_);
+    if (!facing_.decided()) before_.tracker->encloseOther(other_before_.tracker->body());
   }
   TrackedBody body = before_.tracker->body();
   body.frame.t = t;
@@ -221,6 +218,24 @@ bool TrackedPerson::separateThings(double t, std::span<const PersonImage> images
   return true;
 }
 
+/// A body whose feet are in the air, and that explains the image badly: the search of its tracker would start
+/// from its own, wrong direction.
+void TrackedPerson::searchAnew(double t, std::span<const PersonImage> images) {
+  const TrackedBody& body = now_.tracker->body();
+  if (!body.found || body.misfit.cost < kDoubtfulCost || !now_.tracker->floats() || !searches_.isDue(t))
+    return;
+  BodyFollower trial = followerOf(now_.body, stature_, facing_.away);
+  const TrackedBody& other = trial.track(t, images);
+  const bool is_better =
+      other.found && !trial.tracker->floats() && other.misfit.cost < BodyTracker::kFloats * body.misfit.cost;
+  searches_.note(t, is_better);
+  if (!is_better) return;
+  trial_ = {};
+  now_.tracker->resume(other.pose, trial.tracker->lying(), t);
+  track(t, images);
+  things_.forget();
+}
+
 /// All bodies; returns the one that faces as assumed.
 const TrackedBody& TrackedPerson::track(double t, std::span<const PersonImage> images) {
   if (known_) {
@@ -253,13 +268,17 @@ void TrackedPerson::compareFacings(double t, std::span<const PersonImage> images
     addToTrial(t, now_, other_);
     trial_.judge(facing_);
     assume(trial_.isLikelyAway(facing_.away));
+    if (facing_.decided() && facing_.contradicts())
+      facing_.ratio = kNaN;  // decided before a body was replaced
   }
   const bool is_refuted = mine.found && !std::isfinite(its.misfit.cost);
   if (facing_.decided() && (trial_.settles() || is_refuted)) endComparison();
 }
 
-/// Bodies that face as assumed, and the other way, in one image. Evidence with wrong poses does not count.
+/// Bodies that face as assumed, and the other way, in one image. Evidence with wrong poses does not count,
+/// nor that of bodies of which one was found anew and faces as the other one does.
 void TrackedPerson::addToTrial(double t, const BodyFollower& mine, const BodyFollower& its) {
+  if (faceAlike(mine.tracker->body().pose, its.tracker->body().pose)) return;
   if (mine.tracker->wasReplaced() || its.tracker->wasReplaced()) trial_ = {};
   BySide<FacingEvidence> evidence;
   evidence[facing_.away] = facingEvidence(*mine.tracker);
@@ -281,9 +300,12 @@ void TrackedPerson::compareMeasured(double t) {
   other_before_ = {};
 }
 
-void TrackedPerson::decideFacing(double ratio) {
+void TrackedPerson::reviseFacing(double ratio, TrackedPerson other) {
   facing_.ratio = ratio;
   now_.tracker->setFacingKnown(facing_.decided());
+  if (facing_.decided()) return;
+  other_ = std::move(other.now_);
+  decides_ = true;
 }
 
 void TrackedPerson::assume(bool away) {

@@ -75,8 +75,9 @@ class TrackedPerson {
   const HeldThings& held() const { return now_.held; }
   /// What a second pass needs. Valid if hasBody().
   KnownBody known() const;
-  /// A decision from outside: sets Facing::ratio of the direction that is assumed.
-  void decideFacing(double ratio);
+  /// Sets Facing::ratio of the direction that is assumed. If it is undecided then, the body of `other`, which
+  /// saw the same images and faces the other way, is tracked too, and later images decide.
+  void reviseFacing(double ratio, TrackedPerson other);
   /// Ends measuring, comparing and fitting with the images so far.
   void settle();
 
@@ -107,6 +108,7 @@ class TrackedPerson {
   void follow(double t, std::span<const PersonImage> images);
   void tryOtherFacing();
   bool separateThings(double t, std::span<const PersonImage> images);
+  void searchAnew(double t, std::span<const PersonImage> images);
   const TrackedBody& track(double t, std::span<const PersonImage> images);
   void noteFirst(double t);
   void startBefore();
@@ -146,7 +148,7 @@ class TrackedPerson {
   BySide<BodyCalibration> calibration_;
   StillThings things_;
   TouchingThings touching_;
-  Backoff separations_;
+  Backoff separations_, searches_;
   std::future<Fit> fitting_;
   ComingIntoView coming_;
   std::shared_ptr<const KnownBody> known_;  ///< until the person is found

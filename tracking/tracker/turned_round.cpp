@@ -29,6 +29,8 @@ double yawOf(const RigPose& pose) {
   return std::atan2(front.y(), front.x());
 }
 
+bool faceAlike(const RigPose& a, const RigPose& b) { return std::cos(yawOf(a) - yawOf(b)) > 0.5; }
+
 humanmodel::Joint mirrored(humanmodel::Joint joint) {
   for (const auto& [left, right] : kSides) {
     if (joint == left) return right;

@@ -11,6 +11,9 @@ inline constexpr int kTurnSteps = 15;
 /// Facing direction of a pose: rad, about the world's z from its x.
 double yawOf(const RigPose& pose);
 
+/// Whether two poses face ways less than 60 degrees apart.
+bool faceAlike(const RigPose& a, const RigPose& b);
+
 /// Whether this is the front of a person who lies on the back or on the front.
 bool facesUpOrDown(const Vector3d& front);
 

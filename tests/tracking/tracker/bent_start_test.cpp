@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "tests/support/no_alloc.hpp"
 #include "tracking/tracker/alike_fits.hpp"
+#include "tracking/tracker/turned_round.hpp"
 
 namespace abstand::tracking {
 namespace bent_start_test {
@@ -29,9 +32,9 @@ TEST(BentStarts, StandOnBothFeetWithTheHeadAtEitherEnd) {
   const BodyRig rig = rigOfAdult();
   const SeenPoints points = alongX();
   std::array<RigPose, kBentStarts> starts;
-  bentStarts(rig, points, Vector3d::Zero(), kTop, starts);
+  bentStarts(rig, points, Vector3d::Zero(), kTop, 0.0, starts);
   int ahead = 0;
-  for (const RigPose& start : starts) {
+  for (const RigPose& start : std::span(starts).first(kBentStarts - 1)) {
     RigPlacement X_WS;
     place(rig, start, X_WS);
     const auto at = [&](Joint joint) { return jointPosition(rig, X_WS, joint); };
@@ -51,12 +54,23 @@ TEST(BentStarts, StandOnBothFeetWithTheHeadAtEitherEnd) {
   EXPECT_EQ(ahead, 0);
 }
 
+// The points of somebody behind a bench may be those of both arms.
+TEST(BentStarts, LastOneFacesAsExpected) {
+  constexpr double kFacing = 0.5 * kPi;  // rad
+  const BodyRig rig = rigOfAdult();
+  std::array<RigPose, kBentStarts> starts;
+  bentStarts(rig, alongX(), Vector3d::Zero(), kTop, kFacing, starts);
+  EXPECT_NEAR(yawOf(starts.back()), kFacing, 1e-12);
+  for (const RigPose& start : std::span(starts).first(kBentStarts - 1))
+    EXPECT_GT(std::abs(std::cos(yawOf(start))), 0.9);
+}
+
 TEST(BentStarts, AllocateNothing) {
   const BodyRig rig = rigOfAdult();
   const SeenPoints points = alongX();
   std::array<RigPose, kBentStarts> starts;
   testing::NoAlloc guard;
-  bentStarts(rig, points, Vector3d::Zero(), kTop, starts);
+  bentStarts(rig, points, Vector3d::Zero(), kTop, 0.0, starts);
 }
 
 TEST(AlikeFits, AreApartAsFarAsTheFarthestThatCostsHardlyMore) {

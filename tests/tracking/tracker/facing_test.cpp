@@ -33,6 +33,14 @@ TEST(Facing, OfTrunksWithoutHeadAndFeetNeedsMore) {
   for (const double ratio : {0.26, 1.0, 2.5, 3.9}) EXPECT_FALSE(decided(ratio)) << ratio;
 }
 
+TEST(Facing, IsContradictedByTheRatioOfTheOtherDirection) {
+  EXPECT_TRUE((Facing{.away = true, .ratio = 1.6}.contradicts()));
+  EXPECT_TRUE((Facing{.away = false, .ratio = 0.7}.contradicts()));
+  EXPECT_FALSE((Facing{.away = true, .ratio = 0.7}.contradicts()));
+  EXPECT_FALSE((Facing{.away = false, .ratio = 1.6}.contradicts()));
+  for (const bool away : {true, false}) EXPECT_FALSE((Facing{.away = away, .ratio = kNaN}.contradicts()));
+}
+
 TEST(Facing, OfPeopleWhoLieIsThatOfTheLessCertain) {
   EXPECT_EQ(lying(2.0, 1.3).ratio, 1.3);
   EXPECT_EQ(lying(1.3, 2.0).ratio, 1.3);

@@ -42,6 +42,36 @@ TEST_F(LimbPosture, KneelsWithAKneeOnTheFloor) {
   EXPECT_TRUE(kneels(placed(pose)));
 }
 
+TEST_F(LimbPosture, FloatsWithBothFeetInTheAir) {
+  EXPECT_FALSE(floats(upright));
+  EXPECT_FALSE(floats(seatedPlacement(rig)));
+  EXPECT_FALSE(floats(placed(stepping(0.6, 0.6)))) << "on one leg";
+  RigPose above;
+  above.X_WP = upright[0];
+  above.X_WP.translation().z() += 0.5;
+  EXPECT_TRUE(floats(placed(above)));
+  RigPose lies = above;
+  lies.X_WP.linear() = Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitY()).toRotationMatrix();
+  EXPECT_FALSE(floats(placed(lies))) << "on a table";
+}
+
+TEST_F(LimbPosture, HeadlongWithNoFootAtTheFloor) {
+  EXPECT_FALSE(isHeadlong(upright));
+  RigPose pose;
+  pose.X_WP.translation().z() = 0.95;
+  pose.X_WP.linear() = Eigen::AngleAxisd(2.0, Vector3d::UnitY()).toRotationMatrix();
+  EXPECT_TRUE(isHeadlong(placed(pose))) << "the legs go on where the back points";
+  EXPECT_FALSE(isHeadlong(placed(standingLegs(rig, pose, placed(pose))))) << "bent over";
+}
+
+// Legs that were raised to the height of the hips, of somebody who stands.
+TEST_F(LimbPosture, StandingLegsAreBelowTheHips) {
+  RigPose pose = stepping(0.6, 0.9);
+  const RigPlacement stands = placed(standingLegs(rig, pose, placed(pose)));
+  for (const RigSegment joint : {RigSegment::kCalfLeft, RigSegment::kFootLeft, RigSegment::kFootRight})
+    EXPECT_LE((stands[index(joint)].translation() - upright[index(joint)].translation()).norm(), kNearly);
+}
+
 TEST_F(LimbPosture, RaisedLegIsFarAboveTheOtherOne) {
   EXPECT_FALSE(raisedLeg(upright));
   EXPECT_FALSE(raisedLeg(seatedPlacement(rig)));

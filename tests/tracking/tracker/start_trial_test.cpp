@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "humanmodel/joint_covariance.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/tracking/tracker/simulated_clip.hpp"
 #include "tracking/tracker/turned_round.hpp"
@@ -42,6 +43,10 @@ class StartTrialOfReaching : public ::testing::Test {
     known->facing = {.away = ratio < 1.0, .ratio = ratio};
     return known;
   }
+  static StartTrial::Result ranWith(StartTrial trial, std::vector<KeptMoment> moments) {
+    trial.add(std::move(moments));
+    return trial.run();
+  }
   double error(const StartTrial::Result& result, std::size_t number) const {
     double sum = 0.0;
     for (std::size_t j = 0; j < humanmodel::kJointCount; ++j)
@@ -65,20 +70,20 @@ TEST_F(StartTrialOfReaching, FindsThePersonInAllImages) {
   const StartTrial trial({}, known(), 0.0, kUsualCost);
   const double last_start = StartTrial::kEvery * static_cast<double>(StartTrial::kSearches - 1);
   EXPECT_NEAR(trial.end(), last_start + StartTrial::kCounted, 1e-12);
-  expectNear(trial.run(moments(trial.end())));
+  expectNear(ranWith(trial, moments(trial.end())));
 }
 
 TEST_F(StartTrialOfReaching, TracksImagesBeforeTheStart) {
   constexpr double kStart = 0.2;  // s
-  expectNear(StartTrial({}, known(), kStart, kUsualCost).run(moments(0.6)));
+  expectNear(ranWith(StartTrial({}, known(), kStart, kUsualCost), moments(0.6)));
 }
 
 TEST_F(StartTrialOfReaching, UsesTheFewImagesThereAre) {
-  expectNear(StartTrial({}, known(), 0.0, kUsualCost).run(moments(0.25)));
+  expectNear(ranWith(StartTrial({}, known(), 0.0, kUsualCost), moments(0.25)));
 }
 
 TEST_F(StartTrialOfReaching, NeedsNoUsualCost) {
-  expectNear(StartTrial({}, known(), 0.0, kInfinity).run(moments(0.4)));
+  expectNear(ranWith(StartTrial({}, known(), 0.0, kInfinity), moments(0.4)));
 }
 
 TEST_F(StartTrialOfReaching, BodyOnAWrongPathLosesToTheSearches) {
@@ -87,7 +92,7 @@ TEST_F(StartTrialOfReaching, BodyOnAWrongPathLosesToTheSearches) {
   bowed.X_WP.translation() = Vector3d(0.3, 0.3, 0.8);
   bowed.X_WP.linear() = Eigen::AngleAxisd(0.8, Vector3d::UnitY()).toRotationMatrix();
   wrong->assumed.path.add(0.0, bowed);
-  expectNear(StartTrial({}, wrong, 0.0, kUsualCost).run(moments(0.7)));
+  expectNear(ranWith(StartTrial({}, wrong, 0.0, kUsualCost), moments(0.7)));
 }
 
 TEST_F(StartTrialOfReaching, BodyThatFacesTheOtherWayRefutesAWrongDecision) {
@@ -96,7 +101,7 @@ TEST_F(StartTrialOfReaching, BodyThatFacesTheOtherWayRefutesAWrongDecision) {
   away.X_WP.translation() = clip_.truth[0][humanmodel::Joint::kPelvis];
   away.X_WP.linear() = Eigen::AngleAxisd(kPi, Vector3d::UnitZ()).toRotationMatrix();
   wrong->assumed.path.add(0.0, away);
-  const StartTrial::Result result = StartTrial({}, wrong, 0.0, kUsualCost).run(moments(0.7));
+  const StartTrial::Result result = ranWith(StartTrial({}, wrong, 0.0, kUsualCost), moments(0.7));
   expectNear(result);
   const Facing& facing = result.tracker->facing();
   EXPECT_FALSE(facing.away);
@@ -104,8 +109,46 @@ TEST_F(StartTrialOfReaching, BodyThatFacesTheOtherWayRefutesAWrongDecision) {
   EXPECT_FALSE(facing.decided()) << "the first pass saw the opposite";
 }
 
+// Both bodies are the person's until later images decide.
+TEST_F(StartTrialOfReaching, UndecidedDirectionIsDecidedByLaterImages) {
+  clip_ = testing::simulate({.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 2.5});
+  StartTrial::Result result = ranWith(StartTrial({}, decided(0.75), 0.0, kUsualCost), moments(0.7));
+  ASSERT_TRUE(result.contradicts_first);
+  ASSERT_FALSE(result.tracker->facing().decided());
+  EXPECT_TRUE(result.tracker->comparesFacings());
+  const humanmodel::SkeletonFrame& frame = result.bodies.back().frame;
+  using enum humanmodel::Joint;
+  const Vector3d across = frame[kShoulderRight] - frame[kShoulderLeft];
+  EXPECT_GE(humanmodel::reachAlong(humanmodel::covarianceOf(frame, kShoulderLeft), across.normalized()),
+            across.norm())
+      << "the other shoulder is there if the person faces the other way";
+  for (const KeptMoment& moment : moments(2.5))
+    EXPECT_TRUE(result.tracker->see(moment.t, moment.views())->found);
+  EXPECT_TRUE(result.tracker->facing().decided());
+  EXPECT_FALSE(result.tracker->facing().away);
+  EXPECT_FALSE(result.tracker->comparesFacings());
+}
+
+TEST_F(StartTrialOfReaching, LongerTrialDecidesAlone) {
+  clip_ = testing::simulate({.recording = testing::projectFile("data/scenes/hug_reach.bvh"), .end = 2.5});
+  StartTrial trial({}, decided(0.75), 0.0, kUsualCost);
+  const double end = trial.end();
+  trial.add(moments(end));
+  ASSERT_TRUE(trial.run().contradicts_first);
+  EXPECT_TRUE(trial.extend());
+  EXPECT_GT(trial.end(), end);
+  EXPECT_FALSE(trial.extend()) << "once";
+  trial.add(moments(trial.end()));
+  const StartTrial::Result result = trial.run();
+  expectNear(result);
+  EXPECT_EQ(result.bodies.size(), trial.moments().size());
+  EXPECT_FALSE(result.contradicts_first);
+  EXPECT_TRUE(result.tracker->facing().decided());
+  EXPECT_FALSE(result.tracker->facing().away);
+}
+
 TEST_F(StartTrialOfReaching, KeepsARightDecision) {
-  const StartTrial::Result result = StartTrial({}, decided(1.3), 0.0, kUsualCost).run(moments(0.7));
+  const StartTrial::Result result = ranWith(StartTrial({}, decided(1.3), 0.0, kUsualCost), moments(0.7));
   expectNear(result);
   EXPECT_FALSE(result.tracker->facing().away);
   EXPECT_EQ(result.tracker->facing().ratio, 1.3);
@@ -114,7 +157,7 @@ TEST_F(StartTrialOfReaching, KeepsARightDecision) {
 TEST_F(StartTrialOfReaching, KeepsADirectionThatIsGiven) {
   const auto given = known();
   given->facing.away = true;
-  const StartTrial::Result result = StartTrial({}, given, 0.0, kUsualCost).run(moments(0.7));
+  const StartTrial::Result result = ranWith(StartTrial({}, given, 0.0, kUsualCost), moments(0.7));
   EXPECT_TRUE(result.tracker->facing().away);
 }
 
