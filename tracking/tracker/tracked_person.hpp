@@ -35,8 +35,8 @@ struct KnownBody {
 /// stature that is an interval is measured again as soon as the person stands upright in view, and a measured
 /// one as soon as the person is higher, with the feet on the floor, or a body of that stature explains the
 /// image better; the body is then fitted anew. One thread, and another one for fit_aside. May allocate in the
-/// first BodyPath::kMaxPoses images, and until it is fitted(), the stature known, and the facing direction
-/// decided.
+/// first BodyPath::kMaxPoses images, until it is fitted(), the stature known, and the facing direction
+/// decided, and while it searches for a body apart from the followed one.
 class TrackedPerson {
  public:
   struct Options {
