@@ -22,6 +22,17 @@ double ankleHeight(const RigPlacement& X_WS, std::size_t leg) {
   return X_WS[index(kLimbs[leg].end)].translation().z();
 }
 
+double lowerAnkle(const RigPlacement& X_WS) {
+  return std::min(ankleHeight(X_WS, kLeftLeg), ankleHeight(X_WS, kRightLeg));
+}
+
+/// m, world: an ankle on the floor below the hip of its leg.
+Vector3d belowHip(const RigPlacement& X_WS, const Limb& leg) {
+  Vector3d below = X_WS[index(leg.upper)].translation();
+  below.z() = kAnkleHeight;
+  return below;
+}
+
 /// m, of their joints.
 double headAbovePelvis(const RigPlacement& X_WS) {
   return X_WS[index(RigSegment::kHead)].translation().z() -
@@ -36,22 +47,17 @@ bool kneels(const RigPlacement& X_WS) {
 }
 
 bool isHeadlong(const RigPlacement& X_WS) {
-  return headAbovePelvis(X_WS) < 0.0 &&
-         std::min(ankleHeight(X_WS, kLeftLeg), ankleHeight(X_WS, kRightLeg)) > kOffFloor;
+  return headAbovePelvis(X_WS) < 0.0 && lowerAnkle(X_WS) > kOffFloor;
 }
 
 bool floats(const RigPlacement& X_WS) {
-  return headAbovePelvis(X_WS) > kHeadAbove &&
-         std::min(ankleHeight(X_WS, kLeftLeg), ankleHeight(X_WS, kRightLeg)) > kInTheAir;
+  return headAbovePelvis(X_WS) > kHeadAbove && lowerAnkle(X_WS) > kInTheAir;
 }
 
 RigPose standingLegs(const BodyRig& rig, const RigPose& pose, const RigPlacement& X_WS) {
   RigPose standing = pose;
-  for (const std::size_t leg : {kLeftLeg, kRightLeg}) {
-    Vector3d below = X_WS[index(kLimbs[leg].upper)].translation();
-    below.z() = kAnkleHeight;
-    reachFor(rig, kLimbs[leg], X_WS, below, 0.0, standing);
-  }
+  for (const Limb& leg : {kLimbs[kLeftLeg], kLimbs[kRightLeg]})
+    reachFor(rig, leg, X_WS, belowHip(X_WS, leg), 0.0, standing);
   return standing;
 }
 
@@ -66,8 +72,7 @@ std::optional<RigPose> plantedLeg(const BodyRig& rig, const RigPose& pose, const
                                   std::size_t leg) {
   const Limb& limb = kLimbs[leg];
   if (std::abs(pose.angle[index(limb.lower)][0]) < kBentKnee) return std::nullopt;
-  Vector3d below = X_WS[index(limb.upper)].translation();
-  below.z() = kAnkleHeight;
+  const Vector3d below = belowHip(X_WS, limb);
   if ((X_WS[index(limb.end)].translation() - below).norm() < kBelowHip) return std::nullopt;
   RigPose planted = pose;
   reachFor(rig, limb, X_WS, below, 0.0, planted);
